@@ -6,9 +6,12 @@
 namespace CGAL::Spline_constraints::internal {
 
 template std::vector<Solution_d<double>>
-all_solutions<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
+all_solutions<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&,
+                                                             Run_control&, Summary&);
 
-template Curve_solution_set_d
-all_curves<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, const Curve_search&);
+template Curve_solution_set_d all_curves<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&,
+                                                                                        const Solver_options&,
+                                                                                        Run_control&,
+                                                                                        const Curve_search&);
 
 } // namespace CGAL::Spline_constraints::internal

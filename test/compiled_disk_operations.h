@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What Voronoi diagrams, medial axes, trimmed bisectors and offsets have in common, for curves of all kernels: instantiated in compiled_disk_operations.cpp.
+// What Voronoi diagrams, medial axes, trimmed bisectors and offsets have in common, for curves of all kernels:
+// instantiated in compiled_disk_operations.cpp.
 
 #ifndef TEST_COMPILED_DISK_OPERATIONS_H
 #define TEST_COMPILED_DISK_OPERATIONS_H
@@ -17,11 +18,13 @@ namespace CGAL::Spline_constraints::internal::Voronoi {
 extern template Disk_diagram
 disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>, const std::string&);
 
-extern template Offset_cycles
-offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, const Exact_rational&, const std::vector<std::size_t>&, bool);
+extern template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
+                                                                  const Exact_rational&,
+                                                                  const std::vector<std::size_t>&, bool);
 
-extern template Sector_disks
-sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, std::shared_ptr<const Scaled_sites>, const std::vector<std::size_t>&);
+extern template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
+                                                                std::shared_ptr<const Scaled_sites>,
+                                                                const std::vector<std::size_t>&);
 
 } // namespace CGAL::Spline_constraints::internal::Voronoi
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Closest points of splines with many pieces: a point and a curve, two curves, a point and a surface, a curve and a surface. The argument is the number of pieces along each parameter.
+// Closest points of splines with many pieces: a point and a curve, two curves, a point and a surface, a curve and a
+// surface. The argument is the number of pieces along each parameter.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>

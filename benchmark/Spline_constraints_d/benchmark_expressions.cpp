@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Time to write the constraints of Apollonius (seed 000, equations 12 to 16) for three curves, to expand them into dense tensors, exactly, and to solve them; and the same for ray-traps.
+// Time to write the constraints of Apollonius (seed 000, equations 12 to 16) for three curves, to expand them into
+// dense tensors, exactly, and to solve them; and the same for ray-traps.
 #include <CGAL/Spline_constraints_d/function/Rational_function.h>
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
@@ -27,14 +28,18 @@ struct Operand
   Spline weight;
   bool is_rational;
 
-  SC::Spline_map<1, 2> map() const { return is_rational ? SC::Spline_map<1, 2>(coordinates, weight) : SC::Spline_map<1, 2>(coordinates); }
+  SC::Spline_map<1, 2> map() const
+  {
+    return is_rational ? SC::Spline_map<1, 2>(coordinates, weight) : SC::Spline_map<1, 2>(coordinates);
+  }
 };
 
 using Operands = std::array<Operand, 3>;
 
 Spline spline(int degree, const std::vector<int>& knots, const std::vector<int>& coefficients)
 {
-  return Spline({degree}, {std::vector<Rational>(knots.begin(), knots.end())}, std::vector<Rational>(coefficients.begin(), coefficients.end()));
+  return Spline({degree}, {std::vector<Rational>(knots.begin(), knots.end())},
+                std::vector<Rational>(coefficients.begin(), coefficients.end()));
 }
 
 // A circle in four rational quadratic pieces, the middle two of which are one polynomial.
@@ -42,8 +47,10 @@ Operand circle(int x, int y, int radius)
 {
   const std::vector<int> knots{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
   const Spline weight = spline(2, knots, {1, 1, 2, 1, 1, 1, 2, 1, 1});
-  const Spline cosine = spline(2, knots, {1, 1, 0, -1, -1, -1, 0, 1, 1}), sine = spline(2, knots, {0, 1, 2, 1, 0, -1, -2, -1, 0});
-  return {{cosine * Rational(radius) + weight * Rational(x), sine * Rational(radius) + weight * Rational(y)}, weight, true};
+  const Spline cosine = spline(2, knots, {1, 1, 0, -1, -1, -1, 0, 1, 1}),
+               sine = spline(2, knots, {0, 1, 2, 1, 0, -1, -2, -1, 0});
+  return {
+      {cosine * Rational(radius) + weight * Rational(x), sine * Rational(radius) + weight * Rational(y)}, weight, true};
 }
 
 // A smooth B-spline with four pieces and small integer control points around a center.
@@ -65,7 +72,8 @@ Operands circles() { return {circle(0, 0, 1), circle(5, 0, 2), circle(1, 6, 1)};
 Operands random_curves(int degree, bool is_rational)
 {
   std::mt19937 random(1);
-  return {random_curve(random, degree, is_rational, 0, 0), random_curve(random, degree, is_rational, 20, 0), random_curve(random, degree, is_rational, 0, 20)};
+  return {random_curve(random, degree, is_rational, 0, 0), random_curve(random, degree, is_rational, 20, 0),
+          random_curve(random, degree, is_rational, 0, 20)};
 }
 
 std::vector<SC::Constraint> constraints(const Operands& operands)
@@ -130,7 +138,8 @@ void multiply_out_at_once(benchmark::State& state, const Operands& operands)
     std::vector<std::vector<Function>> points(3), tangents(3);
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 2; ++k) {
-        points[i].emplace_back(operands[i].coordinates[k].embedded(domain, {i}), operands[i].weight.embedded(domain, {i}));
+        points[i].emplace_back(operands[i].coordinates[k].embedded(domain, {i}),
+                               operands[i].weight.embedded(domain, {i}));
         tangents[i].push_back(points[i][k].derivative(i));
       }
     const auto square = [](const std::vector<Function>& a) { return a[0] * a[0] + a[1] * a[1]; };
@@ -142,7 +151,8 @@ void multiply_out_at_once(benchmark::State& state, const Operands& operands)
       right.push_back(square(points[r + 1]) - square(points[0]));
     }
     const Function d = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-    const std::vector<Function> p{(right[0] * rows[1][1] - right[1] * rows[0][1]) / d, (rows[0][0] * right[1] - rows[1][0] * right[0]) / d};
+    const std::vector<Function> p{(right[0] * rows[1][1] - right[1] * rows[0][1]) / d,
+                                  (rows[0][0] * right[1] - rows[1][0] * right[0]) / d};
     for (int i = 0; i < 3; ++i)
       benchmark::DoNotOptimize((p[0] - points[i][0]) * tangents[i][0] + (p[1] - points[i][1]) * tangents[i][1]);
   }
@@ -157,6 +167,8 @@ BENCHMARK_CAPTURE(write_only, circles, circles())->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(write_only, rational_cubics, random_curves(3, true))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_only, circles, constraints(circles()))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_only, ray_traps_of_circles, ray_trap_constraints(circles()))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(multiply_out_at_once, quadratics, random_curves(2, false))->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(multiply_out_at_once, quadratics, random_curves(2, false))
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 } // namespace

@@ -88,7 +88,8 @@ Bernstein_tensor<NT> naive_product(const Bernstein_tensor<NT>& f, const Bernstei
       NT factor(1);
       std::size_t position = 0;
       for (std::size_t j = 0; j < degrees.size(); ++j) {
-        factor = factor * binomial[f.degrees()[j]][i[j]] * binomial[g.degrees()[j]][k[j]] / binomial[degrees[j]][i[j] + k[j]];
+        factor = factor * binomial[f.degrees()[j]][i[j]] * binomial[g.degrees()[j]][k[j]] /
+            binomial[degrees[j]][i[j] + k[j]];
         position = position * (degrees[j] + 1) + i[j] + k[j];
       }
       result[position] += factor * f.coefficients()[a] * g.coefficients()[b];
@@ -113,7 +114,8 @@ template <class NT>
 void small_product(benchmark::State& state)
 {
   std::mt19937_64 engine(1);
-  const auto f = random_tensor<NT>(engine, {2, 2}, static_cast<int>(state.range(0))), g = random_tensor<NT>(engine, {2, 2}, static_cast<int>(state.range(0)));
+  const auto f = random_tensor<NT>(engine, {2, 2}, static_cast<int>(state.range(0))),
+             g = random_tensor<NT>(engine, {2, 2}, static_cast<int>(state.range(0)));
   for (auto _ : state)
     benchmark::DoNotOptimize(f * g);
 }

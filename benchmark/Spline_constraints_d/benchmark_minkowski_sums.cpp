@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Minkowski sums: of random polygons, in turns with those of CGAL, by the time of the processor; `difference` is that of both areas; and of regions bounded by periodic cubic splines. `complete` is 1 where all of the sum is proved.
+// Minkowski sums: of random polygons, in turns with those of CGAL, by the time of the processor; `difference` is that
+// of both areas; and of regions bounded by periodic cubic splines. `complete` is 1 where all of the sum is proved.
 
 #include "compare_in_turns.h"
 #include "polygon_area.h"
@@ -33,7 +34,8 @@ CGAL::Polygon_2<Kernel> star(unsigned seed, std::size_t corners)
   std::uniform_real_distribution<double> part(0, 0.5), length(2, 4);
   CGAL::Polygon_2<Kernel> result;
   for (std::size_t i = 0; i < corners; ++i) {
-    const double angle = 2 * CGAL_PI * (static_cast<double>(i) + part(random)) / static_cast<double>(corners), radius = length(random);
+    const double angle = 2 * CGAL_PI * (static_cast<double>(i) + part(random)) / static_cast<double>(corners),
+                 radius = length(random);
     result.push_back(typename Kernel::Point_2(radius * std::cos(angle), radius * std::sin(angle)));
   }
   return result;
@@ -52,11 +54,20 @@ void sum_of_polygons(benchmark::State& state)
     own = area(result.polygons_with_holes(1).front());
   };
   const auto sum_of_CGAL = [&] { expected = area(CGAL::minkowski_sum_2(exact_a, exact_b)); };
-  solver_benchmark::compare_in_turns(state, sum, sum_of_CGAL, "own", "CGAL", [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
+  solver_benchmark::compare_in_turns(state, sum, sum_of_CGAL, "own", "CGAL",
+                                     [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
   state.counters["complete"] = is_complete;
   state.counters["difference"] = std::abs(own - expected);
 }
-BENCHMARK(sum_of_polygons)->Args({10, 4})->Args({10, 10})->Args({30, 10})->Args({30, 30})->Args({100, 4})->Args({100, 10})->Args({100, 30})->Unit(benchmark::kMillisecond);
+BENCHMARK(sum_of_polygons)
+    ->Args({10, 4})
+    ->Args({10, 10})
+    ->Args({30, 10})
+    ->Args({30, 30})
+    ->Args({100, 4})
+    ->Args({100, 10})
+    ->Args({100, 30})
+    ->Unit(benchmark::kMillisecond);
 
 SC::Planar_region_2<K> smooth_region(const std::vector<K::Point_2>& points)
 {
@@ -81,7 +92,8 @@ void sum_of_regions(benchmark::State& state, const SC::Planar_region_2<K>& a, co
 BENCHMARK_CAPTURE(sum_of_regions, two_convex, egg(), egg())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sum_of_regions, kidney_and_egg, kidney(), egg())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sum_of_regions, kidney_and_moon, kidney(), moon())->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sum_of_regions, kidney_and_star, kidney(), SC::planar_region(star<K>(1, 10)))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sum_of_regions, kidney_and_star, kidney(), SC::planar_region(star<K>(1, 10)))
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sum_of_regions, two_kidneys, kidney(), kidney())->Unit(benchmark::kMillisecond);
 
 } // namespace

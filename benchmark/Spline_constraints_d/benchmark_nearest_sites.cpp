@@ -1,8 +1,12 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which site is nearest in 100,000 random points of each of eight random diagrams: by `nearest_sites()`, and by the faces of the arrangement, beside distances from the curves that are found by dense samples. `regions` is the number of regions that were found, of those that there are; `wrong_faces` counts faces whose region is farther than the
-// nearest curve by more than twice the error of chords, 0.001 here, `wrong_sites` sites that are farther than that by more than rounding. `next_to_edges` is the number of points between an edge and its chord, where the face has another region than the nearest site.
+// Which site is nearest in 100,000 random points of each of eight random diagrams: by `nearest_sites()`, and by the
+// faces of the arrangement, beside distances from the curves that are found by dense samples. `regions` is the number
+// of regions that were found, of those that there are; `wrong_faces` counts faces whose region is farther than the
+// nearest curve by more than twice the error of chords, 0.001 here, `wrong_sites` sites that are farther than that by
+// more than rounding. `next_to_edges` is the number of points between an edge and its chord, where the face has another
+// region than the nearest site.
 #include "nearest_site_checks.h"
 
 #include <benchmark/benchmark.h>

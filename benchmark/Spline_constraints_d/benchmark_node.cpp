@@ -3,15 +3,18 @@
 
 // The steps of one node of the subdivision beside what the machine could do.
 //
-// Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the two equations of
-// C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many numbers in the same kind of memory, which do nothing but the
-// loads, stores, additions, products and comparisons that the step cannot do without; for the linear rows straight elimination, whose divisions wait for each other. Steps with such rows let each
-// call wait for a result of the one before. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
-// roofline, medians over the iterations; and their ratio. (The column of times is that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
+// Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the
+// two equations of C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many
+// numbers in the same kind of memory, which do nothing but the loads, stores, additions, products and comparisons that
+// the step cannot do without; for the linear rows straight elimination, whose divisions wait for each other. Steps with
+// such rows let each call wait for a result of the one before. Counters: coefficients of the node; nanoseconds per
+// coefficient of the step and of the roofline, medians over the iterations; and their ratio. (The column of times is
+// that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
 //
 // split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
 // restrict     to a part, along each axis in turn (per axis): two cuts
-//              (both bring the error bounds up to date, which is in the roofline; so is what tells where to cut: an end of both parts for a split, quotients for a restriction)
+//              (both bring the error bounds up to date, which is in the roofline; so is what tells where to cut: an end
+// of both parts for a split, quotients for a restriction)
 // bounds       least and largest control point per function, wider by its error
 // linear       bounds, slopes and the bounds of what the linear part leaves
 // precondition the linear rows: elimination and products, once linear is there
@@ -80,7 +83,8 @@ System_layout make_dense(int unknowns, int degree)
 
 System_layout make_curves(int degree) { return make_layout(2, {{0}, {1}}, degree); }
 
-// A node with a root near its centre: f_i is near s_i + 0.3 s_{i+1}, so that no test ends early and there is an inverse.
+// A node with a root near its centre: f_i is near s_i + 0.3 s_{i+1}, so that no test ends early and there is an
+// inverse.
 Node make_node(const System_layout& layout)
 {
   std::mt19937_64 engine(1);
@@ -109,7 +113,8 @@ void reset_box(Node& node)
   std::fill(node.upper.begin(), node.upper.end(), 1.0);
 }
 
-// Lets the next call wait for a result of this one, as a node waits for what its parent was contracted to: else the machine works on several at once.
+// Lets the next call wait for a result of this one, as a node waits for what its parent was contracted to: else the
+// machine works on several at once.
 void wait_for(double& input, double result)
 {
   input += 0 * result;
@@ -130,7 +135,8 @@ class Roofline
 public:
   // For ranges of so many numbers; longer ones are taken in parts.
   explicit Roofline(std::size_t size)
-    : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125), m_fourth(2 * (size + width), 0.0)
+    : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125),
+      m_fourth(2 * (size + width), 0.0)
   {}
 
   // second <- (first + second) / 2, in rows of the whole length.
@@ -233,13 +239,17 @@ public:
     accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
   }
 
-  // What the linear rows cannot do without: the sizes of the rows, for weights and rounding errors; elimination in place, in which each pivot waits for the one before, with as many comparisons as it takes to find the
-  // largest entry that is left, and with the radii of the right-hand sides; the products of the inverse with rows and right-hand sides, of these with middles, radii and sizes; and per row a quotient and what the other
-  // unknowns add to the radius.
+  // What the linear rows cannot do without: the sizes of the rows, for weights and rounding errors; elimination in
+  // place, in which each pivot waits for the one before, with as many comparisons as it takes to find the largest entry
+  // that is left, and with the radii of the right-hand sides; the products of the inverse with rows and right-hand
+  // sides, of these with middles, radii and sizes; and per row a quotient and what the other unknowns add to the
+  // radius.
   template <int n>
   void precondition()
   {
-    const Square<n> rows = some_rows<n>(), inverse = eliminate<n>(rows, [&](const Square<n>& left, auto k) { weigh<n>(left, k); }), product = multiply<n>(inverse, rows);
+    const Square<n> rows = some_rows<n>(),
+                    inverse = eliminate<n>(rows, [&](const Square<n>&left, auto k) { weigh<n>(left, k); }),
+                    product = multiply<n>(inverse, rows);
     std::array<double, n> size{};
     unroll<n>([&](auto i) { unroll<n>([&](auto k) { size[i] += std::abs(rows[i][k]); }); });
     unroll<n>([&](auto i) {
@@ -316,7 +326,8 @@ private:
   static Square<n> multiply(const Square<n>& a, const Square<n>& b)
   {
     Square<n> product{};
-    unroll<n>([&](auto i) { unroll<n>([&](auto j) { unroll<n>([&](auto k) { product[i][j] += a[i][k] * b[k][j]; }); }); });
+    unroll<n>(
+        [&](auto i) { unroll<n>([&](auto j) { unroll<n>([&](auto k) { product[i][j] += a[i][k] * b[k][j]; }); }); });
     return product;
   }
 
@@ -368,7 +379,8 @@ void compare(benchmark::State& state, std::size_t coefficients, int calls, const
     roofline.push_back(time(plain));
     state.SetIterationTime(times.back() * batch * calls);
   }
-  const double scale = 1e9 / static_cast<double>(coefficients), measured = median(times) * scale, least = median(roofline) * scale;
+  const double scale = 1e9 / static_cast<double>(coefficients), measured = median(times) * scale,
+               least = median(roofline) * scale;
   state.counters["coefficients"] = static_cast<double>(coefficients);
   state.counters["ns_per_coefficient"] = measured;
   state.counters["roofline_ns"] = least;
@@ -402,9 +414,13 @@ struct Fixture
   void forget() { view.reset(node.coefficients().data(), node.errors().data()); }
 
   // Rooflines.
-  // What a node has beside its coefficients: two bounds per block and function, the scales of the functions and the box.
+  // What a node has beside its coefficients: two bounds per block and function, the scales of the functions and the
+  // box.
   void plain_copy_of_the_rest() { roofline.copy(2 * layout.errors + layout.functions + 2 * n); }
-  void plain_precondition() { n == 2 ? roofline.precondition<2>() : n == 3 ? roofline.precondition<3>() : roofline.precondition<4>(); }
+  void plain_precondition()
+  {
+    n == 2 ? roofline.precondition<2>() : n == 3 ? roofline.precondition<3>() : roofline.precondition<4>();
+  }
   void plain_invert() { n == 2 ? roofline.invert<2>() : n == 3 ? roofline.invert<3>() : roofline.invert<4>(); }
   // Bounds per block and function, and their sums per function.
   void plain_bounds()
@@ -569,16 +585,18 @@ using Run = void (*)(benchmark::State&, const System_layout&, int);
 
 void add(const std::string& name, Run run, const System_layout& layout, int degree)
 {
-  benchmark::RegisterBenchmark((name + '/' + std::to_string(layout.dimension) + '/' + std::to_string(degree)).c_str(), run, layout, degree)
-    ->UseManualTime()
-    ->Unit(benchmark::kNanosecond);
+  benchmark::RegisterBenchmark((name + '/' + std::to_string(layout.dimension) + '/' + std::to_string(degree)).c_str(),
+                               run, layout, degree)
+      ->UseManualTime()
+      ->Unit(benchmark::kNanosecond);
 }
 
 bool add_all()
 {
-  const std::vector<std::pair<std::string, Run>> steps{{"split", split}, {"restrict", restrict}, {"bounds", bounds}, {"linear", linear},
-                                                       {"precondition", precondition}, {"reduction", reduction}, {"dense", dense},
-                                                       {"derivatives", derivatives}, {"image", image}};
+  const std::vector<std::pair<std::string, Run>> steps{
+      {"split", split},   {"restrict", restrict},         {"bounds", bounds},
+      {"linear", linear}, {"precondition", precondition}, {"reduction", reduction},
+      {"dense", dense},   {"derivatives", derivatives},   {"image", image}};
   for (const auto& [name, run] : steps) {
     const int largest = run == precondition ? 2 : 10;   // linear rows do not know the degree
     for (int n : {2, 3, 4})

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many pieces, and of splines and polylines with themselves; curves of
-// solutions; intersection curves of surfaces; bisectors, alpha-sectors and envelopes.
+// Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many
+// pieces, and of splines and polylines with themselves; curves of solutions; intersection curves of surfaces;
+// bisectors, alpha-sectors and envelopes.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
@@ -73,7 +74,8 @@ void segments_with_segments(benchmark::State& state)
 void spline_with_spline(benchmark::State& state)
 {
   std::mt19937 generator(1);
-  const Curve first = random_spline(static_cast<int>(state.range(0)), generator), second = random_spline(static_cast<int>(state.range(0)), generator);
+  const Curve first = random_spline(static_cast<int>(state.range(0)), generator),
+              second = random_spline(static_cast<int>(state.range(0)), generator);
   std::size_t points = 0;
   for (auto _ : state)
     points = SC::intersections(first, second).size();
@@ -107,7 +109,8 @@ void spline_with_itself(benchmark::State& state)
 void polyline_with_itself(benchmark::State& state)
 {
   std::mt19937 generator(1);
-  count_self_intersections(state, SC::polyline_curve(random_walk(static_cast<std::size_t>(state.range(0)) + 1, generator)));
+  count_self_intersections(state,
+                           SC::polyline_curve(random_walk(static_cast<std::size_t>(state.range(0)) + 1, generator)));
 }
 
 // T_d(x) T_d(y) = 1/2.
@@ -138,7 +141,8 @@ void chebyshev_contours(benchmark::State& state)
 void sphere_and_cylinder(benchmark::State& state)
 {
   auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
-  const std::vector<SC::Constraint> constraints{x * x + y * y + z * z == 4, square(x - SC::Exact_rational(static_cast<int>(state.range(0)), 2)) + y * y == 1};
+  const std::vector<SC::Constraint> constraints{
+      x * x + y * y + z * z == 4, square(x - SC::Exact_rational(static_cast<int>(state.range(0)), 2)) + y * y == 1};
   const SC::Constraint_system_d system = make_system(constraints);
   for (auto _ : state)
     benchmark::DoNotOptimize(SC::solve_curves(system));
@@ -149,7 +153,8 @@ using Surface = SC::Bspline_surface_3<K>;
 // A bicubic Bézier surface over the grid of its control points: ten times the humps, and a rough one.
 Surface bicubic_surface(double humps, double roughness, double height)
 {
-  constexpr double hump[] = {-1, 5, -5, 1}, rough[4][4] = {{1, 3, 9, -2}, {2, -1, -4, 8}, {-6, -9, 6, -7}, {4, -7, 4, 8}};
+  constexpr double hump[] = {-1, 5, -5, 1},
+                   rough[4][4] = {{1, 3, 9, -2}, {2, -1, -4, 8}, {-6, -9, 6, -7}, {4, -7, 4, 8}};
   std::vector<K::Point_3> points;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
@@ -173,7 +178,8 @@ void surface_intersection(benchmark::State& state, const A& a, const B& b)
   state.counters["points"] = static_cast<double>(points);
 }
 
-const Curve lower_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {1, 2}, {2, -2}, {3, 0}}), upper_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 3}, {1, 5}, {2, 2}, {3, 4}});
+const Curve lower_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {1, 2}, {2, -2}, {3, 0}}),
+            upper_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 3}, {1, 5}, {2, 2}, {3, 4}});
 
 template <class Operation>
 void locus_of_two_cubics(benchmark::State& state, const Operation& operation)
@@ -198,7 +204,8 @@ const auto alpha_sector = [](const Curve& a, const Curve& b) { return SC::alpha_
 const auto self_bisector = [](const Curve& a, const Curve&) { return SC::self_bisector_curves(a); };
 const auto envelope = [](const Curve& a, const Curve& b) { return SC::envelope_curves(a, b); };
 
-const Surface humps = bicubic_surface(1, 0, 0), rough_humps = bicubic_surface(1, 1, 0), rough_plane = bicubic_surface(0, 1, 19);
+const Surface humps = bicubic_surface(1, 0, 0), rough_humps = bicubic_surface(1, 1, 0),
+              rough_plane = bicubic_surface(0, 1, 19);
 const K::Aff_transformation_3 turn(1, 0, 0, 0, 0, 0.6, -0.8, 0, 0, 0.8, 0.6, 0);
 
 } // namespace
@@ -210,11 +217,44 @@ BENCHMARK(spline_with_itself)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMi
 BENCHMARK(polyline_with_itself)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(chebyshev_contours)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_and_cylinder)->ArgName("2c")->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(locus_of_two_cubics, bisector, bisector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(locus_of_two_cubics, alpha_sector, alpha_sector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(locus_of_two_cubics, self_bisector, self_bisector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(locus_of_two_cubics, envelope, envelope)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(surface_intersection, bicubic_and_plane, humps, K::Plane_3(0, 0, 1, -19))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(surface_intersection, height_fields, rough_humps, rough_plane)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(surface_intersection, turned, rough_humps.transformed(turn), rough_plane.transformed(turn))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(surface_intersection, torus_and_sphere, SC::torus_surface<K>(K::Point_3(0, 0, 0), 3, 1), K::Sphere_3(K::Point_3(3, 0.25, 0.5), 3))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, bisector, bisector)
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, alpha_sector, alpha_sector)
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, self_bisector, self_bisector)
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, envelope, envelope)
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, bicubic_and_plane, humps, K::Plane_3(0, 0, 1, -19))
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, height_fields, rough_humps, rough_plane)
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, turned, rough_humps.transformed(turn), rough_plane.transformed(turn))
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, torus_and_sphere, SC::torus_surface<K>(K::Point_3(0, 0, 0), 3, 1),
+                  K::Sphere_3(K::Point_3(3, 0.25, 0.5), 3))
+    ->ArgName("polylines")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);

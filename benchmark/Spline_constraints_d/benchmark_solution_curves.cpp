@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of solutions with their topology, and what is done with them: derivatives at a point, extremes, fitted splines and arrangements; there the curve is the quartic of the example curve_geometry.
-// `sequential_to_parallel/...` find curves on one core and on all of them, in turns by the wall clock, which needs SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
-//   benchmark_solution_curves --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
+// Curves of solutions with their topology, and what is done with them: derivatives at a point, extremes, fitted splines
+// and arrangements; there the curve is the quartic of the example curve_geometry. `sequential_to_parallel/...` find
+// curves on one core and on all of them, in turns by the wall clock, which needs SPLINE_CONSTRAINTS_WITH_TBB=ON and
+// cores with nothing else to do:   benchmark_solution_curves --benchmark_filter=sequential_to_parallel
+// --benchmark_min_time=2
 
 #include "compare_in_turns.h"
 
@@ -67,7 +69,9 @@ SC::Constraint_system_d two_tori(const SC::Exact_rational& distance, bool is_tur
 SC::Constraint_system_d two_graphs()
 {
   auto [u, v, s, t] = SC::unknowns({0, 1}, {0, 1}, {0, 1}, {0, 1});
-  return SC::make_system(std::array{u == s, v == 3*s*(1 - s)*t*(1 - t) + SC::Exact_rational(1, 4) + s*t*t/5, 4*u*(1 - u)*v*(1 - v) + u*u*v/3 == t});
+  return SC::make_system(std::array{u == s,
+                                    v == 3 * s * (1 - s) * t * (1 - t) + SC::Exact_rational(1, 4) + s * t * t / 5,
+                                    4 * u * (1 - u) * v * (1 - v) + u * u * v / 3 == t});
 }
 
 void solve_curves(benchmark::State& state, const SC::Constraint_system_d& system)
@@ -82,8 +86,9 @@ void sequential_to_parallel(benchmark::State& state, const SC::Constraint_system
   const SC::Solver_options options{.tolerance = 1e-8};
   const SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Sequential_tag> sequential(options);
   const SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag> parallel(options);
-  solver_benchmark::compare_in_turns(state, [&] { benchmark::DoNotOptimize(sequential(system)); }, [&] { benchmark::DoNotOptimize(parallel(system)); }, "sequential", "parallel",
-                                     solver_benchmark::seconds_on_the_wall);
+  solver_benchmark::compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(sequential(system)); }, [&] { benchmark::DoNotOptimize(parallel(system)); },
+      "sequential", "parallel", solver_benchmark::seconds_on_the_wall);
 }
 #endif
 
@@ -123,7 +128,9 @@ void fitted_spline(benchmark::State& state)
   const auto set = SC::solve_curves(system);
   std::size_t pieces = 0;
   for (auto _ : state)
-    pieces = SC::fit_spline(system, set, set.curves()[0], std::pow(10.0, -static_cast<double>(state.range(0)))).breaks.size() - 1;
+    pieces = SC::fit_spline(system, set, set.curves()[0], std::pow(10.0, -static_cast<double>(state.range(0))))
+                 .breaks.size() -
+        1;
   state.counters["pieces"] = static_cast<double>(pieces);
 }
 
@@ -137,18 +144,22 @@ void arrangement(benchmark::State& state)
   state.counters["edges"] = static_cast<double>(edges);
 }
 
-BENCHMARK_CAPTURE(solve_curves, two_ovals, sphere_and_cylinder(SC::Exact_rational(1, 2)))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, two_ovals, sphere_and_cylinder(SC::Exact_rational(1, 2)))
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, figure_eight, sphere_and_cylinder(1))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, chebyshev_4, chebyshev_product(4))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, chebyshev_8, chebyshev_product(8))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, chebyshev_16, chebyshev_product(16))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, turned_tori, two_tori(SC::Exact_rational(1, 3), true))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve_curves, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, two_graphs, two_graphs())->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
 BENCHMARK_CAPTURE(sequential_to_parallel, chebyshev_16, chebyshev_product(16))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sequential_to_parallel, turned_tori, two_tori(SC::Exact_rational(1, 3), true))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sequential_to_parallel, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sequential_to_parallel, turned_tori, two_tori(SC::Exact_rational(1, 3), true))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sequential_to_parallel, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))
+    ->Unit(benchmark::kMillisecond);
 #endif
 BENCHMARK(differentials_at_a_point)->Unit(benchmark::kMicrosecond);
 BENCHMARK(differentials_at_a_vertex)->Unit(benchmark::kMicrosecond);

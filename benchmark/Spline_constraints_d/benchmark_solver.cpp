@@ -3,14 +3,14 @@
 
 // The solver over problems, policies and number types.
 //
-// Names are problem/policy or problem/number type. Counters: certified roots, clusters, continua and undecided boxes, nodes, time per node (of the whole
-// run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup and rebuilding in the time. A run ends after 20 s or 3 million nodes.
-// The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns,
-// `univariate/...` one with the path for one unknown and the one for many.
-// `degenerate/touch_to_cross` solves a parabola with a line that touches it and one that crosses it.
-// `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock, and `.../sequential_to_parallel` one system on one core and on all, which needs
-// SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
-//   benchmark_solver --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
+// Names are problem/policy or problem/number type. Counters: certified roots, clusters, continua and undecided boxes,
+// nodes, time per node (of the whole run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and
+// the shares of setup and rebuilding in the time. A run ends after 20 s or 3 million nodes. The benchmarks `ratio/...`
+// solve one system with Certified_solver_traits and Fast_solver_traits in turns, `univariate/...` one with the path for
+// one unknown and the one for many. `degenerate/touch_to_cross` solves a parabola with a line that touches it and one
+// that crosses it. `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock, and
+// `.../sequential_to_parallel` one system on one core and on all, which needs SPLINE_CONSTRAINTS_WITH_TBB=ON and cores
+// with nothing else to do:   benchmark_solver --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
 
@@ -84,11 +84,14 @@ void solve(benchmark::State& state, const System& system)
 }
 
 template <class First, class Second>
-void compare_traits(benchmark::State& state, const System& system, const std::string& first_name, const std::string& second_name)
+void compare_traits(benchmark::State& state, const System& system, const std::string& first_name,
+                    const std::string& second_name)
 {
   const SC::Subdivision_solver_d<First> first(limits());
   const SC::Subdivision_solver_d<Second> second(limits());
-  compare_in_turns(state, [&] { benchmark::DoNotOptimize(first(system)); }, [&] { benchmark::DoNotOptimize(second(system)); }, first_name, second_name, seconds_of_thread);
+  compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(first(system)); }, [&] { benchmark::DoNotOptimize(second(system)); },
+      first_name, second_name, seconds_of_thread);
 }
 
 void certified_to_fast(benchmark::State& state, const System& system)
@@ -96,7 +99,8 @@ void certified_to_fast(benchmark::State& state, const System& system)
   compare_traits<SC::Certified_solver_traits, SC::Fast_solver_traits>(state, system, "certified", "fast");
 }
 
-// The splitter does not matter where there is one axis, but other traits than the default take the path for many unknowns.
+// The splitter does not matter where there is one axis, but other traits than the default take the path for many
+// unknowns.
 void univariate_to_general(benchmark::State& state, const System& system)
 {
   compare_traits<SC::Certified_solver_traits, Widest>(state, system, "univariate", "general");
@@ -104,8 +108,11 @@ void univariate_to_general(benchmark::State& state, const System& system)
 
 void touch_to_cross(benchmark::State& state)
 {
-  const System touch = parabola_and_line("", 0).system, cross = parabola_and_line("", solver_test::fraction(1, 4)).system;
-  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve(touch)); }, [&] { benchmark::DoNotOptimize(SC::solve(cross)); }, "touch", "cross", seconds_of_thread);
+  const System touch = parabola_and_line("", 0).system,
+               cross = parabola_and_line("", solver_test::fraction(1, 4)).system;
+  compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve(touch)); }, [&] { benchmark::DoNotOptimize(SC::solve(cross)); },
+      "touch", "cross", seconds_of_thread);
 }
 
 template <class Concurrency_tag>
@@ -116,14 +123,18 @@ void batch_to_loop(benchmark::State& state)
     for (const System& system : systems)
       benchmark::DoNotOptimize(SC::solve(system));
   };
-  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve<Concurrency_tag>(systems)); }, loop, "batch", "loop", seconds_on_the_wall);
+  compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve<Concurrency_tag>(systems)); }, loop, "batch", "loop",
+      seconds_on_the_wall);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
 void sequential_to_parallel(benchmark::State& state, const System& system)
 {
-  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Sequential_tag>(system)); }, [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Parallel_tag>(system)); },
-                   "sequential", "parallel", seconds_on_the_wall);
+  compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Sequential_tag>(system)); },
+      [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Parallel_tag>(system)); }, "sequential", "parallel",
+      seconds_on_the_wall);
 }
 #endif
 
@@ -134,7 +145,8 @@ using Variants = std::vector<std::pair<std::string, Run>>;
 void add(const Named_system& problem, const Variants& variants)
 {
   for (const auto& [variant, run] : variants)
-    benchmark::RegisterBenchmark((problem.name + '/' + variant).c_str(), run, problem.system)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((problem.name + '/' + variant).c_str(), run, problem.system)
+        ->Unit(benchmark::kMillisecond);
 }
 
 const Variants standard{{"certified", solve<SC::Certified_solver_traits>}};
@@ -169,7 +181,8 @@ bool add_all()
     add(cyclic(n, degree), standard);
   for (const auto& [n, degree] : {std::pair(2, 8), std::pair(3, 3), std::pair(4, 2), std::pair(4, 3), std::pair(5, 2)})
     add(mixed(n, degree), standard);
-  for (const Named_system& problem : {brown(5), circle_and_hyperbola(), griewank_osborne(), two_pairs_of_lines(), wiggly_splines(), random_splines()})
+  for (const Named_system& problem :
+       {brown(5), circle_and_hyperbola(), griewank_osborne(), two_pairs_of_lines(), wiggly_splines(), random_splines()})
     add(problem, standard);
 
   for (Named_system problem : {cyclic(2, 8), cyclic(4, 3), mixed(4, 2), mixed(5, 2), broyden(6), katsura(4)}) {
@@ -194,13 +207,16 @@ bool add_all()
     add(random_polynomial(degree), paths);
   add(wilkinson(20), paths);
   add(multiple_roots(), paths);
-  for (const Named_system& problem : {parabola_and_line("cross", solver_test::fraction(1, 4)), parabola_and_line("touch", 0), overlap(), common_line(),
-                                      pencil_of_quadrics(), irrational_double_roots()})
+  for (const Named_system& problem :
+       {parabola_and_line("cross", solver_test::fraction(1, 4)), parabola_and_line("touch", 0), overlap(),
+        common_line(), pencil_of_quadrics(), irrational_double_roots()})
     add(problem, standard);
   benchmark::RegisterBenchmark("degenerate/touch_to_cross", touch_to_cross)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("batch/quadratic/sequential", batch_to_loop<CGAL::Sequential_tag>)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("batch/quadratic/sequential", batch_to_loop<CGAL::Sequential_tag>)
+      ->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
-  benchmark::RegisterBenchmark("batch/quadratic/parallel", batch_to_loop<CGAL::Parallel_tag>)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("batch/quadratic/parallel", batch_to_loop<CGAL::Parallel_tag>)
+      ->Unit(benchmark::kMillisecond);
   for (const Named_system& problem : {katsura(4), katsura(5), mixed(4, 3), chebyshev_curves(30)})
     add(problem, {{"sequential_to_parallel", sequential_to_parallel}});
 #endif

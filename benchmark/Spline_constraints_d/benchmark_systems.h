@@ -31,9 +31,15 @@ struct Named_system
   System system;
 };
 
-inline Named_system named(std::string name, const solver_test::Problem& problem) { return {std::move(name), problem.system}; }
+inline Named_system named(std::string name, const solver_test::Problem& problem)
+{
+  return {std::move(name), problem.system};
+}
 
-inline Named_system broyden(int n) { return named("broyden/" + std::to_string(n), solver_test::broyden_tridiagonal(n)); }
+inline Named_system broyden(int n)
+{
+  return named("broyden/" + std::to_string(n), solver_test::broyden_tridiagonal(n));
+}
 
 inline Named_system cyclic(int n, int degree)
 {
@@ -71,23 +77,29 @@ inline Named_system katsura(int n)
     functions.push_back(std::move(f));
   }
   const Rational side = solver_test::fraction(3, 2);
-  return {"katsura/" + std::to_string(n), solver_test::with_equalities(solver_test::cube(n + 1, -side, side), functions)};
+  return {"katsura/" + std::to_string(n),
+          solver_test::with_equalities(solver_test::cube(n + 1, -side, side), functions)};
 }
 
 // Two double roots.
 inline Named_system circle_and_hyperbola()
 {
   const auto v = solver_test::variables(2);
-  return {"cluster/circle_and_hyperbola",
-          solver_test::with_equalities(solver_test::cube(2, -3, 3), {square(v[0]) + square(v[1]) - 2, v[0] * v[1] - 1})};
+  return {
+      "cluster/circle_and_hyperbola",
+      solver_test::with_equalities(solver_test::cube(2, -3, 3), {square(v[0]) + square(v[1]) - 2, v[0] * v[1] - 1})};
 }
 
-// The parabola (2t - 1, (2t - 1)^2) and the line from (-3/2, height) to (5/4, height): they cross, touch or miss each other.
+// The parabola (2t - 1, (2t - 1)^2) and the line from (-3/2, height) to (5/4, height): they cross, touch or miss each
+// other.
 inline Named_system parabola_and_line(const std::string& name, const Rational& height)
 {
   const auto v = solver_test::variables(2);
-  return {"degenerate/" + name, solver_test::with_equalities(solver_test::cube(2, 0, 1), {2 * v[0] - 1 + solver_test::fraction(3, 2) - solver_test::fraction(11, 4) * v[1],
-                                                                                          square(2 * v[0] - 1) - height})};
+  return {
+      "degenerate/" + name,
+      solver_test::with_equalities(solver_test::cube(2, 0, 1),
+                                   {2 * v[0] - 1 + solver_test::fraction(3, 2) - solver_test::fraction(11, 4) * v[1],
+                                    square(2 * v[0] - 1) - height})};
 }
 
 // Two pieces of one cubic that overlap.
@@ -95,7 +107,8 @@ inline Named_system overlap()
 {
   const auto v = solver_test::variables(2);
   const Polynomial a = 3 * v[0] / 4, b = 3 * v[1] / 4 + solver_test::fraction(1, 4);
-  return {"degenerate/overlap", solver_test::with_equalities(solver_test::cube(2, 0, 1), {a - b, pow(a, 3) - a - pow(b, 3) + b})};
+  return {"degenerate/overlap",
+          solver_test::with_equalities(solver_test::cube(2, 0, 1), {a - b, pow(a, 3) - a - pow(b, 3) + b})};
 }
 
 // A line of solutions and four roots beside it.
@@ -103,16 +116,20 @@ inline Named_system common_line()
 {
   const auto v = solver_test::variables(2);
   const Polynomial line = v[0] - v[1];
-  return {"degenerate/common_line", solver_test::with_equalities(solver_test::cube(2, -2, 2), {line * (square(v[0]) + square(v[1]) - 2),
-                                                                                               line * (v[0] * v[1] - solver_test::fraction(1, 2))})};
+  return {"degenerate/common_line",
+          solver_test::with_equalities(
+              solver_test::cube(2, -2, 2),
+              {line * (square(v[0]) + square(v[1]) - 2), line * (v[0] * v[1] - solver_test::fraction(1, 2))})};
 }
 
 // Three quadrics that share two circles.
 inline Named_system pencil_of_quadrics()
 {
   const auto v = solver_test::variables(3);
-  const Polynomial sphere = square(v[0]) + square(v[1]) + square(v[2]) - 2, cone = square(v[0]) + square(v[1]) - square(v[2]);
-  return {"degenerate/pencil_of_quadrics", solver_test::with_equalities(solver_test::cube(3, -2, 2), {sphere, cone, sphere * v[0] + cone * v[1]})};
+  const Polynomial sphere = square(v[0]) + square(v[1]) + square(v[2]) - 2,
+                   cone = square(v[0]) + square(v[1]) - square(v[2]);
+  return {"degenerate/pencil_of_quadrics",
+          solver_test::with_equalities(solver_test::cube(3, -2, 2), {sphere, cone, sphere * v[0] + cone * v[1]})};
 }
 
 // The unit directions of the lines that touch four spheres: 12 double roots with irrational coordinates.
@@ -121,7 +138,9 @@ inline Named_system irrational_double_roots()
   const auto v = solver_test::variables(3);
   const Polynomial x = square(v[0]), y = square(v[1]), z = square(v[2]);
   return {"degenerate/irrational_double_roots",
-          solver_test::with_equalities(solver_test::cube(3, -1, 1), {v[0] * v[1] * v[2], x * y + y * z + z * x - solver_test::fraction(1, 4), x + y + z - 1})};
+          solver_test::with_equalities(
+              solver_test::cube(3, -1, 1),
+              {v[0] * v[1] * v[2], x * y + y * z + z * x - solver_test::fraction(1, 4), x + y + z - 1})};
 }
 
 // A triple root (Griewank and Osborne) and one of multiplicity four, both in the origin.
@@ -165,7 +184,8 @@ inline System spline_curves(const Control_polygon& a, const Control_polygon& b)
     bx.push_back(-x);
     by.push_back(-y);
   }
-  System system(std::vector<System::Domain>{{0, Rational(static_cast<int>(a.size()) - 3)}, {0, Rational(static_cast<int>(b.size()) - 3)}});
+  System system(std::vector<System::Domain>{{0, Rational(static_cast<int>(a.size()) - 3)},
+                                            {0, Rational(static_cast<int>(b.size()) - 3)}});
   system.add(cubic_spline(0, ax) + cubic_spline(1, bx), Relation::EQUAL);
   system.add(cubic_spline(0, ay) + cubic_spline(1, by), Relation::EQUAL);
   return system;
@@ -197,14 +217,16 @@ inline Named_system random_splines()
 }
 
 // Polynomials in one unknown: Chebyshev's, Wilkinson's, and random ones with coefficients up to 100.
-inline Named_system univariate(std::string name, const Rational& lower, const Rational& upper, const Polynomial& function)
+inline Named_system univariate(std::string name, const Rational& lower, const Rational& upper,
+                               const Polynomial& function)
 {
   return {"univariate/" + std::move(name), solver_test::with_equalities(System({{lower, upper}}), {function})};
 }
 
 inline Named_system univariate_chebyshev(int degree)
 {
-  return univariate("chebyshev/" + std::to_string(degree), -1, 1, solver_test::chebyshev(degree, Polynomial::variable(0)));
+  return univariate("chebyshev/" + std::to_string(degree), -1, 1,
+                    solver_test::chebyshev(degree, Polynomial::variable(0)));
 }
 
 inline Named_system wilkinson(int degree)
@@ -241,7 +263,8 @@ inline std::vector<System> quadratic_systems(int count)
   for (int i = 0; i < count; ++i) {
     std::vector<Polynomial> functions;
     for (int k = 0; k < 2; ++k)
-      functions.push_back(coefficient() * x * x + coefficient() * x * y + coefficient() * y * y + coefficient() * x + coefficient() * y + coefficient());
+      functions.push_back(coefficient() * x * x + coefficient() * x * y + coefficient() * y * y + coefficient() * x +
+                          coefficient() * y + coefficient());
     systems.push_back(solver_test::with_equalities(solver_test::cube(2, -1, 1), functions));
   }
   return systems;

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics that cross themselves, or
-// each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those.
+// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of
+// cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics
+// that cross themselves, or each other as well. `complete` is 1 where all of the diagram is proved; of chains and
+// scenes it is the number of those.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -40,7 +42,8 @@ std::vector<Curve> cubics_in_cells(std::size_t count)
     std::sort(increasing.begin(), increasing.end());
     std::vector<K::Point_2> points;
     for (const double t : increasing)
-      points.push_back(i % 2 == 0 ? K::Point_2(left + t, low + coordinate(generator)) : K::Point_2(left + coordinate(generator), low + t));
+      points.push_back(i % 2 == 0 ? K::Point_2(left + t, low + coordinate(generator))
+                                  : K::Point_2(left + coordinate(generator), low + t));
     result.push_back(SC::bezier_curve(points));
   }
   return result;
@@ -57,7 +60,8 @@ void diagram_of_cubics(benchmark::State& state)
 }
 BENCHMARK(diagram_of_cubics)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
-// Four to eight cubics around the origin, with the same tangent where they meet, in coordinates that are rounded to three digits, and their sums and differences to doubles.
+// Four to eight cubics around the origin, with the same tangent where they meet, in coordinates that are rounded to
+// three digits, and their sums and differences to doubles.
 std::vector<Curve> closed_chain(unsigned seed)
 {
   std::mt19937 generator(seed);
@@ -65,7 +69,8 @@ std::vector<Curve> closed_chain(unsigned seed)
   const std::size_t n = 4 + seed % 5;
   std::vector<K::Point_2> points;
   for (std::size_t i = 0; i < n; ++i) {
-    const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(n), radius = std::uniform_real_distribution<double>(3, 7)(generator);
+    const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(n),
+                 radius = std::uniform_real_distribution<double>(3, 7)(generator);
     points.emplace_back(rounded(radius * std::cos(direction)), rounded(radius * std::sin(direction)));
   }
   std::vector<K::Vector_2> tangents;
@@ -77,7 +82,8 @@ std::vector<Curve> closed_chain(unsigned seed)
   std::vector<Curve> result;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
-    result.push_back(SC::bezier_curve(std::vector<K::Point_2>{points[i], points[i] + tangents[i], points[j] - tangents[j], points[j]}));
+    result.push_back(SC::bezier_curve(
+        std::vector<K::Point_2>{points[i], points[i] + tangents[i], points[j] - tangents[j], points[j]}));
   }
   return result;
 }
@@ -93,7 +99,8 @@ void diagrams_of_closed_chains(benchmark::State& state)
 }
 BENCHMARK(diagrams_of_closed_chains)->Arg(50)->Unit(benchmark::kMillisecond);
 
-// Each has its control points within its cell, or within a square around it that is larger by half of a cell on all sides.
+// Each has its control points within its cell, or within a square around it that is larger by half of a cell on all
+// sides.
 std::vector<Curve> random_scene(unsigned seed, std::size_t count, bool are_crossing)
 {
   std::mt19937 generator(seed);
@@ -103,7 +110,8 @@ std::vector<Curve> random_scene(unsigned seed, std::size_t count, bool are_cross
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<K::Point_2> points;
     for (int k = 0; k < 4; ++k) {
-      const double x = static_cast<double>(i % columns) + coordinate(generator), y = static_cast<double>(i / columns) + coordinate(generator);
+      const double x = static_cast<double>(i % columns) + coordinate(generator),
+                   y = static_cast<double>(i / columns) + coordinate(generator);
       points.emplace_back(x, y);
     }
     result.push_back(SC::bezier_curve(points));
@@ -169,7 +177,8 @@ void diagram_of_points(benchmark::State& state)
 }
 BENCHMARK(diagram_of_points)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
-// What is small beside the rest: a gap between segments of length 4, the radius of a circle in one of radius 2, or the distance of two points from each other beside a third one, of a negative power of ten.
+// What is small beside the rest: a gap between segments of length 4, the radius of a circle in one of radius 2, or the
+// distance of two points from each other beside a third one, of a negative power of ten.
 void diagram_of_small_features(benchmark::State& state)
 {
   const double size = std::pow(10, -static_cast<double>(state.range(1)));
@@ -178,7 +187,8 @@ void diagram_of_small_features(benchmark::State& state)
   switch (state.range(0)) {
   case 0:
     state.SetLabel("gap");
-    curves = {SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)), SC::segment_curve(K::Point_2(0, size), K::Point_2(4, size))};
+    curves = {SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)),
+              SC::segment_curve(K::Point_2(0, size), K::Point_2(4, size))};
     break;
   case 1:
     state.SetLabel("circle in a circle");
@@ -191,6 +201,10 @@ void diagram_of_small_features(benchmark::State& state)
   for (auto _ : state)
     state.counters["complete"] = SC::voronoi_diagram(curves, points).is_complete();
 }
-BENCHMARK(diagram_of_small_features)->ArgsProduct({{0, 1, 2}, {3, 6}})->Args({0, 12})->Args({2, 12})->Unit(benchmark::kMillisecond);
+BENCHMARK(diagram_of_small_features)
+    ->ArgsProduct({{0, 1, 2}, {3, 6}})
+    ->Args({0, 12})
+    ->Args({2, 12})
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace

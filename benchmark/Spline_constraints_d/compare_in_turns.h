@@ -14,7 +14,10 @@
 
 namespace solver_benchmark {
 
-inline double seconds_on_the_wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+inline double seconds_on_the_wall()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 inline double median(std::vector<double> times)
 {
@@ -25,9 +28,11 @@ inline double median(std::vector<double> times)
 
 inline double least(const std::vector<double>& times) { return *std::min_element(times.begin(), times.end()); }
 
-// Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians, and another one that of the least times: cores of virtual machines are not always there.
+// Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians, and another one
+// that of the least times: cores of virtual machines are not always there.
 template <class First, class Second, class Clock>
-void compare_in_turns(benchmark::State& state, const First& first, const Second& second, const std::string& first_name, const std::string& second_name, const Clock& clock)
+void compare_in_turns(benchmark::State& state, const First& first, const Second& second, const std::string& first_name,
+                      const std::string& second_name, const Clock& clock)
 {
   std::vector<double> first_times, second_times;
   const auto run = [&](const auto& solve_all, std::vector<double>& times) {

@@ -28,8 +28,10 @@ struct Soak_system
 };
 
 /*
-A random system for every number: dense and sparse polynomials of degrees 1 to 6 with integer, dyadic and decimal coefficients, near-double roots, systems with all roots planted,
-simple ones with gaps from 1e-3 to 1e-12 and multiple ones, and sums of splines; each in 1 to 4 unknowns and now and then with inequalities, on whose boundary a solution may lie.
+A random system for every number: dense and sparse polynomials of degrees 1 to 6 with integer, dyadic and decimal
+coefficients, near-double roots, systems with all roots planted, simple ones with gaps from 1e-3 to 1e-12 and multiple
+ones, and sums of splines; each in 1 to 4 unknowns and now and then with inequalities, on whose boundary a solution may
+lie.
 */
 class Soak_systems
 {
@@ -139,7 +141,8 @@ private:
     for (int j = 0; j < n; ++j) {
       const Rational x = place();
       root.emplace_back(x);
-      domain.emplace_back(m_random.chance(8) ? x : Rational(x - m_random.ratio(1, 8, 3)), m_random.chance(8) ? x : Rational(x + m_random.ratio(1, 8, 3)));
+      domain.emplace_back(m_random.chance(8) ? x : Rational(x - m_random.ratio(1, 8, 3)),
+                          m_random.chance(8) ? x : Rational(x + m_random.ratio(1, 8, 3)));
     }
     System system(domain);
     for (const Polynomial& function : functions)
@@ -169,8 +172,9 @@ private:
       largest = (std::max)(largest, value_at(height, {end}).lower);
     }
     const Rational width = m_random.ratio(1, 6, 3);
-    result.system = with_equalities(System({{x - width, x + width / 2}, {least - width, largest + width / 3}}),
-                                    {f, a * f + m_random.ratio(1, 9, 9) * (square(v[0] - x) - sign * distance * distance)});
+    result.system =
+        with_equalities(System({{x - width, x + width / 2}, {least - width, largest + width / 3}}),
+                        {f, a * f + m_random.ratio(1, 9, 9) * (square(v[0] - x) - sign * distance * distance)});
     return result;
   }
 
@@ -220,10 +224,13 @@ private:
       function += coefficient() * (m_random.chance(70) ? Polynomial::variable(j) : square(Polynomial::variable(j)));
     const bool is_through = !problem.planted.empty() && m_random.chance(40);
     function -= is_through ? value_at(function, problem.planted[0]).lower : coefficient();
-    const Relation relation = std::array{Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER_EQUAL, Relation::GREATER}[m_random.integer(0, 3)];
+    const Relation relation = std::array{Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER_EQUAL,
+                                         Relation::GREATER}[m_random.integer(0, 3)];
     problem.system.add(function, relation);
     problem.name += ", inequality";
-    std::erase_if(problem.planted, [&](const Point& point) { return !is_satisfied(relation, CGAL::sign(value_at(function, point).lower)); });
+    std::erase_if(problem.planted, [&](const Point& point) {
+      return !is_satisfied(relation, CGAL::sign(value_at(function, point).lower));
+    });
   }
 };
 

@@ -1,11 +1,17 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What one of the planar operations says of each of many drawings: a line per drawing that is not complete, is refused, or is slow, and a summary with times.
+// What one of the planar operations says of each of many drawings: a line per drawing that is not complete, is refused,
+// or is slow, and a summary with times.
 //
-//   survey_drawings diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...
+//   survey_drawings
+// diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible
+// FILE_OR_FOLDER...
 //
-// Of a folder, all drawings in it are taken, as of a folder of glyphs. With smoothed, what is asked for is the diagram of the curves with smooth joints, up to some angle. With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
+// Of a folder, all drawings in it are taken, as of a folder of glyphs. With smoothed, what is asked for is the diagram
+// of the curves with smooth joints, up to some angle. With sum_and_offset the sum with a disk is compared with the
+// offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed
+// curves bound a region. Offsets, axes and sums of others are refused.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -50,15 +56,22 @@ std::string answer(bool is_complete, std::size_t left)
 template <class Diagram>
 std::string answer_of_diagram(const Diagram& diagram)
 {
-  const auto left = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& vertex) { return !vertex.is_resolved; });
+  const auto left = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                                  [](const auto& vertex) { return !vertex.is_resolved; });
   return answer(diagram.is_complete(), static_cast<std::size_t>(left));
 }
 
-std::string answer_of_sum(const SC::Minkowski_sum_2<K>& sum) { return answer(sum.is_complete(), sum.undecided().size()); }
+std::string answer_of_sum(const SC::Minkowski_sum_2<K>& sum)
+{
+  return answer(sum.is_complete(), sum.undecided().size());
+}
 
 SC::Planar_region_2<K> region(const Curves& curves) { return SC::planar_region(curves); }
 
-SC::Minkowski_sum_2<K> sum_with_disk(const Curves& curves) { return SC::minkowski_sum(region(curves), SC::planar_region(SC::circle_curve(Point(0, 0), SC::Exact_rational(1, 2)))); }
+SC::Minkowski_sum_2<K> sum_with_disk(const Curves& curves)
+{
+  return SC::minkowski_sum(region(curves), SC::planar_region(SC::circle_curve(Point(0, 0), SC::Exact_rational(1, 2))));
+}
 
 // Of polygons next to the boundary of what an operation returns.
 template <class Result>
@@ -90,27 +103,40 @@ std::function<std::string(const Curves&)> operation(const std::string& name)
   if (name == "diagram")
     return [](const Curves& curves) { return answer_of_diagram(SC::voronoi_diagram(curves)); };
   if (name.starts_with("smoothed="))
-    return [angle = std::atof(name.c_str() + 9) * CGAL_PI / 180](const Curves& curves) { return answer_of_diagram(SC::voronoi_diagram(SC::with_smooth_joints<K>(curves, angle).curves)); };
+    return [angle = std::atof(name.c_str() + 9) * CGAL_PI / 180](const Curves& curves) {
+      return answer_of_diagram(SC::voronoi_diagram(SC::with_smooth_joints<K>(curves, angle).curves));
+    };
   if (name == "axis")
     return [](const Curves& curves) { return answer_of_diagram(SC::medial_axis(region(curves))); };
   if (name.starts_with("offset="))
-    return [distance = std::atof(name.c_str() + 7)](const Curves& curves) { return answer(SC::trimmed_offset(region(curves), distance).is_complete(), 1); };
+    return [distance = std::atof(name.c_str() + 7)](const Curves& curves) {
+      return answer(SC::trimmed_offset(region(curves), distance).is_complete(), 1);
+    };
   if (name == "square_sum")
-    return [](const Curves& curves) { return answer_of_sum(SC::minkowski_sum(region(curves), SC::planar_region(SC::polyline_curve(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}})))); };
+    return [](const Curves& curves) {
+      return answer_of_sum(SC::minkowski_sum(
+          region(curves),
+          SC::planar_region(SC::polyline_curve(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}))));
+    };
   if (name == "disk_sum")
     return [](const Curves& curves) { return answer_of_sum(sum_with_disk(curves)); };
   if (name == "sum_and_offset")
     return answer_of_sum_and_offset;
   if (name == "sweep")
-    return [](const Curves& curves) { return answer_of_sum(SC::swept_area(region(curves), SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}))); };
+    return [](const Curves& curves) {
+      return answer_of_sum(SC::swept_area(region(curves), SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, -1}, {3, 1}})));
+    };
   if (name == "hull")
     return [](const Curves& curves) { return answer(SC::convex_hull(curves).is_complete(), 1); };
   if (name == "kernel")
     return [](const Curves& curves) { return answer(SC::region_kernel(region(curves)).is_complete(), 1); };
   if (name == "visible")
     return [](Curves curves) {
-      curves.push_back(SC::polyline_curve(std::vector<Point>{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}, {-1000, -1000}}));
-      return answer(SC::visible_part(Point(SC::Exact_rational(731, 100), SC::Exact_rational(-617, 100)), curves).is_complete(), 1);
+      curves.push_back(SC::polyline_curve(
+          std::vector<Point>{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}, {-1000, -1000}}));
+      return answer(
+          SC::visible_part(Point(SC::Exact_rational(731, 100), SC::Exact_rational(-617, 100)), curves).is_complete(),
+          1);
     };
   return {};
 }
@@ -136,7 +162,9 @@ int main(int argc, char* argv[])
 {
   const auto ask = operation(argc > 1 ? argv[1] : "");
   if (!ask) {
-    std::cerr << "survey_drawings diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...\n";
+    std::cerr << "survey_drawings "
+                 "diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|"
+                 "visible FILE_OR_FOLDER...\n";
     return 2;
   }
   int complete = 0, incomplete = 0, refused = 0;
@@ -157,5 +185,6 @@ int main(int argc, char* argv[])
     if (!said.empty() || seconds > slow)
       std::cout << drawing << ": " << (said.empty() ? "complete" : said) << ", " << seconds << " s" << std::endl;
   }
-  std::cout << argv[1] << ": " << complete << " complete, " << incomplete << " incomplete, " << refused << " refused; " << total << " s, the slowest " << greatest << " s\n";
+  std::cout << argv[1] << ": " << complete << " complete, " << incomplete << " incomplete, " << refused << " refused; "
+            << total << " s, the slowest " << greatest << " s\n";
 }

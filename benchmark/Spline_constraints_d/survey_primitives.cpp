@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What pairs of planes, quadrics, tori and ruled surfaces have in common, as patches (P) and as implicit surfaces (I): a line per pair with the answers and their times in milliseconds, and a summary. Numbers of closed curves/open curves/singular points; u: undecided; !: not what geometry says.
+// What pairs of planes, quadrics, tori and ruled surfaces have in common, as patches (P) and as implicit surfaces (I):
+// a line per pair with the answers and their times in milliseconds, and a summary. Numbers of closed curves/open
+// curves/singular points; u: undecided; !: not what geometry says.
 
 #include "pairs_of_primitives.h"
 
@@ -59,7 +61,8 @@ int main()
       const std::string found = counts(pair, k);
       const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
       times[k].push_back(time.count());
-      const bool is_undecided = found == "u" && pair.counts[k] != "u", is_wrong = found != "u" && found != pair.counts[k];
+      const bool is_undecided = found == "u" && pair.counts[k] != "u",
+                 is_wrong = found != "u" && found != pair.counts[k];
       undecided[k] += is_undecided ? 1 : 0;
       wrong[k] += is_wrong ? 1 : 0;
       std::cout << " | " << names[k] << ' ' << found << (is_wrong ? '!' : ' ') << ' ' << time.count();
@@ -68,6 +71,8 @@ int main()
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::sort(times[k].begin(), times[k].end());
-    std::cout << names[k] << ": " << times[k].size() << " pairs, " << undecided[k] << " undecided, " << wrong[k] << " wrong; median " << times[k][times[k].size() / 2] << ", 90 % within " << times[k][times[k].size() * 9 / 10] << ", greatest " << times[k].back() << " ms\n";
+    std::cout << names[k] << ": " << times[k].size() << " pairs, " << undecided[k] << " undecided, " << wrong[k]
+              << " wrong; median " << times[k][times[k].size() / 2] << ", 90 % within "
+              << times[k][times[k].size() * 9 / 10] << ", greatest " << times[k].back() << " ms\n";
   }
 }

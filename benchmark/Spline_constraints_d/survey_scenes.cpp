@@ -1,31 +1,52 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
+// What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are
+// the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
+//   survey_scenes KIND [FIRST END]
 //
-// Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices and samples of edges with narrow bounds are counted, too.
+// with a KIND of offsets, lines, crossings, cusps, copies, hulls, kernels, bisectors, sectors, visible, circles, small,
+// mixed, forks, near_forks, joined_forks, fork_offsets, fork_hulls, fork_sectors, rotated and smoothed.
+//
+// Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices and samples of edges with
+// narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
-// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the disks of samples of edges beside samples of curves.
+// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have
+// common tangents; the disks of samples of edges beside samples of curves.
 // - crossings: diagrams of 2 to 12 cubics in one square; the same.
-// - cusps: diagrams of one or two cubics with a cusp inside, at a quarter, a half or three quarters, and in each third scene a segment; the same.
-// - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what has other numbers of sites, vertices or edges than without these.
-// - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
-// - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
-// - bisectors: of two cubics in neighbouring squares; differing is what is not one chain. From scene 100 on, of two cubics in one square.
-// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples. From scene 40 on, of cubics that touch; from scene 240 on, of a chain that touches itself and a cubic.
-// - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
-// - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
-// - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
-// - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
-// - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it, with its tangent there, forward or backward; the same.
-// - near_forks: diagrams of a slanted segment or a circle with decimal numbers, and one or two curves that begin in points of it, but for rounding; the same.
+// - cusps: diagrams of one or two cubics with a cusp inside, at a quarter, a half or three quarters, and in each third
+// scene a segment; the same.
+// - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what
+// has other numbers of sites, vertices or edges than without these.
+// - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of
+// samples.
+// - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points
+// a little inside see 400 tangents, and points a little outside do not.
+// - bisectors: of two cubics in neighbouring squares; differing is what is not one chain. From scene 100 on, of two
+// cubics in one square.
+// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside
+// those from samples. From scene 40 on, of cubics that touch; from scene 240 on, of a chain that touches itself and a
+// cubic.
+// - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers
+// as coordinates; 200 rays beside chords of samples.
+// - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal
+// numbers; the vertices beside those of CGAL's Apollonius graph.
+// - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that;
+// the same as of crossings.
+// - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with
+// integers as coordinates and common ends; the same.
+// - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it,
+// with its tangent there, forward or backward; the same.
+// - near_forks: diagrams of a slanted segment or a circle with decimal numbers, and one or two curves that begin in
+// points of it, but for rounding; the same.
 // - joined_forks: of the same curves after with_exact_joints().
-// - fork_offsets: of the curves of forks, with three distances; the distances of their points, and what they cover, beside samples.
+// - fork_offsets: of the curves of forks, with three distances; the distances of their points, and what they cover,
+// beside samples.
 // - fork_hulls: of the same curves; the same as of hulls.
 // - fork_sectors: of the first two of the same curves, and their bisectors; the same as of sectors.
-// - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
+// - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8
+// cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 // - smoothed: the same chains after with_smooth_joints().
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -75,7 +96,9 @@ struct Answer
   bool is_complete = false;
   bool is_differing = false;    // from what samples tell
   std::size_t size = 0;         // arcs or edges
-  std::size_t vertices = 0, bounded = 0;   // of diagrams, those at infinity left out; and those whose bounds are narrower than 10^-9 (1 + radius), and hold what is rounded
+  // of diagrams, those at infinity left out; and those whose bounds are narrower than 10^-9 (1 + radius), and hold what
+  // is rounded
+  std::size_t vertices = 0, bounded = 0;
   std::size_t samples = 0, known = 0;      // of edges of diagrams; and those whose radius has such bounds
 };
 
@@ -90,7 +113,10 @@ std::vector<Point> samples(const Curves& curves, int count)
   return result;
 }
 
-double number(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double number(std::mt19937& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 Point point(std::mt19937& random, double left, double low, double size)
 {
@@ -116,7 +142,8 @@ double distance(const Point& p, const std::vector<Point>& along)
 
 Point lattice_point(std::mt19937& random, int most)
 {
-  const int x = std::uniform_int_distribution<int>(0, most)(random), y = std::uniform_int_distribution<int>(0, most)(random);
+  const int x = std::uniform_int_distribution<int>(0, most)(random),
+            y = std::uniform_int_distribution<int>(0, most)(random);
   return Point(x, y);
 }
 
@@ -143,7 +170,8 @@ Answer offset(unsigned scene)
   for (unsigned i = 0; i < count; ++i) {
     std::vector<Point> points;
     for (int k = 0; k < 4; ++k)
-      points.push_back(point(random, static_cast<int>(i) % columns - (are_crossing ? 0.5 : -0.1), static_cast<int>(i) / columns - (are_crossing ? 0.5 : -0.1), are_crossing ? 2 : 0.8));
+      points.push_back(point(random, static_cast<int>(i) % columns - (are_crossing ? 0.5 : -0.1),
+                             static_cast<int>(i) / columns - (are_crossing ? 0.5 : -0.1), are_crossing ? 2 : 0.8));
     curves.push_back(SC::bezier_curve(points));
   }
   const auto result = SC::trimmed_offset(curves, distance);
@@ -156,10 +184,13 @@ Answer offset(unsigned scene)
   int covered = 0;
   for (int i = 0; i < queries; ++i) {
     const Point q = point(random, low, low, width);
-    covered += std::any_of(along.begin(), along.end(), [&](const Point& p) { return CGAL::squared_distance(p, q) < distance * distance; });
+    covered += std::any_of(along.begin(), along.end(),
+                           [&](const Point& p) { return CGAL::squared_distance(p, q) < distance * distance; });
   }
-  const double share = static_cast<double>(covered) / queries, deviation = std::sqrt(std::max(share * (1 - share), 1e-3) / queries);
-  answer.is_differing = std::abs(total_area(result.polygons_with_holes(1e-4)) / (width * width) - share) > 5 * deviation;
+  const double share = static_cast<double>(covered) / queries,
+               deviation = std::sqrt(std::max(share * (1 - share), 1e-3) / queries);
+  answer.is_differing =
+      std::abs(total_area(result.polygons_with_holes(1e-4)) / (width * width) - share) > 5 * deviation;
   return answer;
 }
 
@@ -173,12 +204,16 @@ template <class Vertex>
 bool has_narrow_bounds(const Vertex& vertex)
 {
   const Point p = rounded(vertex.point);
-  const auto holds = [&](double low, double value, double high) { return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius); };
+  const auto holds = [&](double low, double value, double high) {
+    return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius);
+  };
   const auto& box = vertex.box;
-  return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
+  return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) &&
+      holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
 }
 
-// Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, or the first one where bounds are wide, and none contains a point or a sample of a curve.
+// Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, or the first
+// one where bounds are wide, and none contains a point or a sample of a curve.
 template <class Given_curves>
 Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const std::vector<Point>& points = {})
 {
@@ -200,18 +235,24 @@ Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const 
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       const Point center = rounded(sample.point);
-      const double allowed = most_difference * (1 + sample.radius), low = sample.radius_bounds[0], high = sample.radius_bounds[1];
+      const double allowed = most_difference * (1 + sample.radius), low = sample.radius_bounds[0],
+                   high = sample.radius_bounds[1];
       const bool is_known = high - low < allowed;
       const auto foot = [&](std::size_t side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
         return site.is_point ? rounded(site.point) : curves[site.curve](sample.parameters[side]);
       };
-      const Point foot0 = foot(0), inner = sample.radius > 0 ? foot0 + (center - foot0) * (low / sample.radius) : center;   // the center of the least disk
+      // the center of the least disk
+      const Point foot0 = foot(0),
+                  inner = sample.radius > 0 ? foot0 + (center - foot0) * (low / sample.radius) : center;
       ++answer.samples;
       answer.known += is_known;
       for (std::size_t side = 0; side < (is_known ? 2 : 1); ++side)
-        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(center, foot(side))) - sample.radius) < allowed);
-      answer.is_differing = answer.is_differing || !(low <= sample.radius + allowed && sample.radius <= high + allowed && distance(inner, along) > low - allowed);
+        answer.is_differing = answer.is_differing ||
+            !(std::abs(std::sqrt(CGAL::squared_distance(center, foot(side))) - sample.radius) < allowed);
+      answer.is_differing = answer.is_differing ||
+          !(low <= sample.radius + allowed && sample.radius <= high + allowed &&
+            distance(inner, along) > low - allowed);
     }
   return answer;
 }
@@ -264,7 +305,8 @@ Curves chains_that_touch(std::mt19937& random, int most)
   Curves result;
   for (const int length : {1, 2}) {
     const Point first = lattice_point(random, most), last = lattice_point(random, most);
-    result.emplace_back(2, std::vector<double>{0, 0, 0, 1, 1, 2, 2, 2}, std::vector<Point>{first, joint - length * tangent, joint, joint + length * tangent, last});
+    result.emplace_back(2, std::vector<double>{0, 0, 0, 1, 1, 2, 2, 2},
+                        std::vector<Point>{first, joint - length * tangent, joint, joint + length * tangent, last});
   }
   return result;
 }
@@ -275,7 +317,9 @@ Answer mixed(unsigned scene)
   std::mt19937 random(scene);
   Curves curves;
   std::vector<Point> points, ends;
-  const auto end_of_site = [&] { return ends.empty() || random() % 5 < 3 ? lattice_point(random, most) : ends[random() % ends.size()]; };
+  const auto end_of_site = [&] {
+    return ends.empty() || random() % 5 < 3 ? lattice_point(random, most) : ends[random() % ends.size()];
+  };
   const auto append = [&](const std::vector<Point>& control_points) {
     if (std::adjacent_find(control_points.begin(), control_points.end()) == control_points.end())
       curves.push_back(SC::bezier_curve(control_points));
@@ -286,7 +330,10 @@ Answer mixed(unsigned scene)
     case 0: append({a, b}); break;
     case 1: append({a, c, b}); break;
     case 2: append({a, c, d, b}); break;
-    case 3: curves.push_back(SC::ellipse_curve(a, Vector(1 + static_cast<int>(random() % 3), 0), Vector(0, 1 + static_cast<int>(random() % 3)))); break;
+    case 3:
+      curves.push_back(SC::ellipse_curve(a, Vector(1 + static_cast<int>(random() % 3), 0),
+                                         Vector(0, 1 + static_cast<int>(random() % 3))));
+      break;
     case 4: points.push_back(a); break;
     case 5:
       if (!curves.empty())
@@ -322,26 +369,31 @@ Fork fork_of_circle(std::mt19937& random, const Point& center, double radius)
   return Fork(center + radius * axes[k], axes[(k + 1) % 4]);
 }
 
-// A segment on which points are, exactly, a quadratic or cubic whose coordinates are exact at some parameters, or a circle; and where it forks.
+// A segment on which points are, exactly, a quadratic or cubic whose coordinates are exact at some parameters, or a
+// circle; and where it forks.
 Trunk trunk(std::mt19937& random, unsigned scene, const std::function<Point()>& dyadic_point)
 {
   if (scene % 4 == 0) {
     const double unit = scene % 8 == 0 ? 0.1 : 0x1p-50;
-    return {{SC::bezier_curve(std::vector{Point(0, 0), Point(8, 0)})}, [&random, unit] { return Fork(Point(std::round(number(random, 1, 7) / unit) * unit, 0), Vector(1, 0)); }};
+    return {{SC::bezier_curve(std::vector{Point(0, 0), Point(8, 0)})},
+            [&random, unit] { return Fork(Point(std::round(number(random, 1, 7) / unit) * unit, 0), Vector(1, 0)); }};
   }
   if (scene % 4 == 3) {
     const Point center = dyadic_point();
     const double radius = 0.125 * (4 + static_cast<double>(random() % 16));
-    return {{SC::circle_curve(center, radius)}, [&random, center, radius] { return fork_of_circle(random, center, radius); }};
+    return {{SC::circle_curve(center, radius)},
+            [&random, center, radius] { return fork_of_circle(random, center, radius); }};
   }
   std::vector<Point> points;
   for (unsigned k = 0; k < 2 + scene % 4; ++k)
     points.push_back(dyadic_point());
-  return {{SC::bezier_curve(points)}, [&random, points] { return fork_at(0.25 * (1 + static_cast<double>(random() % 3)), points); }};
+  return {{SC::bezier_curve(points)},
+          [&random, points] { return fork_at(0.25 * (1 + static_cast<double>(random() % 3)), points); }};
 }
 
 // A trunk, and some curves that fork.
-Curves with_forks(std::mt19937& random, Trunk trunk, unsigned count, unsigned least_points, const std::function<Point()>& any_point)
+Curves with_forks(std::mt19937& random, Trunk trunk, unsigned count, unsigned least_points,
+                  const std::function<Point()>& any_point)
 {
   auto& [curves, fork] = trunk;
   for (; count > 0; --count) {
@@ -370,7 +422,8 @@ Curves forking_curves(unsigned scene)
   return with_forks(random, from, count, scene % 4 == 0, dyadic_point);
 }
 
-// One or two curves that leave a slanted segment or a circle with decimal numbers, in points that are on it but for rounding.
+// One or two curves that leave a slanted segment or a circle with decimal numbers, in points that are on it but for
+// rounding.
 Curves nearly_forking_curves(unsigned scene)
 {
   std::mt19937 random(scene);
@@ -383,11 +436,13 @@ Curves nearly_forking_curves(unsigned scene)
   if (scene % 2 == 0) {
     const Point begin = decimal_point();
     const Vector way = decimal_point() - begin;
-    from = {{SC::bezier_curve(std::vector{begin, begin + way})}, [&random, begin, way] { return Fork(begin + 0.1 * (1 + static_cast<double>(random() % 9)) * way, way); }};
+    from = {{SC::bezier_curve(std::vector{begin, begin + way})},
+            [&random, begin, way] { return Fork(begin + 0.1 * (1 + static_cast<double>(random() % 9)) * way, way); }};
   } else {
     const Point center = decimal_point();
     const double radius = decimal(0.5, 2);
-    from = {{SC::circle_curve(center, radius)}, [&random, center, radius] { return fork_of_circle(random, center, radius); }};
+    from = {{SC::circle_curve(center, radius)},
+            [&random, center, radius] { return fork_of_circle(random, center, radius); }};
   }
   return with_forks(random, from, 1 + scene / 2 % 2, scene % 2 == 0, decimal_point);
 }
@@ -399,13 +454,17 @@ Answer near_forks(unsigned scene) { return answer_of_diagram(nearly_forking_curv
 Answer joined_forks(unsigned scene)
 {
   constexpr double most_distance = 1e-12, most_angle = 1e-12;
-  const auto joined = SC::with_exact_joints<CGAL::Simple_cartesian<SC::Exact_rational>>(nearly_forking_curves(scene), most_distance, most_angle).curves;
+  const auto joined = SC::with_exact_joints<CGAL::Simple_cartesian<SC::Exact_rational>>(nearly_forking_curves(scene),
+                                                                                        most_distance, most_angle)
+                          .curves;
   return answer_of_diagram(joined, Curves(joined.begin(), joined.end()));
 }
 
 bool covers(const CGAL::Polygon_with_holes_2<K>& polygon, const Point& p)
 {
-  return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE && std::all_of(polygon.holes_begin(), polygon.holes_end(), [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
+  return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE &&
+      std::all_of(polygon.holes_begin(), polygon.holes_end(),
+                  [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
 }
 
 Answer fork_offsets(unsigned scene)
@@ -428,7 +487,8 @@ Answer fork_offsets(unsigned scene)
     for (int i = 0; i < queries && result.is_complete(); ++i) {
       const Point p = point(random, -2, -2, 12);
       const double height = distance(p, along) - radius;
-      const bool is_covered = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) { return covers(polygon, p); });
+      const bool is_covered =
+          std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) { return covers(polygon, p); });
       answer.is_differing = answer.is_differing || (std::abs(height) > allowed && is_covered != (height < 0));
     }
   }
@@ -453,10 +513,14 @@ Curves rotated_chain(unsigned scene)
   const double a = number(random, 1, 3), b = number(random, 1, 3), angle = number(random, 0, CGAL_PI);
   std::vector<std::vector<Point>> chain;
   if (scene % 3 == 0)
-    chain = closed_chain({Point(a, 0), Point(0, b), Point(-a, 0), Point(0, -b)}, {Vector(0, quarter * b), Vector(-quarter * a, 0), Vector(0, -quarter * b), Vector(quarter * a, 0)});
+    chain = closed_chain(
+        {Point(a, 0), Point(0, b), Point(-a, 0), Point(0, -b)},
+        {Vector(0, quarter * b), Vector(-quarter * a, 0), Vector(0, -quarter * b), Vector(quarter * a, 0)});
   else if (scene % 3 == 1) {
     const double radius = number(random, 0.1, 0.9), t = quarter * radius;
-    const std::vector<Point> begins{Point(a, radius - b), Point(a - radius, b), Point(-a, b - radius), Point(radius - a, -b)}, ends{Point(a, b - radius), Point(radius - a, b), Point(-a, radius - b), Point(a - radius, -b)};
+    const std::vector<Point> begins{Point(a, radius - b), Point(a - radius, b), Point(-a, b - radius),
+                                    Point(radius - a, -b)},
+        ends{Point(a, b - radius), Point(radius - a, b), Point(-a, radius - b), Point(a - radius, -b)};
     const std::vector<Vector> tangents{Vector(0, t), Vector(-t, 0), Vector(0, -t), Vector(t, 0)};
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t next = (i + 1) % 4;
@@ -468,7 +532,8 @@ Curves rotated_chain(unsigned scene)
     std::vector<Vector> tangents;
     const std::size_t count = 4 + scene / 3 % 5;
     for (std::size_t i = 0; i < count; ++i) {
-      const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(count), radius = number(random, 1, 2);
+      const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(count),
+                   radius = number(random, 1, 2);
       points.emplace_back(radius * std::cos(direction), radius * std::sin(direction));
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -538,7 +603,8 @@ Answer copies(unsigned scene)
   Answer answer;
   answer.is_complete = diagram.is_complete();
   answer.size = diagram.edges().size();
-  answer.is_differing = diagram.sites().size() != expected.sites().size() || diagram.vertices().size() != expected.vertices().size() || diagram.edges().size() != expected.edges().size();
+  answer.is_differing = diagram.sites().size() != expected.sites().size() ||
+      diagram.vertices().size() != expected.vertices().size() || diagram.edges().size() != expected.edges().size();
   return answer;
 }
 
@@ -571,7 +637,8 @@ Answer hull(unsigned scene)
   for (unsigned i = 0; i <= scene % 20; ++i) {
     const std::vector<Point> points = lattice_points(random, 12);
     if (i > 0 && random() % 4 == 0)
-      curves.push_back(curves[random() % curves.size()].transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
+      curves.push_back(curves[random() % curves.size()].transformed(
+          CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
     else if (random() % 4 == 0)
       curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 4)));
     else if (points.front() != points.back())
@@ -582,7 +649,8 @@ Answer hull(unsigned scene)
 
 Answer fork_hulls(unsigned scene) { return answer_of_hull(forking_curves(scene)); }
 
-// Around the origin, with a control point in each of eight to twelve directions, of which the first of each piece is a corner.
+// Around the origin, with a control point in each of eight to twelve directions, of which the first of each piece is a
+// corner.
 Answer kernel(unsigned scene)
 {
   std::mt19937 random(scene);
@@ -618,7 +686,8 @@ Answer kernel(unsigned scene)
   const Point centre = result.centre();
   for (std::size_t e = 0; e < result.edges().size() && answer.is_complete; ++e) {
     const Vector way = result.source(e) - centre;
-    answer.is_differing = answer.is_differing || !is_on_the_left_of_all(centre + 0.999 * way) || is_on_the_left_of_all(centre + 1.01 * way);
+    answer.is_differing = answer.is_differing || !is_on_the_left_of_all(centre + 0.999 * way) ||
+        is_on_the_left_of_all(centre + 1.01 * way);
   }
   return answer;
 }
@@ -637,9 +706,13 @@ Answer bisector(unsigned scene)
   return answer;
 }
 
-Point point_in_sixteenths(std::mt19937& random) { return CGAL::ORIGIN + (lattice_point(random, 12) - CGAL::ORIGIN) / 16; }
+Point point_in_sixteenths(std::mt19937& random)
+{
+  return CGAL::ORIGIN + (lattice_point(random, 12) - CGAL::ORIGIN) / 16;
+}
 
-// Two with sixteenths as coordinates, the second of which begins in the begin of the first one, or in its middle, in the same direction; none if there is no direction.
+// Two with sixteenths as coordinates, the second of which begins in the begin of the first one, or in its middle, in
+// the same direction; none if there is no direction.
 Curves touching_cubics(std::mt19937& random)
 {
   const auto next_point = [&] { return point_in_sixteenths(random); };
@@ -649,21 +722,30 @@ Curves touching_cubics(std::mt19937& random)
   const bool is_in_middle = random() % 2 == 0;
   const Point begin = is_in_middle ? a[0] + ((a[3] - a[0]) + 3 * (a[1] - a[0]) + 3 * (a[2] - a[0])) / 8 : a[0];
   const Vector tangent = is_in_middle ? (a[3] - a[0]) + (a[2] - a[1]) : a[1] - a[0];
-  const Point second = begin + (1.0 + static_cast<double>(random() % 8)) / 4 * tangent, third = next_point(), last = next_point();
-  return tangent == CGAL::NULL_VECTOR ? Curves() : Curves{SC::bezier_curve(std::vector<Point>(a.begin(), a.end())), SC::bezier_curve(std::vector<Point>{begin, second, third, last})};
+  const Point second = begin + (1.0 + static_cast<double>(random() % 8)) / 4 * tangent, third = next_point(),
+              last = next_point();
+  return tangent == CGAL::NULL_VECTOR ? Curves()
+                                      : Curves{SC::bezier_curve(std::vector<Point>(a.begin(), a.end())),
+                                               SC::bezier_curve(std::vector<Point>{begin, second, third, last})};
 }
 
-// A chain of four cubics, of which the fourth one begins where the second one does, with the same tangent or the opposite one; and another cubic.
+// A chain of four cubics, of which the fourth one begins where the second one does, with the same tangent or the
+// opposite one; and another cubic.
 Curves chain_that_touches_itself_and_cubic(std::mt19937& random)
 {
   const Point touched(0.375, 0.375);
-  const Vector tangent(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 2)), again = random() % 2 == 0 ? tangent : -tangent;
+  const Vector tangent(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 2)),
+      again = random() % 2 == 0 ? tangent : -tangent;
   const auto speed = [&] { return (1.0 + static_cast<double>(random() % 3)) / 16; };
   const auto next_point = [&] { return point_in_sixteenths(random); };
-  std::vector<Point> chain{next_point(), next_point(), touched - speed() * tangent, touched, touched + speed() * tangent, next_point(), next_point()};
+  std::vector<Point> chain{
+      next_point(), next_point(), touched - speed() * tangent, touched, touched + speed() * tangent,
+      next_point(), next_point()};
   chain.push_back(chain[6] + (chain[6] - chain[5]));
-  chain.insert(chain.end(), {touched - speed() * again, touched, touched + speed() * again, next_point(), next_point()});
-  return {SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, chain), SC::bezier_curve(std::vector<Point>{next_point(), next_point(), next_point(), next_point()})};
+  chain.insert(chain.end(),
+               {touched - speed() * again, touched, touched + speed() * again, next_point(), next_point()});
+  return {SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, chain),
+          SC::bezier_curve(std::vector<Point>{next_point(), next_point(), next_point(), next_point()})};
 }
 
 Answer answer_of_sectors(const SC::Bspline_curve_2<K>& first, const SC::Bspline_curve_2<K>& second)
@@ -677,7 +759,10 @@ Answer answer_of_sectors(const SC::Bspline_curve_2<K>& first, const SC::Bspline_
     answer.size += result.arcs().size();
     for (std::size_t i = 0; i < result.arcs().size(); ++i)
       for (const auto& sample : result.polyline(i, 0.1))
-        answer.is_differing = answer.is_differing || (result.is_complete() && sample.distances[0] + sample.distances[1] < 5 && (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 || std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
+        answer.is_differing = answer.is_differing ||
+            (result.is_complete() && sample.distances[0] + sample.distances[1] < 5 &&
+             (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 ||
+              std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
   }
   return answer;
 }
@@ -686,7 +771,9 @@ Answer sectors(unsigned scene)
 {
   constexpr unsigned first_that_touch = 40, first_that_touch_themselves = 240;
   std::mt19937 random(scene);
-  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : scene < first_that_touch_themselves ? touching_cubics(random) : chain_that_touches_itself_and_cubic(random);
+  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)}
+      : scene < first_that_touch_themselves      ? touching_cubics(random)
+                                                 : chain_that_touches_itself_and_cubic(random);
   return curves.empty() ? Answer{false} : answer_of_sectors(curves[0], curves[1]);
 }
 
@@ -744,7 +831,8 @@ Answer visible(unsigned scene)
       return std::abs(std::remainder(std::atan2(way.y(), way.x()) - angle, 2 * CGAL_PI)) < 0.01;
     });
     const Vector ray(std::cos(angle), std::sin(angle));
-    answer.is_differing = answer.is_differing || (!is_near_vertex && std::abs(sight(viewpoint, ray, chains) - sight(viewpoint, ray, seen)) > 0.02);
+    answer.is_differing = answer.is_differing ||
+        (!is_near_vertex && std::abs(sight(viewpoint, ray, chains) - sight(viewpoint, ray, seen)) > 0.02);
   }
   return answer;
 }
@@ -768,10 +856,15 @@ Answer circles(unsigned scene)
   answer.size = diagram.edges().size();
   std::size_t faces = 0;
   for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face, ++faces) {
-    const Point p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(), face->vertex(2)->site());
-    answer.is_differing = answer.is_differing || std::none_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && std::sqrt(CGAL::squared_distance(v.point, p)) < 1e-6 * (1 + v.radius); });
+    const Point p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(),
+                                                                    face->vertex(2)->site());
+    answer.is_differing =
+        answer.is_differing || std::none_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+          return !v.is_at_infinity && std::sqrt(CGAL::squared_distance(v.point, p)) < 1e-6 * (1 + v.radius);
+        });
   }
-  const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return !v.is_at_infinity && v.edges.size() > 2; });
+  const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                                       [](const auto& v) { return !v.is_at_infinity && v.edges.size() > 2; });
   answer.is_differing = answer.is_differing || faces != static_cast<std::size_t>(branching);
   return answer;
 }
@@ -782,7 +875,27 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"near_forks", {near_forks, 40}}, {"joined_forks", {joined_forks, 40}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}},
+                                            {"lines", {lines, 600}},
+                                            {"crossings", {crossings, 70}},
+                                            {"cusps", {cusps, 120}},
+                                            {"copies", {copies, 60}},
+                                            {"hulls", {hull, 220}},
+                                            {"kernels", {kernel, 100}},
+                                            {"bisectors", {bisector, 200}},
+                                            {"sectors", {sectors, 340}},
+                                            {"visible", {visible, 50}},
+                                            {"circles", {circles, 40}},
+                                            {"small", {small, 60}},
+                                            {"mixed", {mixed, 200}},
+                                            {"forks", {forks, 240}},
+                                            {"near_forks", {near_forks, 40}},
+                                            {"joined_forks", {joined_forks, 40}},
+                                            {"fork_offsets", {fork_offsets, 240}},
+                                            {"fork_hulls", {fork_hulls, 240}},
+                                            {"fork_sectors", {fork_sectors, 240}},
+                                            {"rotated", {rotated, 30}},
+                                            {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -790,11 +903,15 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes "
+                 "offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|"
+                 "forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
     return 2;
   }
-  const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
-  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, vertices = 0, bounded = 0, samples = 0, known = 0, refused = 0;
+  const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0,
+                 end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
+  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, vertices = 0, bounded = 0, samples = 0, known = 0,
+              refused = 0;
   double total = 0, greatest = 0;
   for (unsigned scene = first; scene < end; ++scene) {
     const auto begin = std::chrono::steady_clock::now();
@@ -819,7 +936,11 @@ int main(int argc, char* argv[])
     total += seconds;
     greatest = std::max(greatest, seconds);
     if (!answer.is_complete || answer.is_differing)
-      std::cout << "scene " << scene << ": " << (answer.is_differing ? "differs from samples" : "not complete") << " (" << seconds << " s)" << std::endl;
+      std::cout << "scene " << scene << ": " << (answer.is_differing ? "differs from samples" : "not complete") << " ("
+                << seconds << " s)" << std::endl;
   }
-  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << bounded << " of " << vertices << " vertices with narrow bounds, " << known << " of " << samples << " samples; " << total << " s, at most " << greatest << " s\n";
+  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing
+            << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << bounded << " of "
+            << vertices << " vertices with narrow bounds, " << known << " of " << samples << " samples; " << total
+            << " s, at most " << greatest << " s\n";
 }

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What Minkowski sums and swept areas of random scenes say of random points and areas, beside samples of both boundaries and closed forms. The scenes are the same ones each time.
+// What Minkowski sums and swept areas of random scenes say of random points and areas, beside samples of both
+// boundaries and closed forms. The scenes are the same ones each time.
 //
 //   survey_sums sums|sweeps [FIRST END [POINTS]]
 //
-// Scenes are those with the numbers from FIRST to before END, each with that many points: 2,000, if none is given. A point is not compared where samples do not tell, in a strip along the boundary.
+// Scenes are those with the numbers from FIRST to before END, each with that many points: 2,000, if none is given. A
+// point is not compared where samples do not tell, in a strip along the boundary.
 #include "random_sums_2.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -71,8 +73,11 @@ void ask(unsigned number, bool is_sweep, std::size_t points, Totals& totals)
     totals.greatest_difference = std::max(totals.greatest_difference, std::abs(comparison.area / *scene.area - 1));
   }
   const std::size_t wrong = comparison.wrong_in_polygons + comparison.wrong_in_sum;
-  if (!sum.is_complete() || wrong > 0 || std::abs(comparison.area - comparison.estimate) > 4 * comparison.deviation || seconds > 10)
-    std::cout << "scene " << number << ": " << (sum.is_complete() ? "complete" : "not complete") << ", " << wrong << " wrong, area " << comparison.area << " beside " << comparison.estimate << " +- " << comparison.deviation << " (" << seconds << " s)" << std::endl;
+  if (!sum.is_complete() || wrong > 0 || std::abs(comparison.area - comparison.estimate) > 4 * comparison.deviation ||
+      seconds > 10)
+    std::cout << "scene " << number << ": " << (sum.is_complete() ? "complete" : "not complete") << ", " << wrong
+              << " wrong, area " << comparison.area << " beside " << comparison.estimate << " +- "
+              << comparison.deviation << " (" << seconds << " s)" << std::endl;
 }
 
 } // namespace
@@ -84,7 +89,8 @@ int main(int argc, char* argv[])
     std::cerr << "survey_sums sums|sweeps [FIRST END [POINTS]]\n";
     return 2;
   }
-  const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 120;
+  const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0,
+                 end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 120;
   const std::size_t points = argc > 4 ? static_cast<std::size_t>(std::atoi(argv[4])) : 2000;
   Totals totals;
   for (unsigned number = first; number < end; ++number)
@@ -95,7 +101,13 @@ int main(int argc, char* argv[])
       std::cout << "scene " << number << ": " << error.what() << std::endl;
     }
   const auto& p = totals.points;
-  std::cout << what << ": " << totals.scenes << " scenes, " << totals.complete << " complete, " << totals.refused << " refused; " << totals.arcs << " arcs, " << totals.holes << " holes; " << totals.seconds << " s, at most " << totals.longest << " s\n"
-            << p.points << " points, " << p.inside << " inside, " << p.outside << " outside, " << p.near_boundary << " near the boundary; wrong: " << p.wrong_in_polygons << " by polygons, " << p.wrong_in_sum << " of a tenth by the sum, which leaves " << p.uncertain << " open\n"
-            << "areas " << totals.area << " beside " << totals.estimate << " +- " << std::sqrt(totals.variance) << ", at most " << totals.greatest_deviations << " standard errors; " << totals.closed_forms << " closed forms, differing by " << totals.greatest_difference << " at most\n";
+  std::cout << what << ": " << totals.scenes << " scenes, " << totals.complete << " complete, " << totals.refused
+            << " refused; " << totals.arcs << " arcs, " << totals.holes << " holes; " << totals.seconds
+            << " s, at most " << totals.longest << " s\n"
+            << p.points << " points, " << p.inside << " inside, " << p.outside << " outside, " << p.near_boundary
+            << " near the boundary; wrong: " << p.wrong_in_polygons << " by polygons, " << p.wrong_in_sum
+            << " of a tenth by the sum, which leaves " << p.uncertain << " open\n"
+            << "areas " << totals.area << " beside " << totals.estimate << " +- " << std::sqrt(totals.variance)
+            << ", at most " << totals.greatest_deviations << " standard errors; " << totals.closed_forms
+            << " closed forms, differing by " << totals.greatest_difference << " at most\n";
 }

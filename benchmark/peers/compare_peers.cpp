@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Intersections of planar Bezier curves, operations in space, and a few polynomial systems: this package beside the programs that users would take instead, in one run on one machine. Prints tables
-// in Markdown. Names of problems on the command line select them.
+// Intersections of planar Bezier curves, operations in space, and a few polynomial systems: this package beside the
+// programs that users would take instead, in one run on one machine. Prints tables in Markdown. Names of problems on
+// the command line select them.
 #include "curve_intersection.h"
 #include "curve_problems.h"
 #include "operation_problems.h"
@@ -106,7 +107,9 @@ std::string milliseconds(double seconds) { return formatted(1e3 * seconds); }
 
 std::string in_words(const Intersections& answer)
 {
-  const auto count = [](int n, const std::string& what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); };
+  const auto count = [](int n, const std::string& what) {
+    return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
+  };
   std::string text;
   if (answer.distance > 0) {
     std::ostringstream out;
@@ -117,7 +120,8 @@ std::string in_words(const Intersections& answer)
   if (answer.overlaps > 0)
     text += (text.empty() ? "" : " + ") + count(answer.overlaps, "overlap");
   if (answer.undecided > 0)
-    text += (text.empty() ? "" : " + ") + std::to_string(answer.undecided) + " undecided" + (answer.is_overlap_suspected ? ", overlap suspected" : "");
+    text += (text.empty() ? "" : " + ") + std::to_string(answer.undecided) + " undecided" +
+        (answer.is_overlap_suspected ? ", overlap suspected" : "");
   return answer.has_failed ? text + ", reports failure" : text;
 }
 
@@ -196,7 +200,8 @@ void print_header_of(const std::vector<Program<Function>>& programs)
 }
 
 template <class Problem, class Function>
-void print_comparison(const Problem& problem, const std::vector<Program<Function>>& programs, const std::vector<Runs>& runs)
+void print_comparison(const Problem& problem, const std::vector<Program<Function>>& programs,
+                      const std::vector<Runs>& runs)
 {
   std::vector<std::string> row{problem.name + ' ' + problem.description, in_words(problem.truth)};
   for (std::size_t i = 0; i < programs.size(); ++i)
@@ -205,7 +210,8 @@ void print_comparison(const Problem& problem, const std::vector<Program<Function
   print_row(row);
 }
 
-void compare_operations(const std::string& title, const std::vector<Operation_problem>& problems, const std::set<std::string>& selected)
+void compare_operations(const std::string& title, const std::vector<Operation_problem>& problems,
+                        const std::set<std::string>& selected)
 {
   std::cout << '\n' << title << "\n\n";
   const std::vector<Operation_program> programs = operation_programs();
@@ -217,37 +223,44 @@ void compare_operations(const std::string& title, const std::vector<Operation_pr
 
 void compare_curve_intersections(const std::set<std::string>& selected)
 {
-  std::cout << "Intersections of two Bezier curves: CPU time in ms, from the control points to the answer, and the number of intersections; wrong ones, and what is "
-               "not an answer, in bold. Ratio: time of this package to that of the fastest other program that is right.\n\n";
+  std::cout
+      << "Intersections of two Bezier curves: CPU time in ms, from the control points to the answer, and the number of "
+         "intersections; wrong ones, and what is "
+         "not an answer, in bold. Ratio: time of this package to that of the fastest other program that is right.\n\n";
   const std::vector<Curve_program> programs = curve_programs();
   print_header_of(programs);
   std::vector<std::vector<std::string>> details;
   for (const Curve_problem& problem : curve_problems()) {
     if (!selected.empty() && !selected.contains(problem.name))
       continue;
-    const std::vector<Runs> runs = runs_of(programs, [&](const auto& run) { return run(problem.first, problem.second); });
+    const std::vector<Runs> runs =
+        runs_of(programs, [&](const auto& run) { return run(problem.first, problem.second); });
     print_comparison(problem, programs, runs);
 
     const Runs& own = runs[0];
     if (own.runs.empty())
       continue;
     const auto of = [&](const auto& projection) { return median(own, projection); };
-    const double building = of([](const Phases& p) { return p.building; }), setup = of([](const Phases& p) { return p.setup; }),
-                 rebuilding = of([](const Phases& p) { return p.rebuilding; });
+    const double building = of([](const Phases&p) { return p.building; }),
+                 setup = of([](const Phases&p) { return p.setup; }),
+                 rebuilding = of([](const Phases&p) { return p.rebuilding; });
     const auto count = [&](const auto& projection) { return std::to_string(std::lround(of(projection))); };
-    details.push_back({problem.name, count([](const Phases& p) { return p.nodes; }), count([](const Phases& p) { return p.rebuilds; }),
-                       milliseconds(total(own)), milliseconds(building), milliseconds(setup), milliseconds(rebuilding),
+    details.push_back({problem.name, count([](const Phases& p) { return p.nodes; }),
+                       count([](const Phases& p) { return p.rebuilds; }), milliseconds(total(own)),
+                       milliseconds(building), milliseconds(setup), milliseconds(rebuilding),
                        milliseconds(total(own) - building - setup - rebuilding)});
   }
   std::cout << "\nWhere the time of this package goes, in ms:\n\n";
-  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds", "subdivision and the rest"});
+  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds",
+                "subdivision and the rest"});
   for (const auto& row : details)
     print_row(row);
 }
 
 void print_system_problems(const std::set<std::string>& selected)
 {
-  std::cout << "\nSystems for which the others cannot be installed here. Time of this package in ms, from the system to the answer. The numbers beside it are *quoted*: they were "
+  std::cout << "\nSystems for which the others cannot be installed here. Time of this package in ms, from the system "
+               "to the answer. The numbers beside it are *quoted*: they were "
                "measured elsewhere, on another machine, and say no more than the order of magnitude.\n\n";
   print_header({"system", "this package", "quoted, other machine"});
   for (const System_problem& problem : system_problems()) {
@@ -265,7 +278,10 @@ int main(int argc, char** argv)
 {
   const std::set<std::string> selected(argv + 1, argv + argc);
   peers::compare_curve_intersections(selected);
-  peers::compare_operations("Operations in space, in the same way: the number of intersections, or the least distance.", peers::operation_problems(), selected);
-  peers::compare_operations("Curves of two surfaces, in the same way: the number of curves, which are polylines or splines in the end.", peers::surface_problems(), selected);
+  peers::compare_operations("Operations in space, in the same way: the number of intersections, or the least distance.",
+                            peers::operation_problems(), selected);
+  peers::compare_operations(
+      "Curves of two surfaces, in the same way: the number of curves, which are polylines or splines in the end.",
+      peers::surface_problems(), selected);
   peers::print_system_problems(selected);
 }

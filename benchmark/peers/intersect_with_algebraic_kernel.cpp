@@ -44,7 +44,9 @@ Polynomial_2 difference(const std::vector<CGAL::Gmpq>& p, const std::vector<CGAL
   for (const auto* coefficients : {&p, &q})
     for (const CGAL::Gmpq& c : *coefficients)
       denominator *= CGAL::integral_division(c.denominator(), CGAL::gcd(denominator, c.denominator()));
-  const auto integer = [&](const CGAL::Gmpq& c) { return c.numerator() * CGAL::integral_division(denominator, c.denominator()); };
+  const auto integer = [&](const CGAL::Gmpq& c) {
+    return c.numerator() * CGAL::integral_division(denominator, c.denominator());
+  };
   std::vector<CGAL::Gmpz> in_t;
   for (const CGAL::Gmpq& c : p)
     in_t.push_back(integer(c));

@@ -35,7 +35,8 @@ Run intersect_with_sisl(const Bezier_curve& a, const Bezier_curve& b)
   int points = 0, curves = 0, status = 0;
   double *first_parameters = nullptr, *second_parameters = nullptr;
   SISLIntcurve** overlaps = nullptr;
-  s1857(first, second, unused_tolerance, tolerance, &points, &first_parameters, &second_parameters, &curves, &overlaps, &status);
+  s1857(first, second, unused_tolerance, tolerance, &points, &first_parameters, &second_parameters, &curves, &overlaps,
+        &status);
   std::free(first_parameters);
   std::free(second_parameters);
   if (overlaps != nullptr)

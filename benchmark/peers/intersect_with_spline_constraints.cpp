@@ -23,7 +23,8 @@ SC::Spline_function coordinate(const Bezier_curve& curve, double Control_point::
   for (const Control_point& p : curve)
     coefficients.push_back(p.*axis);
   const int degree = static_cast<int>(curve.size()) - 1;
-  return SC::Spline_function::from_bernstein({unknown}, SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
+  return SC::Spline_function::from_bernstein({unknown},
+                                             SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
 }
 
 SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_curve& b)

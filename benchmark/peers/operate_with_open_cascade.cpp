@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// OpenCASCADE: GeomAPI_IntCS, GeomAPI_IntSS with a tolerance of 1e-7, GeomAPI_ProjectPointOnCurve and GeomAPI_ProjectPointOnSurf, which know perpendiculars only, and GeomAPI_ExtremaCurveCurve with ends; with their default tolerances.
+// OpenCASCADE: GeomAPI_IntCS, GeomAPI_IntSS with a tolerance of 1e-7, GeomAPI_ProjectPointOnCurve and
+// GeomAPI_ProjectPointOnSurf, which know perpendiculars only, and GeomAPI_ExtremaCurveCurve with ends; with their
+// default tolerances.
 #include "operation_problems.h"
 
 #include <GeomAPI_ExtremaCurveCurve.hxx>
@@ -24,7 +26,10 @@
 namespace peers {
 namespace {
 
-gp_Pnt point_of(const Bezier_net& net, std::size_t i = 0) { return {net.points[i][0], net.points[i][1], net.points[i][2]}; }
+gp_Pnt point_of(const Bezier_net& net, std::size_t i = 0)
+{
+  return {net.points[i][0], net.points[i][1], net.points[i][2]};
+}
 
 Handle(Geom_Curve) curve_of(const Bezier_net& net)
 {
@@ -46,14 +51,19 @@ Handle(Geom_Surface) surface_of(const Bezier_net& net)
 Run intersected(const Handle(Geom_Curve)& curve, const Handle(Geom_Surface)& surface)
 {
   const GeomAPI_IntCS intersection(curve, surface);
-  return {.answer = {.points = intersection.NbPoints(), .overlaps = intersection.NbSegments(), .has_failed = !intersection.IsDone()}, .phases = {}};
+  return {.answer = {.points = intersection.NbPoints(),
+                     .overlaps = intersection.NbSegments(),
+                     .has_failed = !intersection.IsDone()},
+          .phases = {}};
 }
 
 // Lines are splines already.
 Run intersected(const Handle(Geom_Surface)& first, const Handle(Geom_Surface)& second)
 {
   const GeomAPI_IntSS intersection(first, second, Precision::Confusion());
-  return {.answer = {.points = intersection.IsDone() ? intersection.NbLines() : 0, .has_failed = !intersection.IsDone()}, .phases = {}};
+  return {
+      .answer = {.points = intersection.IsDone() ? intersection.NbLines() : 0, .has_failed = !intersection.IsDone()},
+      .phases = {}};
 }
 
 // None where there is no perpendicular.

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// SISL: s1858 (surface and curve), s1371 (curve and sphere), s1859 and s1310 (two surfaces, and marching along their curves), s1953 and s1954 (nearest points of curve and surface), s1955 (nearest points of two curves).
+// SISL: s1858 (surface and curve), s1371 (curve and sphere), s1859 and s1310 (two surfaces, and marching along their
+// curves), s1953 and s1954 (nearest points of curve and surface), s1955 (nearest points of two curves).
 #include "operation_problems.h"
 
 #include <sisl.h>
@@ -35,7 +36,8 @@ Curve curve_of(const Bezier_net& net)
   std::vector<double> coefficients;
   for (const auto& p : net.points)
     coefficients.insert(coefficients.end(), p.begin(), p.end());
-  return Curve(newCurve(order, order, knots(order).data(), coefficients.data(), polynomial_spline, dimension, copy), freeCurve);
+  return Curve(newCurve(order, order, knots(order).data(), coefficients.data(), polynomial_spline, dimension, copy),
+               freeCurve);
 }
 
 // The first axis is the fastest.
@@ -46,7 +48,9 @@ Surface surface_of(const Bezier_net& net)
   for (int j = 0; j < columns; ++j)
     for (int i = 0; i < rows; ++i)
       coefficients.insert(coefficients.end(), net.points[i * columns + j].begin(), net.points[i * columns + j].end());
-  return Surface(newSurf(rows, columns, rows, columns, knots(rows).data(), knots(columns).data(), coefficients.data(), polynomial_spline, dimension, copy), freeSurf);
+  return Surface(newSurf(rows, columns, rows, columns, knots(rows).data(), knots(columns).data(), coefficients.data(),
+                         polynomial_spline, dimension, copy),
+                 freeSurf);
 }
 
 using Point = std::array<double, 3>;
@@ -84,7 +88,10 @@ struct Result
       freeIntcrvlist(overlaps, curves);
   }
 
-  Run counted() const { return {.answer = {.points = points, .overlaps = curves, .has_failed = status < 0}, .phases = {}}; }
+  Run counted() const
+  {
+    return {.answer = {.points = points, .overlaps = curves, .has_failed = status < 0}, .phases = {}};
+  }
 
   // The number of curves that marching has made points of.
   Run marched(SISLSurf* one, SISLSurf* other) const
@@ -119,31 +126,38 @@ Run operate_with_sisl(const Operation_problem& problem)
   Result r;
   switch (problem.operation) {
   case Operation::CURVE_AND_SURFACE:
-    s1858(surface_of(problem.second).get(), curve_of(problem.first).get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves, &r.overlaps, &r.status);
+    s1858(surface_of(problem.second).get(), curve_of(problem.first).get(), unused_tolerance, tolerance, &r.points,
+          &r.first, &r.second, &r.curves, &r.overlaps, &r.status);
     return r.counted();
   case Operation::LINE_AND_SPHERE:
-    s1371(curve_of(problem.first).get(), center.data(), problem.radius, dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves, &r.overlaps, &r.status);
+    s1371(curve_of(problem.first).get(), center.data(), problem.radius, dimension, unused_tolerance, tolerance,
+          &r.points, &r.first, &r.curves, &r.overlaps, &r.status);
     return r.counted();
   case Operation::SURFACES: {
     const Surface first = surface_of(problem.first), second = surface_of(problem.second);
-    s1859(first.get(), second.get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves, &r.overlaps, &r.status);
+    s1859(first.get(), second.get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves,
+          &r.overlaps, &r.status);
     return r.marched(first.get(), second.get());
   }
   case Operation::NEAREST_ON_CURVE: {
     const Curve curve = curve_of(problem.second);
-    s1953(curve.get(), point.data(), dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves, &r.overlaps, &r.status);
+    s1953(curve.get(), point.data(), dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves,
+          &r.overlaps, &r.status);
     return r.measured([&](int i) { return distance(point, point_on(curve.get(), r.first[i])); });
   }
   case Operation::NEAREST_ON_SURFACE: {
     const Surface surface = surface_of(problem.second);
-    s1954(surface.get(), point.data(), dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves, &r.overlaps, &r.status);
+    s1954(surface.get(), point.data(), dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves,
+          &r.overlaps, &r.status);
     return r.measured([&](int i) { return distance(point, point_on(surface.get(), r.first + 2 * i)); });
   }
   case Operation::NEAREST_OF_CURVES: break;
   }
   const Curve first = curve_of(problem.first), second = curve_of(problem.second);
-  s1955(first.get(), second.get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves, &r.overlaps, &r.status);
-  return r.measured([&](int i) { return distance(point_on(first.get(), r.first[i]), point_on(second.get(), r.second[i])); });
+  s1955(first.get(), second.get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves, &r.overlaps,
+        &r.status);
+  return r.measured(
+      [&](int i) { return distance(point_on(first.get(), r.first[i]), point_on(second.get(), r.second[i])); });
 }
 
 } // namespace peers

@@ -42,9 +42,12 @@ SC::Bspline_surface_3<K> surface_of(const Bezier_net& net)
 
 Run counted(const auto& intersections)
 {
-  const int undecided = static_cast<int>(intersections.count(SC::Intersection_kind::UNDECIDED)), overlaps = static_cast<int>(intersections.count(SC::Intersection_kind::OVERLAP));
+  const int undecided = static_cast<int>(intersections.count(SC::Intersection_kind::UNDECIDED)),
+            overlaps = static_cast<int>(intersections.count(SC::Intersection_kind::OVERLAP));
   Run run;
-  run.answer = {.points = static_cast<int>(intersections.size()) - undecided - overlaps, .overlaps = overlaps, .undecided = undecided};
+  run.answer = {.points = static_cast<int>(intersections.size()) - undecided - overlaps,
+                .overlaps = overlaps,
+                .undecided = undecided};
   return run;
 }
 
@@ -74,7 +77,8 @@ Run operate_with_spline_constraints(const Operation_problem& problem)
   switch (problem.operation) {
   case Operation::CURVE_AND_SURFACE: return counted(SC::intersections(curve_of(first), surface_of(second)));
   case Operation::LINE_AND_SPHERE:
-    return counted(SC::intersections(K::Line_3(points_of(first)[0], points_of(first)[1]), K::Sphere_3(point_of(second), problem.radius * problem.radius)));
+    return counted(SC::intersections(K::Line_3(points_of(first)[0], points_of(first)[1]),
+                                     K::Sphere_3(point_of(second), problem.radius * problem.radius)));
   case Operation::SURFACES: return drawn(SC::intersection_curves(surface_of(first), surface_of(second)));
   case Operation::NEAREST_ON_CURVE: return measured(SC::closest_points(point_of(first), curve_of(second)));
   case Operation::NEAREST_ON_SURFACE: return measured(SC::closest_points(point_of(first), surface_of(second)));

@@ -57,7 +57,10 @@ void silence()
   silence();
   try {
     const auto start = Clock::now();
-    for (int i = 0; i == 0 || (seconds_since(start) < limits.longest_seconds && (i <= limits.least_runs || seconds_since(start) < limits.seconds)); ++i) {
+    for (int i = 0; i == 0 ||
+         (seconds_since(start) < limits.longest_seconds &&
+          (i <= limits.least_runs || seconds_since(start) < limits.seconds));
+         ++i) {
       const double before = cpu_seconds();
       Run run = body();
       run.phases.total = cpu_seconds() - before;

@@ -28,7 +28,8 @@ struct Runs
   End end = End::FINISHED;
 };
 
-//! runs `body` in a child process again and again, once more before the first run that counts, unless one run takes too long for that.
+//! runs `body` in a child process again and again, once more before the first run that counts, unless one run takes too
+//! long for that.
 Runs repeated_runs(const std::function<Run()>& body, const Run_limits& limits);
 
 } // namespace peers

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where a straight tool, upright on a surface as in 5-axis milling, touches a ball: between what it reaches and what it does not. Writes accessibility.svg with all directions, and accessibility_hemisphere.svg with only those to one side.
+// Where a straight tool, upright on a surface as in 5-axis milling, touches a ball: between what it reaches and what it
+// does not. Writes accessibility.svg with all directions, and accessibility_hemisphere.svg with only those to one side.
 // Exit status: 0 when nothing is undecided, 3 when something is.
 #include "surface_scene.h"
 
@@ -18,7 +19,8 @@ using Surface = SC::Bspline_surface_3<K>;
 // A biquadratic landscape with ridges and valleys.
 Surface landscape()
 {
-  constexpr int height[6][6] = {{0, 0, 1, 1, 0, 0}, {0, 3, 0, 0, 3, 0}, {1, 0, -2, 4, 0, 1}, {1, 0, 4, -2, 0, 1}, {0, 3, 0, 0, 3, 0}, {0, 0, 1, 1, 0, 0}};
+  constexpr int height[6][6] = {{0, 0, 1, 1, 0, 0},  {0, 3, 0, 0, 3, 0}, {1, 0, -2, 4, 0, 1},
+                                {1, 0, 4, -2, 0, 1}, {0, 3, 0, 0, 3, 0}, {0, 0, 1, 1, 0, 0}};
   std::vector<K::Point_3> points;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
@@ -38,7 +40,8 @@ bool draw(const std::string& path, const Surface& surface, const K::Sphere_3& ba
     std::vector<K::Point_3> points;
     for (const auto& sample : boundaries.polyline(curve, 1e-3)) {
       if (points.size() % 6 == 0) {   // the tool, as far as it touches the ball
-        const K::Vector_3 normal = surface.normal(sample.parameters[0], sample.parameters[1]), to_center = ball.center() - sample.point;
+        const K::Vector_3 normal = surface.normal(sample.parameters[0], sample.parameters[1]),
+                          to_center = ball.center() - sample.point;
         scene.add({sample.point, sample.point + normal * (to_center * normal / normal.squared_length())}, "#555", 0.7);
       }
       points.push_back(sample.point);
@@ -54,6 +57,7 @@ int main()
 {
   const Surface surface = landscape();
   const K::Sphere_3 ball(K::Point_3(0.25, -0.5, 3.5), 1);
-  const bool is_complete = draw("accessibility.svg", surface, ball, {}) && draw("accessibility_hemisphere.svg", surface, ball, {.hemisphere = K::Vector_3(1, 0, 0)});
+  const bool is_complete = draw("accessibility.svg", surface, ball, {}) &&
+      draw("accessibility_hemisphere.svg", surface, ball, {.hemisphere = K::Vector_3(1, 0, 0)});
   return is_complete ? 0 : 3;
 }

@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The bisector of two planar curves, untrimmed: all points at the same distance from both along their normals, the poles where it goes to infinity included.
+// The bisector of two planar curves, untrimmed: all points at the same distance from both along their normals, the
+// poles where it goes to infinity included.
 //
 //   bisector_curves [A B]
 //
-// A and B are files of GoTools (.g2) or IRIT (.itd), the first planar curve of each counts; without them, two cubics are taken. Writes bisector_curves.svg. Exit status: 0 when nothing is undecided, 3 when
-// something is, 2 for bad input.
+// A and B are files of GoTools (.g2) or IRIT (.itd), the first planar curve of each counts; without them, two cubics
+// are taken. Writes bisector_curves.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad
+// input.
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
@@ -38,13 +40,16 @@ int main(int argc, char* argv[])
   try {
     if (argc != 1 && argc != 3)
       throw SC::Invalid_input("usage: bisector_curves [A B]");
-    const Curve a = argc == 3 ? read_curve(argv[1]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}});
-    const Curve b = argc == 3 ? read_curve(argv[2]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}});
+    const Curve a =
+        argc == 3 ? read_curve(argv[1]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}});
+    const Curve b = argc == 3 ? read_curve(argv[2])
+                              : SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}});
     const auto bisector = SC::bisector_curves(a, b);
 
     const CGAL::Bbox_2 box = a.bbox() + b.bbox();
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    const CGAL::Bbox_2 window(box.xmin() - size / 4, box.ymin() - size / 20, box.xmax() + size / 20, box.ymax() + size / 20);
+    const CGAL::Bbox_2 window(box.xmin() - size / 4, box.ymin() - size / 20, box.xmax() + size / 20,
+                              box.ymax() + size / 20);
     std::ofstream file("bisector_curves.svg");
     SC::SVG_writer picture(file, window, 700);
     const char* const colours[] = {"#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b"};
@@ -53,9 +58,14 @@ int main(int argc, char* argv[])
       const auto samples = bisector.polyline(curve, 1e-3 * size, 2 * size);
       for (std::size_t i = 6; i < samples.size(); i += 12)
         if (CGAL::do_overlap(samples[i].point.bbox(), window))   // the radii of some circles that touch both curves
-          picture.polyline(std::vector<K::Point_2>{a(samples[i].parameters[0]), samples[i].point, b(samples[i].parameters[1])}, "#bbb", 1);
-      std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", parameters (" << samples.front().parameters[0] << ", " << samples.front().parameters[1] << ") to ("
-                << samples.back().parameters[0] << ", " << samples.back().parameters[1] << ")" << (bisector.ends_at_infinity(curve, 0) || bisector.ends_at_infinity(curve, 1) ? ", to infinity" : "") << '\n';
+          picture.polyline(
+              std::vector<K::Point_2>{a(samples[i].parameters[0]), samples[i].point, b(samples[i].parameters[1])},
+              "#bbb", 1);
+      std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", parameters ("
+                << samples.front().parameters[0] << ", " << samples.front().parameters[1] << ") to ("
+                << samples.back().parameters[0] << ", " << samples.back().parameters[1] << ")"
+                << (bisector.ends_at_infinity(curve, 0) || bisector.ends_at_infinity(curve, 1) ? ", to infinity" : "")
+                << '\n';
       picture.polyline(samples, colours[(index - 1) % 6], 2);
     }
     picture.curve(a, "black", 4);

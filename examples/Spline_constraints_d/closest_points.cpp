@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All feet of the perpendiculars from three points to an ellipse, and the closest points of two cubic curves, in exact numbers; drawn into closest_points.svg.
+// All feet of the perpendiculars from three points to an ellipse, and the closest points of two cubic curves, in exact
+// numbers; drawn into closest_points.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -29,7 +30,8 @@ int main()
 {
   const Curve ellipse = SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(3, 0), K::Vector_2(0, 2));
   const std::vector<K::Point_2> points{{K::FT(1) / 2, K::FT(1) / 4}, {-3, 2}, {K::FT(5) / 2, -2}};
-  const Curve first = SC::bezier_curve(std::vector<K::Point_2>{{4, 2}, {5, -3}, {6, 5}, {8, -1}}), second = SC::bezier_curve(std::vector<K::Point_2>{{5, -2}, {6, 2}, {8, -5}, {9, 1}});
+  const Curve first = SC::bezier_curve(std::vector<K::Point_2>{{4, 2}, {5, -3}, {6, 5}, {8, -1}}),
+              second = SC::bezier_curve(std::vector<K::Point_2>{{5, -2}, {6, 2}, {8, -5}, {9, 1}});
 
   std::ofstream out("closest_points.svg");
   SC::SVG_writer picture(out, CGAL::Bbox_2(-3.6, -2.8, 9.4, 2.9), 780);
@@ -45,7 +47,8 @@ int main()
     for (const auto& foot : projections.feet)
       draw_pair(picture, point, foot.point(1), &foot == &projections.feet.front() ? "#d62728" : "#999");
     picture.point(point, "#2ca02c");
-    std::cout << "(" << point << ") has " << counts.back() << " feet, the nearest at the parameter " << projections.feet.front().parameter(1) << '\n';
+    std::cout << "(" << point << ") has " << counts.back() << " feet, the nearest at the parameter "
+              << projections.feet.front().parameter(1) << '\n';
   }
 
   const auto closest = SC::closest_points(first, second);
@@ -57,6 +60,8 @@ int main()
   picture.label(K::Point_2(-3.4, 2.6), "feet of the perpendiculars from three points");
   picture.label(K::Point_2(4, 2.6), "closest points, distance " + std::to_string(lower));
   std::cout.precision(17);
-  std::cout << "distance of the cubic curves between " << lower << " and " << upper << (closest.is_unique() ? ", attained once\n" : "\n");
-  return is_complete && counts == std::vector<std::size_t>{4, 2, 2} && closest.is_unique() && upper - lower < 1e-12 ? 0 : 1;
+  std::cout << "distance of the cubic curves between " << lower << " and " << upper
+            << (closest.is_unique() ? ", attained once\n" : "\n");
+  return is_complete && counts == std::vector<std::size_t>{4, 2, 2} && closest.is_unique() && upper - lower < 1e-12 ? 0
+                                                                                                                    : 1;
 }

@@ -40,7 +40,8 @@ int main(int argc, char* argv[])
     std::cout << curves.size() << " curves; hull of " << arcs << " arcs and " << segments << " segments";
     if (hull.is_complete()) {
       const auto [lower, upper] = hull.area();
-      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
+      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by "
+                << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
     }
     std::cout << "; complete: " << (hull.is_complete() ? "yes" : "no") << '\n';
     return hull.is_complete() ? 0 : 3;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes curves of solutions as polylines: into .txt with all unknowns, into .vtp with the first three, into .svg as a picture of the first two.
+// Writes curves of solutions as polylines: into .txt with all unknowns, into .vtp with the first three, into .svg as a
+// picture of the first two.
 #ifndef CURVE_OUTPUT_H
 #define CURVE_OUTPUT_H
 
@@ -45,18 +46,25 @@ inline void write_polydata(std::ostream& out, const std::vector<Polyline>& polyl
   CGAL::Spline_constraints::IO::write_VTP(out, in_space);
 }
 
-inline void draw(std::ostream& out, const std::vector<std::string>& names, const CGAL::Bbox_2& view, const CGAL::Spline_constraints::Curve_solution_set_d& set, const std::vector<Polyline>& polylines)
+inline void draw(std::ostream& out, const std::vector<std::string>& names, const CGAL::Bbox_2& view,
+                 const CGAL::Spline_constraints::Curve_solution_set_d& set, const std::vector<Polyline>& polylines)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_2;
   const double margin = 0.08 * (view.xmax() - view.xmin());
-  CGAL::Spline_constraints::SVG_writer picture(out, CGAL::Bbox_2(view.xmin() - margin, view.ymin() - margin, view.xmax() + margin, view.ymax() + margin), 600);
-  const std::vector<Point> frame{{view.xmin(), view.ymin()}, {view.xmax(), view.ymin()}, {view.xmax(), view.ymax()}, {view.xmin(), view.ymax()}, {view.xmin(), view.ymin()}};
+  CGAL::Spline_constraints::SVG_writer picture(
+      out, CGAL::Bbox_2(view.xmin() - margin, view.ymin() - margin, view.xmax() + margin, view.ymax() + margin), 600);
+  const std::vector<Point> frame{{view.xmin(), view.ymin()},
+                                 {view.xmax(), view.ymin()},
+                                 {view.xmax(), view.ymax()},
+                                 {view.xmin(), view.ymax()},
+                                 {view.xmin(), view.ymin()}};
   picture.curve(CGAL::Spline_constraints::polyline_curve(frame), "#99a", 1);
   for (std::size_t i = 0; i < polylines.size(); ++i) {
     std::vector<Point> points;
     for (const std::vector<double>& point : polylines[i])
       points.emplace_back(point[0], point[1]);
-    picture.curve(CGAL::Spline_constraints::polyline_curve(points), set.curves()[i].is_closed ? "#2ca02c" : "#1f77b4", 2);
+    picture.curve(CGAL::Spline_constraints::polyline_curve(points), set.curves()[i].is_closed ? "#2ca02c" : "#1f77b4",
+                  2);
   }
   for (const std::size_t i : set.singular_points())
     picture.point(Point(set.vertices()[i].point()[0], set.vertices()[i].point()[1]), "#d62728", 8);
@@ -65,11 +73,14 @@ inline void draw(std::ostream& out, const std::vector<std::string>& names, const
 }
 
 // Chords are a thousandth of the domain from the curves at most.
-inline void write_curves(const std::string& path, const std::vector<std::string>& names, const CGAL::Spline_constraints::Constraint_system_d& system,
+inline void write_curves(const std::string& path, const std::vector<std::string>& names,
+                         const CGAL::Spline_constraints::Constraint_system_d& system,
                          const CGAL::Spline_constraints::Curve_solution_set_d& set)
 {
   using CGAL::Spline_constraints::Invalid_input;
-  const auto range = [&](int unknown) { return std::pair(CGAL::to_double(system.domain(unknown).first), CGAL::to_double(system.domain(unknown).second)); };
+  const auto range = [&](int unknown) {
+    return std::pair(CGAL::to_double(system.domain(unknown).first), CGAL::to_double(system.domain(unknown).second));
+  };
   double size = 0;
   for (int v = 0; v < system.dimension(); ++v)
     size = (std::max)(size, range(v).second - range(v).first);

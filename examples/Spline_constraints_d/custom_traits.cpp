@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A solver with policies of one's own: a test for systems whose Jacobian matrix is dominated by its diagonal, and a splitter that prefers some unknowns. Solves
-// Broyden's tridiagonal system, whose diagonal does dominate near its two solutions.
+// A solver with policies of one's own: a test for systems whose Jacobian matrix is dominated by its diagonal, and a
+// splitter that prefers some unknowns. Solves Broyden's tridiagonal system, whose diagonal does dominate near its two
+// solutions.
 #include <CGAL/Spline_constraints_d.h>
 
 #include <cmath>
@@ -11,7 +12,8 @@
 
 namespace SC = CGAL::Spline_constraints;
 
-// Where |J_ii| > sum |J_ik| holds for all Jacobian matrices that the node's derivative bounds allow, f(s) - f(t) = J (s - t) vanishes for s = t only.
+// Where |J_ii| > sum |J_ik| holds for all Jacobian matrices that the node's derivative bounds allow, f(s) - f(t) = J (s
+// - t) vanishes for s = t only.
 struct Diagonal_dominance_test
 {
   bool has_at_most_one_solution(SC::Node_view& node, const SC::Linear_enclosure&)
@@ -22,7 +24,8 @@ struct Diagonal_dominance_test
       for (int k = 0; k < node.dimension(); ++k)
         if (k != i)
           others += std::max(std::abs(lower[k]), std::abs(upper[k]));
-      const double own = std::max(lower[i], -upper[i]);   // of the derivatives between the bounds, the one nearest to zero
+      // of the derivatives between the bounds, the one nearest to zero
+      const double own = std::max(lower[i], -upper[i]);
       if (!(own > others * (1 + 1e-10)))   // the sum is rounded
         return false;
     }
@@ -47,7 +50,8 @@ template <class Traits>
 std::size_t solve(const char* name, const SC::Constraint_system_d& system)
 {
   const auto solutions = SC::Subdivision_solver_d<Traits>()(system);
-  std::cout << name << solutions.count(SC::Solution_kind::CERTIFIED) << " solutions in " << solutions.summary().nodes << " nodes\n";
+  std::cout << name << solutions.count(SC::Solution_kind::CERTIFIED) << " solutions in " << solutions.summary().nodes
+            << " nodes\n";
   return solutions.is_complete() ? solutions.count(SC::Solution_kind::CERTIFIED) : 0;
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the curves y = T(x) and x = T(y), T the Chebyshev polynomial of degree 6, with their 36 intersections and, around each of them, a box
-// that is proved to hold no other, into draw_intersections.svg.
+// Draws the curves y = T(x) and x = T(y), T the Chebyshev polynomial of degree 6, with their 36 intersections and,
+// around each of them, a box that is proved to hold no other, into draw_intersections.svg.
 #include <CGAL/Spline_constraints_d.h>
 
 #include <cmath>
@@ -12,7 +12,8 @@
 namespace SC = CGAL::Spline_constraints;
 
 constexpr int degree = 6, steps = 12 * degree;
-constexpr double size = 400, pi = 3.14159265358979323846;   // the domain [-1,1]^2 is `size` wide, its centre is the origin
+// the domain [-1,1]^2 is `size` wide, its centre is the origin
+constexpr double size = 400, pi = 3.14159265358979323846;
 
 SC::Expression chebyshev(const SC::Expression& x)
 {
@@ -54,22 +55,29 @@ int main()
   std::ofstream out("draw_intersections.svg");
   out.precision(5);
   out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-212 -212 424 480' width='636' height='720'>\n<style>"
-         "path { fill: none; stroke-width: 1.6 } .a { stroke: #1f77b4 } .b { stroke: #d9822b } .domain { fill: #fcfcfd; stroke: #99a; stroke-width: 0.8 }"
-         " .region { fill: #2ca02c; fill-opacity: 0.16; stroke: #2ca02c; stroke-opacity: 0.55; stroke-width: 0.5 } .root { fill: #111 }"
-         " text { font: 13px sans-serif; fill: #223 }</style>\n<rect x='-212' y='-212' width='424' height='480' fill='white'/>\n"
+         "path { fill: none; stroke-width: 1.6 } .a { stroke: #1f77b4 } .b { stroke: #d9822b } .domain { fill: "
+         "#fcfcfd; stroke: #99a; stroke-width: 0.8 }"
+         " .region { fill: #2ca02c; fill-opacity: 0.16; stroke: #2ca02c; stroke-opacity: 0.55; stroke-width: 0.5 } "
+         ".root { fill: #111 }"
+         " text { font: 13px sans-serif; fill: #223 }</style>\n<rect x='-212' y='-212' width='424' height='480' "
+         "fill='white'/>\n"
          "<rect class='domain' x='-200' y='-200' width='400' height='400'/>\n";
   for (const auto& s : solutions) {
     const auto &u = s.uniqueness_region()[0], &v = s.uniqueness_region()[1];
-    out << "<rect class='region' x='" << size / 2 * u.first << "' y='" << -size / 2 * v.second << "' width='" << size / 2 * (u.second - u.first)
-        << "' height='" << size / 2 * (v.second - v.first) << "'/>\n";
+    out << "<rect class='region' x='" << size / 2 * u.first << "' y='" << -size / 2 * v.second << "' width='"
+        << size / 2 * (u.second - u.first) << "' height='" << size / 2 * (v.second - v.first) << "'/>\n";
   }
   write_curve(out, "a", false);
   write_curve(out, "b", true);
   for (const auto& s : solutions)
-    out << "<circle class='root' cx='" << size / 2 * s.point()[0] << "' cy='" << -size / 2 * s.point()[1] << "' r='2.6'/>\n";
-  out << "<path class='a' d='M-200 226h22'/><text x='-170' y='230'>y = T(x)</text><path class='b' d='M-200 248h22'/><text x='-170' y='252'>x = T(y)</text>\n"
-         "<circle class='root' cx='-33' cy='226' r='2.6'/><text x='-16' y='230'>" << count << " certified roots, complete: " << complete
-      << "</text>\n<rect class='region' x='-40' y='241' width='14' height='14'/><text x='-16' y='252'>holds no other root</text>\n</svg>\n";
+    out << "<circle class='root' cx='" << size / 2 * s.point()[0] << "' cy='" << -size / 2 * s.point()[1]
+        << "' r='2.6'/>\n";
+  out << "<path class='a' d='M-200 226h22'/><text x='-170' y='230'>y = T(x)</text><path class='b' d='M-200 "
+         "248h22'/><text x='-170' y='252'>x = T(y)</text>\n"
+         "<circle class='root' cx='-33' cy='226' r='2.6'/><text x='-16' y='230'>"
+      << count << " certified roots, complete: " << complete
+      << "</text>\n<rect class='region' x='-40' y='241' width='14' height='14'/><text x='-16' y='252'>holds no other "
+         "root</text>\n</svg>\n";
   std::cout << count << " certified roots, complete: " << complete << ", drawn into draw_intersections.svg\n";
   return out && count == degree * degree && solutions.is_complete() ? 0 : 1;
 }

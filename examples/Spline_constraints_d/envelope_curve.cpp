@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The envelope of a closed curve B that is moved along a closed curve A: all sums of points with parallel tangents. Those with tangents in the same direction are the convolution of the curves; the boundary of
-// the Minkowski sum of the two regions is a part of it.
+// The envelope of a closed curve B that is moved along a closed curve A: all sums of points with parallel tangents.
+// Those with tangents in the same direction are the convolution of the curves; the boundary of the Minkowski sum of the
+// two regions is a part of it.
 //
 // Writes envelope_curve.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
@@ -43,7 +44,10 @@ int main()
 
     const CGAL::Bbox_2 box = a.bbox(), step = b.bbox();
     std::ofstream file("envelope_curve.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() + step.xmin(), box.ymin() + step.ymin(), box.xmax() + step.xmax(), box.ymax() + step.ymax()), 700);
+    SC::SVG_writer picture(file,
+                           CGAL::Bbox_2(box.xmin() + step.xmin(), box.ymin() + step.ymin(), box.xmax() + step.xmax(),
+                                        box.ymax() + step.ymax()),
+                           700);
     for (double t = 0; t < a.domain().second; t += 0.25)
       picture.curve(b.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, a(t) - CGAL::ORIGIN)), "#ddd", 1);
     draw(picture, any, "#1f77b4", 1.5);

@@ -5,7 +5,9 @@
 //
 //   exact_joints [DRAWING.svg [MOST_DISTANCE [MOST_ANGLE]]]
 //
-// Ends that are at most MOST_DISTANCE away from another curve, 0.5 if none is given, are moved onto it, with its tangent if the angle is at most MOST_ANGLE degrees, 3 if none is given. Writes exact_joints.svg, with both diagrams. Exit status: 0 when all of them is proved, 3 when a part is not, 2 for bad input.
+// Ends that are at most MOST_DISTANCE away from another curve, 0.5 if none is given, are moved onto it, with its
+// tangent if the angle is at most MOST_ANGLE degrees, 3 if none is given. Writes exact_joints.svg, with both diagrams.
+// Exit status: 0 when all of them is proved, 3 when a part is not, 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -25,7 +27,8 @@ int main(int argc, char* argv[])
 {
   try {
     const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "walls.svg");
-    const double most_distance = argc > 2 ? number_of<double>(argv[2]) : 0.5, most_angle = (argc > 3 ? number_of<double>(argv[3]) : 3) * CGAL_PI / 180;
+    const double most_distance = argc > 2 ? number_of<double>(argv[2]) : 0.5,
+                 most_angle = (argc > 3 ? number_of<double>(argv[3]) : 3) * CGAL_PI / 180;
     const auto joined = SC::with_exact_joints<K>(curves, most_distance, most_angle);
 
     const auto drawn = SC::voronoi_diagram(curves), exact = SC::voronoi_diagram(joined.curves);
@@ -41,7 +44,9 @@ int main(int argc, char* argv[])
       picture.curve(curve, "black", 3);
 
     const bool is_complete = drawn.is_complete() && exact.is_complete();
-    std::cout << "joints: " << joined.joints << ", and " << joined.left << " left, by " << joined.displacement << " at most; connected sets of curves: " << drawn.number_of_regions() << ", then " << exact.number_of_regions() << "; complete: " << (is_complete ? "yes" : "no") << '\n';
+    std::cout << "joints: " << joined.joints << ", and " << joined.left << " left, by " << joined.displacement
+              << " at most; connected sets of curves: " << drawn.number_of_regions() << ", then "
+              << exact.number_of_regions() << "; complete: " << (is_complete ? "yes" : "no") << '\n';
     return is_complete ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

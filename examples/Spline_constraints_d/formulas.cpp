@@ -17,16 +17,19 @@ Spline spline(const std::vector<Number>& control_points)
   return Spline({2}, {{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}}, control_points);
 }
 
-// The four quarters of a circle are rational quadratic curves, from (1,0) to (0,1) for example ((1-t^2)/(1+t^2), 2t/(1+t^2)).
+// The four quarters of a circle are rational quadratic curves, from (1,0) to (0,1) for example ((1-t^2)/(1+t^2),
+// 2t/(1+t^2)).
 SC::Spline_map<1, 2> circle(int x, int y, int radius)
 {
   const Spline weight = spline({1, 1, 2, 1, 1, 1, 2, 1, 1});
   const Spline cosine = spline({1, 1, 0, -1, -1, -1, 0, 1, 1});
   const Spline sine = spline({0, 1, 2, 1, 0, -1, -2, -1, 0});
-  return SC::Spline_map<1, 2>({cosine * Number(radius) + weight * Number(x), sine * Number(radius) + weight * Number(y)}, weight);
+  return SC::Spline_map<1, 2>(
+      {cosine * Number(radius) + weight * Number(x), sine * Number(radius) + weight * Number(y)}, weight);
 }
 
-// Circles that touch three curves. Their centers are at equal distances from points of the curves (two linear equations, which Cramer's rule solves) and on the normals there.
+// Circles that touch three curves. Their centers are at equal distances from points of the curves (two linear
+// equations, which Cramer's rule solves) and on the normals there.
 bool touch_three_curves()
 {
   const auto c1 = circle(0, 0, 1), c2 = circle(5, 0, 2), c3 = circle(1, 6, 1);
@@ -48,12 +51,14 @@ bool touch_three_curves()
 // Where a cubic curve meets itself: c(u) = c(v) without the solutions u = v, a factor that is divided out.
 bool meet_itself()
 {
-  const SC::Spline_map<1, 2> c({Spline({3}, {{0, 0, 0, 0, 1, 1, 1, 1}}, {0, 4, -3, 1}), Spline({3}, {{0, 0, 0, 0, 1, 1, 1, 1}}, {0, 2, 2, 0})});
+  const SC::Spline_map<1, 2> c(
+      {Spline({3}, {{0, 0, 0, 0, 1, 1, 1, 1}}, {0, 4, -3, 1}), Spline({3}, {{0, 0, 0, 0, 1, 1, 1, 1}}, {0, 2, 2, 0})});
   auto [u, v] = SC::parameters(c, c);
   const auto chord = divided_exactly(c(u) - c(v), u - v);
   const auto solutions = SC::solve(chord.x() == 0, chord.y() == 0, u < v);
   for (const auto& solution : solutions)
-    std::cout << solution.kind() << ": parameters in [" << solution[0].first << ", " << solution[0].second << "] and [" << solution[1].first << ", " << solution[1].second << "]\n";
+    std::cout << solution.kind() << ": parameters in [" << solution[0].first << ", " << solution[0].second << "] and ["
+              << solution[1].first << ", " << solution[1].second << "]\n";
   return solutions.is_complete() && solutions.size() == 1;
 }
 

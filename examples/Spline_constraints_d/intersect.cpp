@@ -5,9 +5,11 @@
 //
 //   intersect [A [B]] [--svg OUT] [--time-limit S]
 //
-// Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of B that is in the same space; without B, all pairs in A. Of two surfaces the
-// points are found where they touch; their curves of intersection are not the business of this program. The time limit is for each pair. Without arguments: data/drawing.svg with data/route.itd, drawn into intersect.svg.
-// Exit status: 0 when every intersection is accounted for, 3 when not, 2 for bad input.
+// Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of
+// B that is in the same space; without B, all pairs in A. Of two surfaces the points are found where they touch; their
+// curves of intersection are not the business of this program. The time limit is for each pair. Without arguments:
+// data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when every intersection is accounted
+// for, 3 when not, 2 for bad input.
 #include "intersect_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -30,26 +32,35 @@ File read(const std::string& path)
   if (!path.ends_with(".svg")) throw SC::Invalid_input(path + ": only files .svg, .itd and .g2 can be read");
   File file;
   for (const auto& element : SC::IO::read_SVG<K>(path))
-    file.curves_2.push_back({element.curve, (element.id.empty() ? element.element : element.id) + '#' + std::to_string(file.curves_2.size() + 1), element.line, element.column});
+    file.curves_2.push_back(
+        {element.curve,
+         (element.id.empty() ? element.element : element.id) + '#' + std::to_string(file.curves_2.size() + 1),
+         element.line, element.column});
   return file;
 }
 
 template <class Entry>
-void intersect_curves(const std::vector<Entry>& a, const std::vector<Entry>& b, const SC::Solver_options& options, Report& report)
+void intersect_curves(const std::vector<Entry>& a, const std::vector<Entry>& b, const SC::Solver_options& options,
+                      Report& report)
 {
-  const auto curves = [](const auto& entries) { return std::views::transform(entries, [](const Entry& entry) { return entry.object; }); };
-  const auto result = &a == &b ? SC::pairwise_intersections(curves(a), options) : SC::pairwise_intersections(curves(a), curves(b), options);
+  const auto curves = [](const auto& entries) {
+    return std::views::transform(entries, [](const Entry& entry) { return entry.object; });
+  };
+  const auto result = &a == &b ? SC::pairwise_intersections(curves(a), options)
+                               : SC::pairwise_intersections(curves(a), curves(b), options);
   for (const auto& [i, j, intersections] : result.pairs)
     report.add(a[i], b[j], intersections);
   report.add(result.summary);
 }
 
 template <class Entry, class Other_entry, class Operation>
-void intersect_pairs(const std::vector<Entry>& a, const std::vector<Other_entry>& b, Report& report, const Operation& operation)
+void intersect_pairs(const std::vector<Entry>& a, const std::vector<Other_entry>& b, Report& report,
+                     const Operation& operation)
 {
   for (const Entry& first : a)
     for (const Other_entry& second : b)
-      if (static_cast<const void*>(&first) < static_cast<const void*>(&second) || static_cast<const void*>(&a) != static_cast<const void*>(&b)) {
+      if (static_cast<const void*>(&first) < static_cast<const void*>(&second) ||
+          static_cast<const void*>(&a) != static_cast<const void*>(&b)) {
         const auto intersections = operation(first.object, second.object);
         report.add(first, second, intersections);
         report.add(intersections.summary());
@@ -58,16 +69,21 @@ void intersect_pairs(const std::vector<Entry>& a, const std::vector<Other_entry>
 
 int main(int argc, char* argv[])
 try {
-  const Arguments arguments = parse(argc, argv, {{DATA_DIRECTORY "drawing.svg", DATA_DIRECTORY "route.itd"}, "intersect.svg", {}});
-  const File a = read(arguments.files[0]), second = arguments.files.size() == 2 ? read(arguments.files[1]) : File(), &b = arguments.files.size() == 2 ? second : a;
+  const Arguments arguments =
+      parse(argc, argv, {{DATA_DIRECTORY "drawing.svg", DATA_DIRECTORY "route.itd"}, "intersect.svg", {}});
+  const File a = read(arguments.files[0]), second = arguments.files.size() == 2 ? read(arguments.files[1]) : File(),
+             &b = arguments.files.size() == 2 ? second : a;
   Report report(a, b);
   intersect_curves(a.curves_2, b.curves_2, arguments.options, report);
   intersect_curves(a.curves_3, b.curves_3, arguments.options, report);
-  const auto intersect = [&](const auto& curve, const auto& surface) { return SC::intersections(curve, surface, arguments.options); };
+  const auto intersect = [&](const auto& curve, const auto& surface) {
+    return SC::intersections(curve, surface, arguments.options);
+  };
   intersect_pairs(a.curves_3, b.surfaces_3, report, intersect);
   if (&a != &b)
     intersect_pairs(b.curves_3, a.surfaces_3, report, intersect);
-  intersect_pairs(a.surfaces_3, b.surfaces_3, report, [&](const auto& s1, const auto& s2) { return SC::contact_points(s1, s2, arguments.options); });
+  intersect_pairs(a.surfaces_3, b.surfaces_3, report,
+                  [&](const auto& s1, const auto& s2) { return SC::contact_points(s1, s2, arguments.options); });
   report.print_summary();
   if (!arguments.picture.empty())
     report.draw(arguments.picture);

@@ -50,7 +50,8 @@ inline Arguments parse(int argc, char* argv[], const Arguments& without_argument
     else result.files.push_back(word);
   }
   if (result.files.empty())
-    throw SC::Invalid_input("usage: intersect [A [B]] [--svg OUT] [--time-limit S], with files .svg, .itd or .g2. All intersections of curves with curves and surfaces, and where surfaces touch"
+    throw SC::Invalid_input("usage: intersect [A [B]] [--svg OUT] [--time-limit S], with files .svg, .itd or .g2. All "
+                            "intersections of curves with curves and surfaces, and where surfaces touch"
                             " (not their curves of intersection), of A with B; without B, within A");
   return result;
 }
@@ -61,7 +62,8 @@ inline SC::Bspline_curve_2<K> flat(const SC::Bspline_curve_2<K>& curve) { return
 inline SC::Bspline_curve_2<K> flat(const SC::Bspline_curve_3<K>& curve)
 {
   const auto [x, y, z] = curve.homogeneous_coordinates();
-  return SC::Bspline_curve_2<K>::from_homogeneous_coordinates({x - y * K::FT(3, 5), z + (x + y) * K::FT(1, 5)}, curve.weight());
+  return SC::Bspline_curve_2<K>::from_homogeneous_coordinates({x - y * K::FT(3, 5), z + (x + y) * K::FT(1, 5)},
+                                                              curve.weight());
 }
 
 inline K::Point_2 flat(const K::Point_2& p) { return p; }
@@ -73,8 +75,10 @@ class Report
 
   struct Drawn_curve { SC::Bspline_curve_2<K> curve; double width; };
 
-  static constexpr std::array<Style, 5> styles{{{Kind::TRANSVERSAL, "transversal", "transversal", "#2ca02c"}, {Kind::TANGENT, "tangent", "tangent", "#d62728"},
-                                                {Kind::END_POINT, "end point", "end points", "#9467bd"}, {Kind::OVERLAP, "overlap", "overlaps", "#e377c2"},
+  static constexpr std::array<Style, 5> styles{{{Kind::TRANSVERSAL, "transversal", "transversal", "#2ca02c"},
+                                                {Kind::TANGENT, "tangent", "tangent", "#d62728"},
+                                                {Kind::END_POINT, "end point", "end points", "#9467bd"},
+                                                {Kind::OVERLAP, "overlap", "overlaps", "#e377c2"},
                                                 {Kind::UNDECIDED, "undecided", "undecided", "#ff9900"}}};
 
   const File &m_a, &m_b;
@@ -95,7 +99,8 @@ public:
   void add(const SC::Summary& summary) { m_total += summary; }
 
   template <class First, class Second, class Intersections>
-  void add(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second, const Intersections& intersections)
+  void add(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second,
+           const Intersections& intersections)
   {
     for (const auto& x : intersections) {
       ++m_count[static_cast<std::size_t>(x.kind())];
@@ -122,24 +127,28 @@ public:
     std::cout << "intersections: ";
     for (std::size_t i = 0; i < styles.size(); ++i)
       std::cout << (i == 0 ? "" : ", ") << counted(i);
-    std::cout << "; complete: " << (is_complete() ? "yes" : "no") << "; nodes " << m_total.nodes << "; seconds " << std::setprecision(4) << m_total.seconds << '\n';
+    std::cout << "; complete: " << (is_complete() ? "yes" : "no") << "; nodes " << m_total.nodes << "; seconds "
+              << std::setprecision(4) << m_total.seconds << '\n';
   }
 
   // The first file in blue, the second one in orange.
   void draw(const std::string& path) const
   {
-    const std::vector<Drawn_curve> first = drawn_curves(m_a), second = &m_a == &m_b ? std::vector<Drawn_curve>() : drawn_curves(m_b);
+    const std::vector<Drawn_curve> first = drawn_curves(m_a),
+                                   second = &m_a == &m_b ? std::vector<Drawn_curve>() : drawn_curves(m_b);
     CGAL::Bbox_2 box;
     for (const auto* curves : {&first, &second})
       for (const Drawn_curve& drawn : *curves)
         box += bbox_of_points(drawn.curve);
     constexpr double width = 720;
-    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 20, pixel = (box.xmax() - box.xmin() + 2 * margin) / width;
+    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 20,
+                 pixel = (box.xmax() - box.xmin() + 2 * margin) / width;
     const double top = box.ymax() + margin + 24 * pixel;
     std::ofstream file(path);
     if (!file)
       throw SC::Invalid_input(path + ": cannot be written");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, top), width);
+    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, top),
+                           width);
     for (const auto& [curve, line_width] : first)
       picture.curve(curve, "#1f77b4", line_width);
     for (const auto& [curve, line_width] : second)
@@ -159,7 +168,10 @@ public:
   }
 
 private:
-  std::string counted(std::size_t i) const { return std::to_string(m_count[i]) + ' ' + (m_count[i] == 1 ? styles[i].singular : styles[i].plural); }
+  std::string counted(std::size_t i) const
+  {
+    return std::to_string(m_count[i]) + ' ' + (m_count[i] == 1 ? styles[i].singular : styles[i].plural);
+  }
 
   // Tighter than that of the control points.
   static CGAL::Bbox_2 bbox_of_points(const SC::Bspline_curve_2<K>& curve)
@@ -177,7 +189,8 @@ private:
   static void print_parameters(const Entry& entry, const Intersection& x, std::size_t operand)
   {
     const char* const names[] = {number_of_parameters == 1 ? "t" : "u", "v"};
-    std::cout << "  " << (entry.name.empty() ? "" : entry.name + ':') << entry.line << ':' << entry.column << " with" << std::setprecision(17);
+    std::cout << "  " << (entry.name.empty() ? "" : entry.name + ':') << entry.line << ':' << entry.column << " with"
+              << std::setprecision(17);
     for (std::size_t axis = 0; axis < number_of_parameters; ++axis) {
       const auto [lower, upper] = as_doubles(x.parameter_range(operand, axis));
       std::cout << ' ' << names[axis] << " in [" << lower << ',' << upper << ']';

@@ -5,7 +5,8 @@
 //
 //   medial_axis [DRAWING.svg]
 //
-// Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
+// Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit
+// status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
@@ -18,7 +19,8 @@
 #include <iostream>
 
 namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
+// of drawings: decimals are read exactly, and what is symmetric stays so
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 
 int main(int argc, char* argv[])
 {
@@ -42,8 +44,11 @@ int main(int argc, char* argv[])
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 
-    const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(), [](const auto& vertex) { return vertex.edges.size() > 2; });
-    std::cout << "boundaries: " << axis.number_of_regions() << "; edges: " << axis.edges().size() << "; vertices: " << axis.vertices().size() << ", " << branching << " of degree three or more; complete: " << (axis.is_complete() ? "yes" : "no") << '\n';
+    const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(),
+                                         [](const auto& vertex) { return vertex.edges.size() > 2; });
+    std::cout << "boundaries: " << axis.number_of_regions() << "; edges: " << axis.edges().size()
+              << "; vertices: " << axis.vertices().size() << ", " << branching
+              << " of degree three or more; complete: " << (axis.is_complete() ? "yes" : "no") << '\n';
     return axis.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

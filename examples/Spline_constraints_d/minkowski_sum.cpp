@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The Minkowski sum of the region of a drawing and one with curved edges and corners, like letters written with the nib of a pen: all that the nib covers when it is moved through the letters.
+// The Minkowski sum of the region of a drawing and one with curved edges and corners, like letters written with the nib
+// of a pen: all that the nib covers when it is moved through the letters.
 //
 //   minkowski_sum [DRAWING.svg]
 //
@@ -25,7 +26,8 @@ int main(int argc, char* argv[])
 {
   try {
     const auto letters = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg");
-    const std::vector<SC::Bspline_curve_2<K>> nib{SC::bezier_curve<K>({{-2, -2}, {0.5, -1.5}, {2, 0}, {2, 2}}), SC::bezier_curve<K>({{2, 2}, {-0.5, 1.5}, {-2, 0}, {-2, -2}})};
+    const std::vector<SC::Bspline_curve_2<K>> nib{SC::bezier_curve<K>({{-2, -2}, {0.5, -1.5}, {2, 0}, {2, 2}}),
+                                                  SC::bezier_curve<K>({{2, 2}, {-0.5, 1.5}, {-2, 0}, {-2, -2}})};
     const auto sum = SC::minkowski_sum(SC::planar_region(letters), SC::planar_region(nib));
 
     const auto layers = SC::planar_layers(sum, 2e-2);
@@ -36,7 +38,9 @@ int main(int argc, char* argv[])
     for (const auto& letter : letters)
       for (const auto& piece : letter.bezier_pieces())
         for (const auto& curve : nib)
-          picture.curve(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, piece(piece.domain().first) - CGAL::ORIGIN)), "#aaa", 1);
+          picture.curve(
+              curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, piece(piece.domain().first) - CGAL::ORIGIN)),
+              "#aaa", 1);
     picture.layer("letters");
     for (const auto& letter : letters)
       picture.curve(letter, "black", 3);

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Twelve points of a parabola, looked for in larger and larger squares: (x-1)(x-2)...(x-12) = 0 and 10 y = x^2. The values of the polynomial reach 10^72 on
-// [-10^6, 10^6], and the rounding of a double there hides all that happens between 1 and 12. Doubles that do not watch their error drop points and
-// call the answer complete. The other number types know what they do not know.
+// Twelve points of a parabola, looked for in larger and larger squares: (x-1)(x-2)...(x-12) = 0 and 10 y = x^2. The
+// values of the polynomial reach 10^72 on [-10^6, 10^6], and the rounding of a double there hides all that happens
+// between 1 and 12. Doubles that do not watch their error drop points and call the answer complete. The other number
+// types know what they do not know.
 #include <CGAL/Spline_constraints_d.h>
 
 #include <algorithm>
@@ -27,7 +28,8 @@ SC::Constraint_system_d system_on_square(double half_width)
 
 enum Outcome { RIGHT, OPEN, WRONG };
 
-// Right: each point (k, k^2/10) lies in one certified box, and there is nothing else. Wrong: called complete, but a point is lost or one too many is certified.
+// Right: each point (k, k^2/10) lies in one certified box, and there is nothing else. Wrong: called complete, but a
+// point is lost or one too many is certified.
 template <class Solution_set>
 Outcome judge(const Solution_set& solutions)
 {
@@ -38,7 +40,8 @@ Outcome judge(const Solution_set& solutions)
     for (const auto& s : solutions) {
       bool is_inside = true;
       for (int j = 0; j < 2; ++j)
-        is_inside = is_inside && SC::Exact_rational(s[j].first) <= point[j] && point[j] <= SC::Exact_rational(s[j].second);
+        is_inside =
+            is_inside && SC::Exact_rational(s[j].first) <= point[j] && point[j] <= SC::Exact_rational(s[j].second);
       is_covered = is_covered || is_inside;
       is_certified = is_certified || (is_inside && s.is_certified());
     }
@@ -60,7 +63,8 @@ Outcome solve_with(const char* name)
     const auto solutions = SC::Subdivision_solver_d<Traits>()(system_on_square(half_width));
     const Outcome outcome = judge(solutions);
     const char* const names[] = {"right", "open", "WRONG"};
-    std::cout << std::setw(9) << solutions.count(SC::Solution_kind::CERTIFIED) << " points, " << std::left << std::setw(5) << names[outcome] << std::right;
+    std::cout << std::setw(9) << solutions.count(SC::Solution_kind::CERTIFIED) << " points, " << std::left
+              << std::setw(5) << names[outcome] << std::right;
     worst = std::max(worst, outcome);
   }
   std::cout << '\n';

@@ -5,7 +5,8 @@
 //
 //   offset_drawing [DRAWING.svg [DISTANCE [NUMBER]]]
 //
-// Writes offset_drawing.svg, with the offsets at NUMBER multiples of DISTANCE in graded colors. Exit status: 0 when all of them are proved, 3 when a part is not, 2 for bad input.
+// Writes offset_drawing.svg, with the offsets at NUMBER multiples of DISTANCE in graded colors. Exit status: 0 when all
+// of them are proved, 3 when a part is not, 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -22,14 +23,18 @@
 #include <string>
 
 namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
+// of drawings: decimals are read exactly, and what is symmetric stays so
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 
 // From dark blue over red to yellow.
 std::string color(double share)
 {
-  const auto part = [](double x) { return static_cast<unsigned>(std::lround(225 * (std::min)(1.0, (std::max)(0.0, x)))); };
+  const auto part = [](double x) {
+    return static_cast<unsigned>(std::lround(225 * (std::min)(1.0, (std::max)(0.0, x))));
+  };
   char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", part(0.1 + 1.4 * share), part(0.25 + 2 * std::abs(share - 0.35) * (share > 0.35)), part(0.9 - 1.8 * share));
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", part(0.1 + 1.4 * share),
+                part(0.25 + 2 * std::abs(share - 0.35) * (share > 0.35)), part(0.9 - 1.8 * share));
   return text;
 }
 
@@ -45,16 +50,19 @@ int main(int argc, char* argv[])
       box += curve.bbox();
     const double margin = 1.1 * distance * number;
     std::ofstream file("offset_drawing.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
+    SC::SVG_writer picture(
+        file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
     bool is_complete = true;
     for (int i = number; i > 0; --i) {
       const auto offset = SC::trimmed_offset(curves, i * distance);
       picture.layer("offset " + std::to_string(i));
       for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
         picture.polyline(offset.polyline(arc, picture.pixel() / 8), color(static_cast<double>(i) / number), 2);
-      const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return boundary.is_hole; });
-      std::cout << "distance " << i * distance << ": arcs: " << offset.arcs().size() << "; components: " << static_cast<std::ptrdiff_t>(offset.boundaries().size()) - holes << "; holes: " << holes
-                << "; complete: " << (offset.is_complete() ? "yes" : "no") << '\n';
+      const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                       [](const auto& boundary) { return boundary.is_hole; });
+      std::cout << "distance " << i * distance << ": arcs: " << offset.arcs().size()
+                << "; components: " << static_cast<std::ptrdiff_t>(offset.boundaries().size()) - holes
+                << "; holes: " << holes << "; complete: " << (offset.is_complete() ? "yes" : "no") << '\n';
       is_complete = is_complete && offset.is_complete();
     }
     picture.layer("curves");

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The offset of a curve, with its cusps and where it meets itself and an implicit curve, drawn into offset_intersections.svg.
+// The offset of a curve, with its cusps and where it meets itself and an implicit curve, drawn into
+// offset_intersections.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
@@ -23,10 +24,12 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 
-void draw(SC::SVG_writer& svg, const std::string& what, const SC::Locus_intersections<2>& answers, const std::string& color)
+void draw(SC::SVG_writer& svg, const std::string& what, const SC::Locus_intersections<2>& answers,
+          const std::string& color)
 {
   for (const auto& answer : answers) {
-    std::cout << what << ": " << answer.kind() << " at parameter " << answer.parameter(0) << ", (" << answer.coordinate(0) << ", " << answer.coordinate(1) << ")\n";
+    std::cout << what << ": " << answer.kind() << " at parameter " << answer.parameter(0) << ", ("
+              << answer.coordinate(0) << ", " << answer.coordinate(1) << ")\n";
     svg.point(K::Point_2(answer.coordinate(0), answer.coordinate(1)), color, 10);
   }
 }
@@ -49,8 +52,10 @@ int main()
   for (const int side : {-1, 1}) {   // a loop of the lemniscate, by its points on rays from its center
     std::vector<std::array<double, 2>> loop;
     for (int i = -60; i <= 60; ++i) {
-      const auto on_ray = SC::intersections(SC::segment_curve(center, center + K::Vector_2(4 * side, K::FT(4 * i) / 60)), lemniscate);
-      const auto outermost = std::max_element(on_ray.begin(), on_ray.end(), [](const auto& a, const auto& b) { return a.parameter(0) < b.parameter(0); });
+      const auto on_ray =
+          SC::intersections(SC::segment_curve(center, center + K::Vector_2(4 * side, K::FT(4 * i) / 60)), lemniscate);
+      const auto outermost = std::max_element(
+          on_ray.begin(), on_ray.end(), [](const auto& a, const auto& b) { return a.parameter(0) < b.parameter(0); });
       loop.push_back({outermost->coordinate(0), outermost->coordinate(1)});
     }
     svg.polyline(loop, "#2ca02c", 2);
@@ -64,6 +69,9 @@ int main()
   draw(svg, "cusp", cusps, "#ff7f0e");
   draw(svg, "self-intersection", nodes, "#9467bd");
   draw(svg, "on the lemniscate", crossings, "#d62728");
-  std::cout << "offset: " << cusps.summary() << "\nitself: " << nodes.summary() << "\nlemniscate: " << crossings.summary() << '\n';
-  return cusps.is_complete() && nodes.is_complete() && crossings.is_complete() && !nodes.empty() && !crossings.empty() ? 0 : 1;
+  std::cout << "offset: " << cusps.summary() << "\nitself: " << nodes.summary()
+            << "\nlemniscate: " << crossings.summary() << '\n';
+  return cusps.is_complete() && nodes.is_complete() && crossings.is_complete() && !nodes.empty() && !crossings.empty()
+      ? 0
+      : 1;
 }

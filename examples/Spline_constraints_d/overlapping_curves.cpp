@@ -14,7 +14,8 @@ std::size_t print_common_points(const SC::Solution_set_d<double>& solutions)
   for (const auto& s : solutions)
     if (s.kind() == SC::Solution_kind::CONTINUUM)
       for (const auto& end : s.ends())
-        std::cout << (&end == &s.ends().front() ? "a common piece from " : " to ") << "(t,s) = (" << end[0] << ',' << end[1] << ')';
+        std::cout << (&end == &s.ends().front() ? "a common piece from " : " to ") << "(t,s) = (" << end[0] << ','
+                  << end[1] << ')';
     else
       std::cout << "a common point near (t,s) = (" << s.point()[0] << ',' << s.point()[1] << ')';
   std::cout << (solutions.is_complete() ? ", and nothing else\n" : ", and perhaps more\n");

@@ -15,8 +15,8 @@ int main()
 
   std::cout.precision(16);
   for (const auto& s : solutions)
-    std::cout << s.kind() << " of multiplicity " << s.multiplicity() << " with x in [" << s[0].first << ", " << s[0].second
-              << "] and y in [" << s[1].first << ", " << s[1].second << "]\n";
+    std::cout << s.kind() << " of multiplicity " << s.multiplicity() << " with x in [" << s[0].first << ", "
+              << s[0].second << "] and y in [" << s[1].first << ", " << s[1].second << "]\n";
   std::cout << (solutions.is_complete() ? "There are no others." : "There may be others.") << '\n';
 
   return solutions.is_complete() && solutions.size() == 2 ? 0 : 1;

@@ -27,8 +27,10 @@ int main()
 
   constexpr double scale = 18, cell = 200;
   std::ofstream out("ray_traps.svg");
-  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 410' width='800' height='410'>\n<style>circle { fill: #eef; stroke: #1f77b4; stroke-width: 1.5 }"
-         " polygon { fill: none; stroke: #d62728; stroke-width: 1.8 } text { font: 12px sans-serif; fill: #223 }</style>\n<rect width='800' height='410' fill='white'/>\n";
+  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 410' width='800' height='410'>\n<style>circle { "
+         "fill: #eef; stroke: #1f77b4; stroke-width: 1.5 }"
+         " polygon { fill: none; stroke: #d62728; stroke-width: 1.8 } text { font: 12px sans-serif; fill: #223 "
+         "}</style>\n<rect width='800' height='410' fill='white'/>\n";
   std::size_t count = 0;
   for (const auto& trap : result.traps) {
     double length = 0;
@@ -39,7 +41,8 @@ int main()
     ++count;
     out << "<g transform='translate(" << x << ' ' << y << ")'>\n";
     for (std::size_t i = 0; i < centers.size(); ++i)
-      out << "<circle cx='" << scale * CGAL::to_double(centers[i].x()) << "' cy='" << -scale * CGAL::to_double(centers[i].y()) << "' r='" << scale * radii[i] << "'/>\n";
+      out << "<circle cx='" << scale * CGAL::to_double(centers[i].x()) << "' cy='"
+          << -scale * CGAL::to_double(centers[i].y()) << "' r='" << scale * radii[i] << "'/>\n";
     out << "<polygon points='";
     for (const K::Point_2& p : trap.points())
       out << scale * CGAL::to_double(p.x()) << ',' << -scale * CGAL::to_double(p.y()) << ' ';

@@ -18,7 +18,9 @@ using K = CGAL::Simple_cartesian<double>;
 
 int main()
 {
-  const auto curve = SC::Bspline_curve_2<K>::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {{6, 0}, {1.25, 1.25}, {0, 5}, {-1.25, 1.25}, {-5, 0}, {-1.25, -1.25}, {0, -4}, {1.25, -1.25}});
+  const auto curve = SC::Bspline_curve_2<K>::from_periodic(
+      3, {0, 1, 2, 3, 4, 5, 6, 7, 8},
+      {{6, 0}, {1.25, 1.25}, {0, 5}, {-1.25, 1.25}, {-5, 0}, {-1.25, -1.25}, {0, -4}, {1.25, -1.25}});
   const auto kernel = SC::region_kernel(curve);
   const K::Point_2 viewpoint(3.5, 0.25);   // on the right of some tangents
   const auto visible = SC::visible_part(viewpoint, curve);
@@ -42,7 +44,9 @@ int main()
   picture.point(viewpoint, "black", 9);
 
   const auto [lower, upper] = kernel.area();
-  std::cout << "kernel of " << arcs << " arcs and " << segments << " segments, area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ")\n";
-  std::cout << "seen from (" << viewpoint << "): area " << SC::to_nearest_double(visible.area().first) << " of " << SC::to_nearest_double(SC::planar_region(curve).area().first) << '\n';
+  std::cout << "kernel of " << arcs << " arcs and " << segments << " segments, area " << SC::to_nearest_double(lower)
+            << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ")\n";
+  std::cout << "seen from (" << viewpoint << "): area " << SC::to_nearest_double(visible.area().first) << " of "
+            << SC::to_nearest_double(SC::planar_region(curve).area().first) << '\n';
   return kernel.is_complete() && visible.is_complete() ? 0 : 3;
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The self-bisector of a closed curve, untrimmed: the centers of all circles that touch it twice. It ends in the centers of curvature at the vertices of the curve.
+// The self-bisector of a closed curve, untrimmed: the centers of all circles that touch it twice. It ends in the
+// centers of curvature at the vertices of the curve.
 //
 // Writes self_bisector.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
@@ -20,7 +21,8 @@ using Curve = SC::Bspline_curve_2<K>;
 int main()
 {
   try {
-    const Curve curve = Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6}, {{8, 1}, {1, 2}, {-4, 7}, {-3, 0}, {-5, -6}, {2, -2}});
+    const Curve curve =
+        Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6}, {{8, 1}, {1, 2}, {-4, 7}, {-3, 0}, {-5, -6}, {2, -2}});
     const auto bisector = SC::self_bisector_curves(curve);
     std::cout << bisector << '\n';
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The curve in which a surface meets itself: it runs from one pinch point to another one. Drawn into self_intersection_curves.svg, thin where the surface hides it.
+// The curve in which a surface meets itself: it runs from one pinch point to another one. Drawn into
+// self_intersection_curves.svg, thin where the surface hides it.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/operations/surface_curves/self_intersection_curves.h>
@@ -17,7 +18,8 @@ using K = CGAL::Simple_cartesian<double>;
 SC::Bspline_surface_3<K> pocket()
 {
   const double w = 1.3125, w2 = w * w, w3 = w2 * w;   // all exact, thirds too
-  const double u[] = {-w, 0, w}, u_squared[] = {w2, -w2, w2}, v[] = {-w, -w / 3, w / 3, w}, v_squared[] = {w2, -w2 / 3, -w2 / 3, w2}, v_cubed[] = {-w3, w3, -w3, w3};
+  const double u[] = {-w, 0, w}, u_squared[] = {w2, -w2, w2}, v[] = {-w, -w / 3, w / 3, w},
+               v_squared[] = {w2, -w2 / 3, -w2 / 3, w2}, v_cubed[] = {-w3, w3, -w3, w3};
   std::vector<K::Point_3> points;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 4; ++j)
@@ -40,7 +42,8 @@ int main()
     std::cout << (curve.is_closed ? "closed, " : "open, ") << points.size() << " points\n";
     for (const int side : {0, 1})
       if (const auto end = set.end(curve, side); end.kind() == SC::Intersection_kind::TANGENT)
-        std::cout << "  ends in a pinch point at u = " << rounded(end.parameter(0, 0)) << ", v = " << rounded(end.parameter(0, 1)) << '\n';
+        std::cout << "  ends in a pinch point at u = " << rounded(end.parameter(0, 0))
+                  << ", v = " << rounded(end.parameter(0, 1)) << '\n';
   }
   std::ofstream out("self_intersection_curves.svg");
   scene.write(out);

@@ -5,8 +5,9 @@
 //
 //   silhouette [SURFACE] [--output FILE.svg]
 //
-// SURFACE is a file of GoTools (.g2) or IRIT (.itd), its first surface counts; without it, a vase is taken. The silhouettes are drawn in red, thin where the surface hides them.
-// Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+// SURFACE is a file of GoTools (.g2) or IRIT (.itd), its first surface counts; without it, a vase is taken. The
+// silhouettes are drawn in red, thin where the surface hides them. Exit status: 0 when nothing is undecided, 3 when
+// something is, 2 for bad input.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -31,8 +32,10 @@ Surface read_surface(const std::string& path)
 
 Surface vase()
 {
-  const std::vector<K::Point_3> profile{{1, 0, 0}, {1.75, 0, 0.25}, {2.5, 0, 1.5}, {1.75, 0, 3}, {0.25, 0, 3.25}, {0.5, 0, 4.5}, {1.75, 0, 4.75}};
-  return SC::surface_of_revolution(SC::Bspline_curve_3<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, profile), K::Point_3(0, 0, 0), K::Vector_3(0, 0, 1));
+  const std::vector<K::Point_3> profile{{1, 0, 0},       {1.75, 0, 0.25}, {2.5, 0, 1.5},  {1.75, 0, 3},
+                                        {0.25, 0, 3.25}, {0.5, 0, 4.5},   {1.75, 0, 4.75}};
+  return SC::surface_of_revolution(SC::Bspline_curve_3<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, profile),
+                                   K::Point_3(0, 0, 0), K::Vector_3(0, 0, 1));
 }
 
 int main(int argc, char* argv[])
@@ -56,7 +59,8 @@ int main(int argc, char* argv[])
       for (const auto& sample : set.polyline(curve, 1e-3))
         points.push_back(sample.point);
       scene.add(points, "#c00020", 3, true);
-      std::cout << (curve.is_closed ? "closed, " : "open, ") << points.size() << " points from (" << points.front() << ")\n";
+      std::cout << (curve.is_closed ? "closed, " : "open, ") << points.size() << " points from (" << points.front()
+                << ")\n";
     }
     std::ofstream out(output);
     scene.write(out);

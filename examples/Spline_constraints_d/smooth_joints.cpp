@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The medial axis of a region whose outline is smooth but for rounded coordinates, as it is drawn and with smooth joints.
+// The medial axis of a region whose outline is smooth but for rounded coordinates, as it is drawn and with smooth
+// joints.
 //
 //   smooth_joints [DRAWING.svg [MOST_ANGLE]]
 //
-// Joints with an angle of at most MOST_ANGLE degrees, 2 if none is given, are made smooth. Writes smooth_joints.svg, with both axes. Exit status: 0 when all of them is proved, 3 when a part is not, 2 for bad input.
+// Joints with an angle of at most MOST_ANGLE degrees, 2 if none is given, are made smooth. Writes smooth_joints.svg,
+// with both axes. Exit status: 0 when all of them is proved, 3 when a part is not, 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -29,7 +31,8 @@ int main(int argc, char* argv[])
     const double most_angle = (argc > 2 ? number_of<double>(argv[2]) : 2) * CGAL_PI / 180;
     const auto smooth = SC::with_smooth_joints<K>(curves, most_angle);
 
-    const auto axis = SC::medial_axis(SC::planar_region(curves)), smooth_axis = SC::medial_axis(SC::planar_region(smooth.curves));
+    const auto axis = SC::medial_axis(SC::planar_region(curves)),
+               smooth_axis = SC::medial_axis(SC::planar_region(smooth.curves));
     std::ofstream file("smooth_joints.svg");
     SC::SVG_writer picture(file, curves);
     auto layers = SC::planar_layers(axis, picture.pixel() / 8, picture.extent());
@@ -42,7 +45,9 @@ int main(int argc, char* argv[])
       picture.curve(curve, "black", 3);
 
     const bool is_complete = axis.is_complete() && smooth_axis.is_complete();
-    std::cout << "joints made smooth: " << smooth.joints << ", by " << smooth.displacement << " at most; edges: " << axis.edges().size() << ", then " << smooth_axis.edges().size() << "; complete: " << (is_complete ? "yes" : "no") << '\n';
+    std::cout << "joints made smooth: " << smooth.joints << ", by " << smooth.displacement
+              << " at most; edges: " << axis.edges().size() << ", then " << smooth_axis.edges().size()
+              << "; complete: " << (is_complete ? "yes" : "no") << '\n';
     return is_complete ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less than unknowns, every curve of solutions.
+// Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less
+// than unknowns, every curve of solutions.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
 //
-// --parallel uses all cores, if the program was built with TBB; for the number type certified. --output writes curves of solutions.
-// Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
+// --parallel uses all cores, if the program was built with TBB; for the number type certified. --output writes curves
+// of solutions. Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
 
@@ -51,7 +52,8 @@ Arguments parse(int argc, char* argv[])
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]");
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json] [--output "
+                            "FILE.svg|FILE.vtp|FILE.txt]");
   if (result.parallel && result.number_type != "certified")
     throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;

@@ -40,7 +40,8 @@ public:
     if (!m_is_terminal || std::chrono::steady_clock::now() - m_start < std::chrono::seconds(1))
       return;
     const int done = static_cast<int>(40 * fraction);
-    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] " << static_cast<int>(100 * fraction) << " %" << std::flush;
+    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] "
+              << static_cast<int>(100 * fraction) << " %" << std::flush;
     m_is_shown = true;
   }
   bool stop() const { return false; }
@@ -56,7 +57,8 @@ template <class Coordinate>
 std::pair<double, double> as_doubles(const std::pair<Coordinate, Coordinate>& range)
 {
   using namespace CGAL::Spline_constraints;
-  return {to_double_interval(Exact_rational(range.first)).first, to_double_interval(Exact_rational(range.second)).second};
+  return {to_double_interval(Exact_rational(range.first)).first,
+          to_double_interval(Exact_rational(range.second)).second};
 }
 
 template <class Solution_set>
@@ -64,9 +66,10 @@ void print_summary(const Solution_set& solutions)
 {
   using CGAL::Spline_constraints::Solution_kind;
   std::cout << "solutions: " << solutions.count(Solution_kind::CERTIFIED) << " certified, "
-            << solutions.count(Solution_kind::CLUSTER) << " clusters, " << solutions.count(Solution_kind::CONTINUUM) << " continua, "
-            << solutions.count(Solution_kind::UNDECIDED) << " undecided; complete: " << (solutions.is_complete() ? "yes" : "no")
-            << "; nodes " << solutions.summary().nodes << "; seconds " << std::setprecision(4) << solutions.summary().seconds << '\n';
+            << solutions.count(Solution_kind::CLUSTER) << " clusters, " << solutions.count(Solution_kind::CONTINUUM)
+            << " continua, " << solutions.count(Solution_kind::UNDECIDED)
+            << " undecided; complete: " << (solutions.is_complete() ? "yes" : "no") << "; nodes "
+            << solutions.summary().nodes << "; seconds " << std::setprecision(4) << solutions.summary().seconds << '\n';
 }
 
 template <class Solution_set>
@@ -79,7 +82,8 @@ void print_lines(const std::vector<std::string>& names, const Solution_set& solu
     if (solution.kind() == Solution_kind::CLUSTER && solution.multiplicity() > 0)
       std::cout << " of multiplicity " << solution.multiplicity();
     if (solution.kind() == Solution_kind::CONTINUUM)
-      std::cout << " of dimension " << solution.dimension() << " in " << solution.cover().size() << (solution.cover().size() == 1 ? " box" : " boxes");
+      std::cout << " of dimension " << solution.dimension() << " in " << solution.cover().size()
+                << (solution.cover().size() == 1 ? " box" : " boxes");
     if (solution.kind() == Solution_kind::UNDECIDED)
       std::cout << " (" << solution.reason() << ')';
     std::cout << ' ' << std::setprecision(17);
@@ -104,8 +108,9 @@ void print_json(const std::vector<std::string>& names, const Solution_set& solut
   std::cout << "{\"solutions\": [" << std::setprecision(17);
   const char* separator = "\n";
   for (const auto& solution : solutions) {
-    std::cout << separator << "  {\"kind\": \"" << solution.kind() << "\", \"number_type\": \"" << solution.number_type()
-              << "\", \"multiplicity\": " << solution.multiplicity() << ", \"reason\": \"" << solution.reason() << "\", \"box\": {";
+    std::cout << separator << "  {\"kind\": \"" << solution.kind() << "\", \"number_type\": \""
+              << solution.number_type() << "\", \"multiplicity\": " << solution.multiplicity() << ", \"reason\": \""
+              << solution.reason() << "\", \"box\": {";
     for (std::size_t j = 0; j < names.size(); ++j) {
       const auto [lower, upper] = as_doubles(solution[j]);
       std::cout << (j == 0 ? "" : ", ") << '"' << names[j] << "\": [" << lower << ", " << upper << ']';
@@ -114,13 +119,14 @@ void print_json(const std::vector<std::string>& names, const Solution_set& solut
     separator = ",\n";
   }
   const auto& summary = solutions.summary();
-  std::cout << "\n],\n\"complete\": " << (summary.is_complete ? "true" : "false") << ", \"why_not\": \"" << summary.why_not
-            << "\", \"nodes\": " << summary.nodes << ", \"depth\": " << summary.depth << ", \"exact_rebuilds\": " << summary.restarts
-            << ", \"seconds\": " << summary.seconds << "}\n";
+  std::cout << "\n],\n\"complete\": " << (summary.is_complete ? "true" : "false") << ", \"why_not\": \""
+            << summary.why_not << "\", \"nodes\": " << summary.nodes << ", \"depth\": " << summary.depth
+            << ", \"exact_rebuilds\": " << summary.restarts << ", \"seconds\": " << summary.seconds << "}\n";
   print_summary(solutions);
 }
 
-inline void print_curves(const std::vector<std::string>& names, const CGAL::Spline_constraints::Curve_solution_set_d& set)
+inline void print_curves(const std::vector<std::string>& names,
+                         const CGAL::Spline_constraints::Curve_solution_set_d& set)
 {
   const auto print_box = [&](const auto& box) {
     for (std::size_t j = 0; j < names.size(); ++j) {
@@ -132,7 +138,8 @@ inline void print_curves(const std::vector<std::string>& names, const CGAL::Spli
   std::cout << std::setprecision(17);
   int index = 0;
   for (const auto& curve : set.curves()) {
-    std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", " << curve.pieces.size() << " pieces, from ";
+    std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", " << curve.pieces.size()
+              << " pieces, from ";
     print_box(set.vertices()[curve.pieces.front().ends[0]].box);
     if (!curve.is_closed) {
       std::cout << "  to ";
@@ -148,7 +155,8 @@ inline void print_curves(const std::vector<std::string>& names, const CGAL::Spli
     print_box(set.vertices()[point].box);
   }
   for (const auto& region : set.undecided()) {
-    std::cout << "undecided (" << region.reason << ") with " << region.vertices.size() << " branches, " << region.boxes.size() << " boxes, the first ";
+    std::cout << "undecided (" << region.reason << ") with " << region.vertices.size() << " branches, "
+              << region.boxes.size() << " boxes, the first ";
     print_box(region.boxes.front());
   }
   std::cout << std::setprecision(4) << set << '\n';

@@ -5,8 +5,10 @@
 //
 //   surface_intersection [A B] [--output FILE.svg|FILE.vtp]
 //
-// A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along
-// which they touch in violet, singular points as dots), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+// A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them
+// data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along which they
+// touch in violet, singular points as dots), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing
+// is undecided, 3 when something is, 2 for bad input.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -33,7 +35,8 @@ Surface read_surface(const std::string& path)
   return file.surfaces_3.front().object;
 }
 
-void write(const std::string& path, const Surface& a, const Surface& b, const SC::Surface_intersection<K>& set, const std::vector<std::vector<K::Point_3>>& polylines)
+void write(const std::string& path, const Surface& a, const Surface& b, const SC::Surface_intersection<K>& set,
+           const std::vector<std::vector<K::Point_3>>& polylines)
 {
   std::ofstream out(path);
   if (path.ends_with(".svg")) {
@@ -68,7 +71,8 @@ int main(int argc, char* argv[])
     std::vector<std::vector<K::Point_3>> polylines;
     for (const SC::Intersection_curve& curve : set.curves()) {
       polylines.push_back(set.polyline(curve, 1e-3));
-      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ") << curve.kind() << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
+      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ") << curve.kind()
+                << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
     }
     write(output, a, b, set, polylines);
     std::cout << set << '\n';

@@ -40,12 +40,17 @@ class Scene
 
 public:
   // To the viewer, who looks from above, turned by 30 degrees.
-  static K::Vector_3 direction() { return {-std::cos(rise) * std::sin(turn), -std::cos(rise) * std::cos(turn), std::sin(rise)}; }
+  static K::Vector_3 direction()
+  {
+    return {-std::cos(rise) * std::sin(turn), -std::cos(rise) * std::cos(turn), std::sin(rise)};
+  }
 
   void add(const Surface& surface, const std::array<double, 3>& color)
   {
     const auto point = [&](int i, int j) {
-      const auto at = [&](int axis, int k) { return surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * k / tiles; };
+      const auto at = [&](int axis, int k) {
+        return surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * k / tiles;
+      };
       return surface(at(0, i), at(1, j));
     };
     for (int i = 0; i < tiles; ++i)
@@ -58,7 +63,8 @@ public:
   }
 
   // On the surfaces: nearer than their tiles. What these hide is left out, or drawn as a thin line.
-  void add(const std::vector<K::Point_3>& polyline, const std::string& color, double width = 3, bool shows_hidden = false)
+  void add(const std::vector<K::Point_3>& polyline, const std::string& color, double width = 3,
+           bool shows_hidden = false)
   {
     const double tile = (m_box.xmax() - m_box.xmin()) / tiles;
     for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
@@ -77,8 +83,11 @@ public:
   void write(std::ostream& out)
   {
     const double margin = (m_box.xmax() - m_box.xmin()) / 40;
-    CGAL::Spline_constraints::SVG_writer picture(out, CGAL::Bbox_2(m_box.xmin() - margin, m_box.ymin() - margin, m_box.xmax() + margin, m_box.ymax() + margin), 640);
-    std::stable_sort(m_patches.begin(), m_patches.end(), [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
+    CGAL::Spline_constraints::SVG_writer picture(
+        out, CGAL::Bbox_2(m_box.xmin() - margin, m_box.ymin() - margin, m_box.xmax() + margin, m_box.ymax() + margin),
+        640);
+    std::stable_sort(m_patches.begin(), m_patches.end(),
+                     [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
     for (const Patch& patch : m_patches)
       if (patch.corners.size() == 1)
         picture.point(patch.corners[0], patch.color, patch.width);
@@ -105,8 +114,10 @@ private:
     const double grid = corners.size() <= 2 ? 1024 : 100;   // for short numbers in the file
     Patch patch{nearer, {}, color, width};
     for (const K::Point_3& p : corners) {
-      const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(), away = std::sin(turn) * p.x() + std::cos(turn) * p.y();
-      patch.corners.emplace_back(std::round(grid * across) / grid, std::round(grid * (std::cos(rise) * p.z() + std::sin(rise) * away)) / grid);
+      const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(),
+                   away = std::sin(turn) * p.x() + std::cos(turn) * p.y();
+      patch.corners.emplace_back(std::round(grid * across) / grid,
+                                 std::round(grid * (std::cos(rise) * p.z() + std::sin(rise) * away)) / grid);
       patch.depth += (std::sin(rise) * p.z() - std::cos(rise) * away) / static_cast<double>(corners.size());
       m_box += patch.corners.back().bbox();
     }

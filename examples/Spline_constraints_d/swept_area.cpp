@@ -3,7 +3,8 @@
 
 // What a broad nib writes: all that a region covers when it is moved along a curve.
 //
-// Writes swept_area.svg, and swept_area.wkt, with the area as well-known text. Exit status: 0 when nothing is undecided, 3 when something is.
+// Writes swept_area.svg, and swept_area.wkt, with the area as well-known text. Exit status: 0 when nothing is
+// undecided, 3 when something is.
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
@@ -21,8 +22,10 @@ using Point = K::Point_2;
 
 int main()
 {
-  const auto nib = SC::polyline_curve(std::vector<Point>{{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}, {-0.75, -0.5}});
-  const SC::Bspline_curve_2<K> path(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, {{9, 6}, {7, 2}, {3, -1}, {-1, 3}, {3, 8}, {6, 1}, {9, 0.5}});
+  const auto nib =
+      SC::polyline_curve(std::vector<Point>{{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}, {-0.75, -0.5}});
+  const SC::Bspline_curve_2<K> path(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4},
+                                    {{9, 6}, {7, 2}, {3, -1}, {-1, 3}, {3, 8}, {6, 1}, {9, 0.5}});
   const auto area = SC::swept_area(SC::planar_region(nib), path);
 
   const auto layers = SC::planar_layers(area, 2e-3);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All circles that touch three curves, drawn into tangent_circles.svg; those without a point of the curves inside are bold.
+// All circles that touch three curves, drawn into tangent_circles.svg; those without a point of the curves inside are
+// bold.
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/tangent_circles_2.h>
 
@@ -33,21 +34,27 @@ int main()
 {
   // A channel between two cubic B-spline curves with an ellipse in it.
   const std::vector<K::FT> knots{0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4};
-  const std::vector<Curve> curves{Curve(3, knots, {{-9, 3}, {-6, 2}, {-3, 4}, {0, 3}, {3, 4}, {6, 2}, {9, 4}}),
-                                  Curve(3, knots, {{-9, -2}, {-6, -4}, {-3, -2}, {0, -4}, {3, -3}, {6, -3}, {9, -2}}),
-                                  SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(2, K::FT(1) / 2), K::Vector_2(K::FT(-1) / 3, 1))};
+  const std::vector<Curve> curves{
+      Curve(3, knots, {{-9, 3}, {-6, 2}, {-3, 4}, {0, 3}, {3, 4}, {6, 2}, {9, 4}}),
+      Curve(3, knots, {{-9, -2}, {-6, -4}, {-3, -2}, {0, -4}, {3, -3}, {6, -3}, {9, -2}}),
+      SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(2, K::FT(1) / 2), K::Vector_2(K::FT(-1) / 3, 1))};
   const auto result = SC::tangent_circles(curves[0], curves[1], curves[2]);
 
   std::ofstream out("tangent_circles.svg");
-  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-300 -180 600 360' width='750' height='450'>\n<style>.curve { fill: none; stroke: #1f77b4; stroke-width: 4 }"
-         " .touching { fill: none; stroke: #999; stroke-width: 1 } .empty { fill: #d62728; fill-opacity: 0.08; stroke: #d62728; stroke-width: 3 }"
-         " .contact { fill: #222 } text { font: 13px sans-serif; fill: #223 }</style>\n<rect x='-300' y='-180' width='600' height='360' fill='white'/>\n";
+  out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-300 -180 600 360' width='750' height='450'>\n<style>.curve "
+         "{ fill: none; stroke: #1f77b4; stroke-width: 4 }"
+         " .touching { fill: none; stroke: #999; stroke-width: 1 } .empty { fill: #d62728; fill-opacity: 0.08; stroke: "
+         "#d62728; stroke-width: 3 }"
+         " .contact { fill: #222 } text { font: 13px sans-serif; fill: #223 }</style>\n<rect x='-300' y='-180' "
+         "width='600' height='360' fill='white'/>\n";
   for (const auto emptiness : {SC::Emptiness::NOT_EMPTY, SC::Emptiness::UNDECIDED, SC::Emptiness::EMPTY})
     for (const auto& circle : result.circles)
       if (circle.emptiness() == emptiness) {
-        std::cout << circle.solution().kind() << ", " << emptiness << ": center (" << circle.center(0) << ", " << circle.center(1) << "), radius " << circle.radius() << '\n';
-        out << "<circle class='" << (emptiness == SC::Emptiness::EMPTY ? "empty" : "touching") << "' cx='" << scale * circle.center(0) << "' cy='" << -scale * circle.center(1)
-            << "' r='" << scale * circle.radius() << "'/>\n";
+        std::cout << circle.solution().kind() << ", " << emptiness << ": center (" << circle.center(0) << ", "
+                  << circle.center(1) << "), radius " << circle.radius() << '\n';
+        out << "<circle class='" << (emptiness == SC::Emptiness::EMPTY ? "empty" : "touching") << "' cx='"
+            << scale * circle.center(0) << "' cy='" << -scale * circle.center(1) << "' r='" << scale * circle.radius()
+            << "'/>\n";
       }
   for (const Curve& curve : curves)
     write_curve(out, curve);
@@ -55,9 +62,14 @@ int main()
     if (circle.emptiness() == SC::Emptiness::EMPTY)
       for (std::size_t i = 0; i < 3; ++i) {
         const K::Point_2 p = circle.contact(i).point();
-        out << "<circle class='contact' cx='" << scale * CGAL::to_double(p.x()) << "' cy='" << -scale * CGAL::to_double(p.y()) << "' r='4'/>\n";
+        out << "<circle class='contact' cx='" << scale * CGAL::to_double(p.x()) << "' cy='"
+            << -scale * CGAL::to_double(p.y()) << "' r='4'/>\n";
       }
-  out << "<text x='-290' y='168'>" << result.circles.size() << " circles touch three curves, " << result.count(SC::Emptiness::EMPTY) << " of them empty (bold)</text>\n</svg>\n";
+  out << "<text x='-290' y='168'>" << result.circles.size() << " circles touch three curves, "
+      << result.count(SC::Emptiness::EMPTY) << " of them empty (bold)</text>\n</svg>\n";
   std::cout << result.summary << '\n';
-  return result.summary.is_complete && result.count(SC::Emptiness::EMPTY) == 2 && result.count(SC::Emptiness::UNDECIDED) == 0 ? 0 : 1;
+  return result.summary.is_complete && result.count(SC::Emptiness::EMPTY) == 2 &&
+          result.count(SC::Emptiness::UNDECIDED) == 0
+      ? 0
+      : 1;
 }

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Paths of a ball-end milling tool on a surface at constant heights: the center of the ball is on the offset of the surface, which is cut by planes. Each path is drawn twice, as that of
-// the center (blue) and where the ball touches the surface (red), into tool_paths.svg.
+// Paths of a ball-end milling tool on a surface at constant heights: the center of the ball is on the offset of the
+// surface, which is cut by planes. Each path is drawn twice, as that of the center (blue) and where the ball touches
+// the surface (red), into tool_paths.svg.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
@@ -39,7 +40,8 @@ int main()
     for (const SC::Surface_curve& path : paths.curves()) {
       std::vector<K::Point_3> of_center, of_contact;
       for (const auto& sample : paths.polyline(path, 1e-2)) {
-        of_center.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()), CGAL::to_double(sample.point.z()));
+        of_center.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()),
+                               CGAL::to_double(sample.point.z()));
         of_contact.push_back(surface(sample.parameters[0], sample.parameters[1]));
       }
       scene.add(of_contact, "#c00020", 2);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Trimmed alpha-sectors of two planar curves A and B: all points whose distances from the nearest points of both have the ratio alpha : 1 - alpha. They lead from A (blue) over the bisector (gray) to B (red).
+// Trimmed alpha-sectors of two planar curves A and B: all points whose distances from the nearest points of both have
+// the ratio alpha : 1 - alpha. They lead from A (blue) over the bisector (gray) to B (red).
 //
 //   trimmed_alpha_sectors
 //

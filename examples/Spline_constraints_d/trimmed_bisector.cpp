@@ -1,11 +1,14 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The trimmed bisector of two curves of a drawing: all points that are as far from the nearest point of one as from that of the other.
+// The trimmed bisector of two curves of a drawing: all points that are as far from the nearest point of one as from
+// that of the other.
 //
 //   trimmed_bisector [DRAWING.svg [CURVE OTHER_CURVE]]
 //
-// Curves are named by their numbers, in the order of the drawing. Writes trimmed_bisector.svg, with the trimmed bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not, 2 for bad input.
+// Curves are named by their numbers, in the order of the drawing. Writes trimmed_bisector.svg, with the trimmed
+// bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves
+// (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not, 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -23,20 +26,23 @@
 #include <string>
 
 namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
+// of drawings: decimals are read exactly, and what is symmetric stays so
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 
 int main(int argc, char* argv[])
 {
   try {
     const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "waves.svg");
-    const std::size_t first = argc > 3 ? number_of<std::size_t>(argv[2]) : 0, second = argc > 3 ? number_of<std::size_t>(argv[3]) : 1;
+    const std::size_t first = argc > 3 ? number_of<std::size_t>(argv[2]) : 0,
+                      second = argc > 3 ? number_of<std::size_t>(argv[3]) : 1;
     if (std::max(first, second) >= curves.size())
       throw SC::Invalid_input("the drawing has no more than " + std::to_string(curves.size()) + " curves");
     const auto &a = curves[first], &b = curves[second];
     std::ofstream file("trimmed_bisector.svg");
     const CGAL::Bbox_2 box = a.bbox() + b.bbox();
     const double margin = (box.xmax() - box.xmin() + box.ymax() - box.ymin()) / 12;
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
+    SC::SVG_writer picture(
+        file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
 
     const auto untrimmed = SC::bisector_curves(a, b);
     picture.layer("untrimmed");
@@ -50,7 +56,9 @@ int main(int argc, char* argv[])
       std::cout << "chain of " << chain.arcs.size() << " arcs:";
       for (const auto& arc : chain.arcs) {
         const auto& edge = bisector.diagram().edges()[arc.edge];
-        const auto kind = [&](std::size_t side) { return sites[edge.sites[arc.is_reversed ? 1 - side : side]].is_point ? "end" : "curve"; };
+        const auto kind = [&](std::size_t side) {
+          return sites[edge.sites[arc.is_reversed ? 1 - side : side]].is_point ? "end" : "curve";
+        };
         std::cout << ' ' << kind(0) << '/' << kind(1);
       }
       std::cout << '\n';

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The umbilics of a bicubic B-spline surface, where its curvature is the same in all directions. Drawn into umbilics.svg as circles, thin where the surface hides them.
+// The umbilics of a bicubic B-spline surface, where its curvature is the same in all directions. Drawn into
+// umbilics.svg as circles, thin where the surface hides them.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
@@ -40,7 +41,8 @@ int main()
     std::vector<K::Point_3> circle;
     for (int k = 0; k <= steps; ++k) {
       const double angle = 2 * CGAL_PI * k / steps;
-      circle.push_back(surface(std::clamp(place[0] + radius * std::cos(angle), 0.0, 4.0), std::clamp(place[1] + radius * std::sin(angle), 0.0, 4.0)));
+      circle.push_back(surface(std::clamp(place[0] + radius * std::cos(angle), 0.0, 4.0),
+                               std::clamp(place[1] + radius * std::sin(angle), 0.0, 4.0)));
     }
     scene.add(circle, "#c00020", 3, true);
   }

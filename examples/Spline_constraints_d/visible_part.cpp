@@ -49,10 +49,12 @@ int main(int argc, char* argv[])
     for (const auto& edge : visible.edges())
       ++(edge.kind == SC::Visible_edge_kind::ARC ? arcs : segments);
 
-    std::cout << curves.size() << " curves; seen are " << arcs << " arcs, with " << segments << " segments of rays between them";
+    std::cout << curves.size() << " curves; seen are " << arcs << " arcs, with " << segments
+              << " segments of rays between them";
     if (visible.is_complete()) {
       const auto [lower, upper] = visible.area();
-      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
+      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by "
+                << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
     }
     std::cout << "; complete: " << (visible.is_complete() ? "yes" : "no") << '\n';
     return visible.is_complete() ? 0 : 3;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The Voronoi diagram of curves as an arrangement of CGAL: its vertices, edges and faces know sites, and point location finds what is nearest. Writes voronoi_arrangement.svg.
+// The Voronoi diagram of curves as an arrangement of CGAL: its vertices, edges and faces know sites, and point location
+// finds what is nearest. Writes voronoi_arrangement.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -24,7 +25,9 @@ using Arrangement = SC::Voronoi_arrangement_2<K>::Arrangement;
 int main()
 {
   // A wave, a circle, a bent wall, and a point.
-  const std::vector<SC::Bspline_curve_2<K>> curves{SC::bezier_curve(std::vector<Point>{{1, 4}, {3, 9}, {5, 1}, {8, 6}}), SC::circle_curve(Point(3, 2), K::FT(1)), SC::segment_curve<K>(Point(6, 1), Point(9, 1)), SC::segment_curve<K>(Point(9, 1), Point(10, 4))};
+  const std::vector<SC::Bspline_curve_2<K>> curves{
+      SC::bezier_curve(std::vector<Point>{{1, 4}, {3, 9}, {5, 1}, {8, 6}}), SC::circle_curve(Point(3, 2), K::FT(1)),
+      SC::segment_curve<K>(Point(6, 1), Point(9, 1)), SC::segment_curve<K>(Point(9, 1), Point(10, 4))};
   const CGAL::Bbox_2 box(0, 0, 11, 8);
   const auto diagram = SC::voronoi_diagram(curves, {Point(10, 7)});
   const auto result = SC::to_arrangement(diagram, 1e-3, box);
@@ -46,7 +49,8 @@ int main()
       if (const auto* face = boost::get<Arrangement::Face_const_handle>(&found)) {
         const std::size_t region = (*face)->data().front();
         ++located;
-        confirmed += diagram.sites()[diagram.nearest_sites(Point(x, y)).front()].region == region;   // by distances, proved
+        // by distances, proved
+        confirmed += diagram.sites()[diagram.nearest_sites(Point(x, y)).front()].region == region;
         picture.point(Point(x, y), colors[region % colors.size()], 5);
       }
     }
@@ -56,7 +60,9 @@ int main()
     picture.curve(curve, "black", 3);
   picture.point(Point(10, 7), "black", 8);
 
-  std::cout << "faces in the box: " << result.arrangement.number_of_faces() - 1 << "; vertices of degree three or more: " << branching << "; " << confirmed << " of " << located
-            << " points have the nearest site that point location finds; topology of the diagram: " << (result.has_same_topology ? "yes" : "no") << '\n';
+  std::cout << "faces in the box: " << result.arrangement.number_of_faces() - 1
+            << "; vertices of degree three or more: " << branching << "; " << confirmed << " of " << located
+            << " points have the nearest site that point location finds; topology of the diagram: "
+            << (result.has_same_topology ? "yes" : "no") << '\n';
   return diagram.is_complete() && result.has_same_topology && located > 0 && confirmed == located ? 0 : 1;
 }

@@ -15,7 +15,8 @@
 
 namespace SC = CGAL::Spline_constraints;
 
-// What holds of every answer: pieces are chained, ends lie in their boxes, vertices inside the domain belong to two pieces.
+// What holds of every answer: pieces are chained, ends lie in their boxes, vertices inside the domain belong to two
+// pieces.
 inline void check_chains(const SC::Curve_solution_set_d& set)
 {
   std::vector<int> uses(set.vertices().size(), 0);
@@ -32,14 +33,17 @@ inline void check_chains(const SC::Curve_solution_set_d& set)
           EXPECT_LE(vertex.box[j].first, piece.box[j].second);
         }
       }
-      const auto place = [&](std::size_t end) { return set.vertices()[piece.ends[end]].box[(std::max)(piece.parameter, 0)]; };
+      const auto place = [&](std::size_t end) {
+        return set.vertices()[piece.ends[end]].box[(std::max)(piece.parameter, 0)];
+      };
       EXPECT_TRUE(piece.parameter < 0 || place(0).second < place(1).first || place(1).second < place(0).first);
     }
     EXPECT_TRUE(!curve.is_closed || curve.pieces.back().ends[1] == curve.pieces.front().ends[0]);
   }
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const SC::Curve_vertex& vertex = set.vertices()[i];
-    EXPECT_TRUE(!set.is_complete() || vertex.is_on_boundary || vertex.is_on_inequality || vertex.is_singular || uses[i] == 2);
+    EXPECT_TRUE(!set.is_complete() || vertex.is_on_boundary || vertex.is_on_inequality || vertex.is_singular ||
+                uses[i] == 2);
   }
 }
 
@@ -64,7 +68,8 @@ inline std::size_t ends_on_boundary(const SC::Curve_solution_set_d& set)
   return result;
 }
 
-inline void expect_curves(const SC::Curve_solution_set_d& set, std::size_t closed, std::size_t open, const std::string& what = "")
+inline void expect_curves(const SC::Curve_solution_set_d& set, std::size_t closed, std::size_t open,
+                          const std::string& what = "")
 {
   check_chains(set);
   EXPECT_TRUE(set.is_complete()) << what;

@@ -21,7 +21,8 @@ using Spline = SC::Bspline_function<Rational>;
 
 inline Rational ratio(int a, int b) { return Rational(a) / Rational(b); }
 
-// A circle as four rational quadratic pieces, with the parameter in [0,4]: with continuous derivatives, though those of the homogeneous coordinates jump.
+// A circle as four rational quadratic pieces, with the parameter in [0,4]: with continuous derivatives, though those of
+// the homogeneous coordinates jump.
 struct Circle
 {
   static constexpr int number_of_parameters = 1;
@@ -51,14 +52,16 @@ struct Circle
 };
 
 // A spline with given knots and control points drawn from a few fractions.
-inline Spline random_spline(std::mt19937& random, std::vector<int> degrees, std::vector<std::vector<Rational>> knots, bool is_positive = false)
+inline Spline random_spline(std::mt19937& random, std::vector<int> degrees, std::vector<std::vector<Rational>> knots,
+                            bool is_positive = false)
 {
   std::size_t size = 1;
   for (std::size_t j = 0; j < degrees.size(); ++j)
     size *= knots[j].size() - degrees[j] - 1;
   std::vector<Rational> coefficients;
   for (std::size_t i = 0; i < size; ++i)
-    coefficients.push_back(ratio(is_positive ? 1 + static_cast<int>(random() % 9) : static_cast<int>(random() % 19) - 9, 1 + static_cast<int>(random() % 4)));
+    coefficients.push_back(ratio(is_positive ? 1 + static_cast<int>(random() % 9) : static_cast<int>(random() % 19) - 9,
+                                 1 + static_cast<int>(random() % 4)));
   return Spline(degrees, std::move(knots), std::move(coefficients));
 }
 
@@ -80,7 +83,10 @@ inline SC::Spline_map<1, 2> polynomial_curve(const std::vector<int>& x, const st
 {
   const auto spline = [&](const std::vector<int>& powers) {
     const std::vector<std::pair<Rational, Rational>> range{{Rational(begin), Rational(end)}};
-    return Spline::from_tensor(SC::Bernstein_tensor<Rational>::from_power_on_box({static_cast<int>(powers.size()) - 1}, std::vector<Rational>(powers.begin(), powers.end()), range), range);
+    return Spline::from_tensor(
+        SC::Bernstein_tensor<Rational>::from_power_on_box({static_cast<int>(powers.size()) - 1},
+                                                          std::vector<Rational>(powers.begin(), powers.end()), range),
+        range);
   };
   return SC::Spline_map<1, 2>({spline(x), spline(y)});
 }

@@ -38,7 +38,8 @@ void expect_invalid(const Call& call, const std::string& fragment)
 template <class Boundary, class Kind>
 std::size_t count_edges(const Boundary& boundary, Kind kind)
 {
-  return static_cast<std::size_t>(std::count_if(boundary.edges().begin(), boundary.edges().end(), [=](const auto& edge) { return edge.kind == kind; }));
+  return static_cast<std::size_t>(std::count_if(boundary.edges().begin(), boundary.edges().end(),
+                                                [=](const auto& edge) { return edge.kind == kind; }));
 }
 
 // Seeded random exact knots, points, weights and parameters.

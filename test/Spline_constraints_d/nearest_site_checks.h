@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random scenes of the kinds that Voronoi diagrams are made of, and answers of diagrams and their arrangements in random points beside distances from the curves that do without any of both.
+// Random scenes of the kinds that Voronoi diagrams are made of, and answers of diagrams and their arrangements in
+// random points beside distances from the curves that do without any of both.
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_TEST_NEAREST_SITE_CHECKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_TEST_NEAREST_SITE_CHECKS_H
 
@@ -94,13 +95,21 @@ public:
     const double y = dyadic(0.1, 0.3) * size, x = dyadic(-0.3, 0.3) * size;
     const CGAL::Vector_2<Kernel> radius(x, y), quarter = radius.perpendicular(CGAL::COUNTERCLOCKWISE);
     const double turn = number(0, 3);
-    return SC::circular_arc_curve(center, center + radius, center + (turn < 1 ? quarter : turn < 2 ? -radius : -quarter));
+    return SC::circular_arc_curve(center, center + radius,
+                                  center +
+                                      (turn < 1       ? quarter
+                                           : turn < 2 ? -radius
+                                                      : -quarter));
   }
 
-  Curve circle(double x, double y, double least, double greatest) { return SC::circle_curve(Point(x, y), dyadic(least, greatest)); }
+  Curve circle(double x, double y, double least, double greatest)
+  {
+    return SC::circle_curve(Point(x, y), dyadic(least, greatest));
+  }
 };
 
-// Of the number of the kind; the same one for the same seed. What is in one of the cells of a grid does not cross what is in others, but for curves that cross.
+// Of the number of the kind; the same one for the same seed. What is in one of the cells of a grid does not cross what
+// is in others, but for curves that cross.
 inline Scene scene(int kind, unsigned seed, int cells = 9)
 {
   Scene_maker make(seed);
@@ -136,7 +145,9 @@ inline Scene scene(int kind, unsigned seed, int cells = 9)
     break;
   case 3:
     result.kind = "splines";
-    for_each_cell([&](double x, double y, int) { result.curves.push_back(Curve(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, make.monotone_points(x, y, 10, 7))); });
+    for_each_cell([&](double x, double y, int) {
+      result.curves.push_back(Curve(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, make.monotone_points(x, y, 10, 7)));
+    });
     break;
   case 4:
     result.kind = "closed curves";   // some of them in others
@@ -150,7 +161,10 @@ inline Scene scene(int kind, unsigned seed, int cells = 9)
     break;
   case 5:
     result.kind = "curves that cross";
-    for_each_cell([&](double x, double y, int) { result.curves.push_back(SC::bezier_curve(std::vector<Point>{make.point(x, y, 20), make.point(x, y, 20), make.point(x, y, 20), make.point(x, y, 20)})); });
+    for_each_cell([&](double x, double y, int) {
+      result.curves.push_back(SC::bezier_curve(
+          std::vector<Point>{make.point(x, y, 20), make.point(x, y, 20), make.point(x, y, 20), make.point(x, y, 20)}));
+    });
     break;
   case 6:
     result.kind = "all of these";
@@ -180,7 +194,8 @@ inline Scene scene(int kind, unsigned seed, int cells = 9)
 }
 constexpr int number_of_kinds = 8;
 
-// The distance from a part of a curve, by points of it, and golden sections around those that may be next to the nearest one.
+// The distance from a part of a curve, by points of it, and golden sections around those that may be next to the
+// nearest one.
 class Sampled_arc
 {
   const Curve* m_curve;
@@ -193,7 +208,8 @@ class Sampled_arc
   double least_between(const Point& q, double low, double high) const
   {
     constexpr double section = 0.6180339887498949;
-    constexpr int steps = 45;   // the parameter is known to the root of the precision of doubles then, and the distance to this precision
+    // the parameter is known to the root of the precision of doubles then, and the distance to this precision
+    constexpr int steps = 45;
     const auto value = [&](double t) { return CGAL::squared_distance(q, (*m_curve)(t)); };
     double a = high - section * (high - low), b = low + section * (high - low), at_a = value(a), at_b = value(b);
     for (int i = 0; i < steps; ++i) {
@@ -211,7 +227,8 @@ class Sampled_arc
   }
 
 public:
-  Sampled_arc(const Curve& curve, double begin, double end, int samples) : m_curve(&curve), m_begin(begin), m_step((end - begin) / samples)
+  Sampled_arc(const Curve& curve, double begin, double end, int samples)
+    : m_curve(&curve), m_begin(begin), m_step((end - begin) / samples)
   {
     for (int i = 0; i <= samples; ++i) {
       m_points.push_back(curve(i == samples ? end : at(i)));
@@ -229,7 +246,8 @@ public:
     const double near = std::min(std::sqrt(result), most) + m_longest;
     const int last = static_cast<int>(squares.size()) - 1;
     for (int i = 0; i <= last; ++i)
-      if (squares[i] <= near * near && (i == 0 || squares[i] <= squares[i - 1]) && (i == last || squares[i] <= squares[i + 1]))
+      if (squares[i] <= near * near && (i == 0 || squares[i] <= squares[i - 1]) &&
+          (i == last || squares[i] <= squares[i + 1]))
         result = std::min(result, least_between(q, at(std::max(i - 1, 0)), i == last ? at(last) : at(i + 1)));
     return std::sqrt(result);
   }
@@ -239,7 +257,9 @@ struct Answers
 {
   std::size_t queries = 0;
   std::size_t regions = 0;        // that were found for some query
-  std::size_t wrong_faces = 0;    // that do not have one region, or one that is farther than the nearest curve or point by more than twice the error of chords
+  // that do not have one region, or one that is farther than the nearest curve or point by more than twice the error of
+  // chords
+  std::size_t wrong_faces = 0;
   std::size_t wrong_sites = 0;    // of which one is farther than the nearest curve or point, by more than rounding
   std::size_t other_regions = 0;  // of faces that do not have the region of a nearest site: next to edges
   bool is_complete = false;
@@ -253,7 +273,11 @@ class Nearest_site_check
   std::vector<Sampled_arc> m_arcs;         // of all curves
   std::vector<Sampled_arc> m_site_arcs;    // of the sites that are no points, which are the first ones
 
-  static Diagram diagram_of(const Scene& scene) { return scene.is_region ? SC::medial_axis(SC::planar_region(scene.curves)) : SC::voronoi_diagram(scene.curves, scene.points); }
+  static Diagram diagram_of(const Scene& scene)
+  {
+    return scene.is_region ? SC::medial_axis(SC::planar_region(scene.curves))
+                           : SC::voronoi_diagram(scene.curves, scene.points);
+  }
 
   double least_distance(const Point& q) const
   {
@@ -265,7 +289,11 @@ class Nearest_site_check
     return result;
   }
 
-  double site_distance(std::size_t site, const Point& q) const { return m_diagram.sites()[site].is_point ? std::sqrt(CGAL::squared_distance(m_diagram.sites()[site].point, q)) : m_site_arcs[site].distance(q); }
+  double site_distance(std::size_t site, const Point& q) const
+  {
+    return m_diagram.sites()[site].is_point ? std::sqrt(CGAL::squared_distance(m_diagram.sites()[site].point, q))
+                                            : m_site_arcs[site].distance(q);
+  }
 
   double region_distance(std::size_t region, const Point& q) const
   {
@@ -289,7 +317,11 @@ class Nearest_site_check
   {
     Scene_maker make(seed);
     std::vector<Point> result;
-    const auto is_asked = [&, region = m_scene.is_region ? std::vector{SC::planar_region(m_scene.curves)} : std::vector<SC::Planar_region_2<Kernel>>()](const Point& q) { return region.empty() || region.front().bounded_side(q) == CGAL::ON_BOUNDED_SIDE; };
+    const auto is_asked = [&,
+                           region = m_scene.is_region ? std::vector{SC::planar_region(m_scene.curves)}
+                                                      : std::vector<SC::Planar_region_2<Kernel>>()](const Point& q) {
+      return region.empty() || region.front().bounded_side(q) == CGAL::ON_BOUNDED_SIDE;
+    };
     while (result.size() < number) {
       const double x = make.number(box.xmin(), box.xmax()), y = make.number(box.ymin(), box.ymax());
       if (is_asked(Point(x, y)))
@@ -336,9 +368,13 @@ public:
       const auto sites = m_diagram.nearest_sites(q);
       const auto& regions = regions_at[{q.x(), q.y()}];
       ++result.queries;
-      result.wrong_sites += sites.empty() || std::any_of(sites.begin(), sites.end(), [&](std::size_t site) { return site_distance(site, q) > least + 1e-11; });
+      result.wrong_sites += sites.empty() || std::any_of(sites.begin(), sites.end(), [&](std::size_t site) {
+                              return site_distance(site, q) > least + 1e-11;
+                            });
       const bool is_one = regions.size() == 1;
-      const bool is_other = is_one && std::none_of(sites.begin(), sites.end(), [&](std::size_t site) { return m_diagram.sites()[site].region == regions.front(); });
+      const bool is_other = is_one && std::none_of(sites.begin(), sites.end(), [&](std::size_t site) {
+                              return m_diagram.sites()[site].region == regions.front();
+                            });
       result.other_regions += is_other;
       result.wrong_faces += !is_one || region_distance(regions.front(), q) > least + 2 * error;
       if (is_one)

@@ -25,10 +25,14 @@ using Curve = SC::Bspline_curve_2<K>;
 using Locus = SC::Curve_pair_locus_2<K>;
 using Vector = std::array<double, 2>;
 
-inline Vector rounded(const std::array<SC::Exact_rational, 2>& p) { return {CGAL::to_double(p[0]), CGAL::to_double(p[1])}; }
+inline Vector rounded(const std::array<SC::Exact_rational, 2>& p)
+{
+  return {CGAL::to_double(p[0]), CGAL::to_double(p[1])};
+}
 inline Vector rounded(const Point& p) { return rounded(std::array<SC::Exact_rational, 2>{p.x(), p.y()}); }
 
-inline void expect_numbers(const Locus& locus, std::size_t closed, std::size_t open, std::size_t singular, std::size_t poles)
+inline void expect_numbers(const Locus& locus, std::size_t closed, std::size_t open, std::size_t singular,
+                           std::size_t poles)
 {
   EXPECT_TRUE(locus.is_complete()) << locus;
   EXPECT_TRUE(locus.undecided().empty());
@@ -54,18 +58,23 @@ inline Foot foot(const SC::Spline_map<1, 2>& curve, const SC::Spline_map<1, 2>& 
 
 // Calls visit(point, feet on both curves) for points along all curves of a locus, two of each at least.
 template <class Visit>
-void visit_points(const Locus& locus, const Curve& c1, const Curve& c2, const Visit& visit, double error = 1e-2, double radius = 10)
+void visit_points(const Locus& locus, const Curve& c1, const Curve& c2, const Visit& visit, double error = 1e-2,
+                  double radius = 10)
 {
-  const SC::Spline_map<1, 2> first(c1), second(c2), first_derivative = derivative(first), second_derivative = derivative(second);
+  const SC::Spline_map<1, 2> first(c1), second(c2), first_derivative = derivative(first),
+                                                    second_derivative = derivative(second);
   for (const Locus::Curve& curve : locus.curves()) {
     const auto samples = locus.polyline(curve, error, radius);
     EXPECT_GE(samples.size(), 2u);
     for (const auto& sample : samples)
-      visit(rounded(sample.point), std::array<Foot, 2>{foot(first, first_derivative, sample.parameters[0]), foot(second, second_derivative, sample.parameters[1])});
+      visit(rounded(sample.point),
+            std::array<Foot, 2>{foot(first, first_derivative, sample.parameters[0]),
+                                foot(second, second_derivative, sample.parameters[1])});
   }
 }
 
-// The distance of a point from its foot on a curve, along the normal there. Errors grow with the square of the distance from the origin.
+// The distance of a point from its foot on a curve, along the normal there. Errors grow with the square of the distance
+// from the origin.
 inline double checked_distance(const Vector& p, const Foot& foot)
 {
   const double dx = p[0] - foot.point[0], dy = p[1] - foot.point[1];

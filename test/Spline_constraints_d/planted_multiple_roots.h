@@ -37,16 +37,22 @@ struct Planted_problem
 };
 
 /*
-Random systems of which all real solutions and their multiplicities are known by construction. Some of the unknowns z are those of a core:
+Random systems of which all real solutions and their multiplicities are known by construction. Some of the unknowns z
+are those of a core:
 
-- powers: products of powers of linear factors and of irreducible quadratic ones, in one unknown each. Multiplicities multiply.
-- arrangements: as many products of linear forms as unknowns, any choice of one factor of each of which is regular. A solution has the number of the choices that vanish there, since
+- powers: products of powers of linear factors and of irreducible quadratic ones, in one unknown each. Multiplicities
+  multiply.
+- arrangements: as many products of linear forms as unknowns, any choice of one factor of each of which is regular. A
+  solution has the number of the choices that vanish there, since
   multiplicities of intersections are additive in each product.
-- graphs: f = y - p(x), and a f + b h with a polynomial h in x and b > 0. On the curve f = 0 the second function is b h: the multiplicities are those of the zeros of h.
-- cubics with a cusp or a node, x = t^2 - e, y = t^3 - e t, and a f + b h with a product h of lines through two points of the curve each: the zeros of h in t, those that are one point together.
+- graphs: f = y - p(x), and a f + b h with a polynomial h in x and b > 0. On the curve f = 0 the second function is b h:
+  the multiplicities are those of the zeros of h.
+- cubics with a cusp or a node, x = t^2 - e, y = t^3 - e t, and a f + b h with a product h of lines through two points
+  of the curve each: the zeros of h in t, those that are one point together.
 - circles, likewise.
 
-The other unknowns have powers, z is a polynomial map of x that is regular everywhere, and the equations are multiplied by a regular matrix: none of these changes a multiplicity.
+The other unknowns have powers, z is a polynomial map of x that is regular everywhere, and the equations are multiplied
+by a regular matrix: none of these changes a multiplicity.
 */
 class Planted_multiple_roots
 {
@@ -63,8 +69,11 @@ class Planted_multiple_roots
   bool m_may_be_irrational = false;
 
 public:
-  // `highest_contact`: of curves that touch in a point, at least 2. The multiplicities of other kinds are limited accordingly.
-  explicit Planted_multiple_roots(std::uint64_t seed, int highest_contact) : m_random(seed), m_highest_contact(highest_contact) {}
+  // `highest_contact`: of curves that touch in a point, at least 2. The multiplicities of other kinds are limited
+  // accordingly.
+  explicit Planted_multiple_roots(std::uint64_t seed, int highest_contact)
+    : m_random(seed), m_highest_contact(highest_contact)
+  {}
 
   // A square root is a coordinate of some solutions, if the system may have any.
   Planted_problem make(int n, bool may_be_irrational)
@@ -74,7 +83,8 @@ public:
       Core core = make_core(n);
       while (core.functions.size() < static_cast<std::size_t>(n))
         add_powers(core, n > 2 ? 2 : 4);
-      if (std::all_of(core.roots.begin(), core.roots.end(), [&](const Planted_root& root) { return root.multiplicity <= core.most; }))
+      if (std::all_of(core.roots.begin(), core.roots.end(),
+                      [&](const Planted_root& root) { return root.multiplicity <= core.most; }))
         return finished(std::move(core));
     }
   }
@@ -93,7 +103,9 @@ private:
     for (;;) {
       Core core = kind == 2 ? graph() : kind == 3 ? cubic() : circle();
       core.most = 2 * m_highest_contact;
-      if (is_short(core.roots) && std::all_of(core.roots.begin(), core.roots.end(), [&](const Planted_root& root) { return root.multiplicity <= m_highest_contact; }))
+      if (is_short(core.roots) && std::all_of(core.roots.begin(), core.roots.end(), [&](const Planted_root& root) {
+            return root.multiplicity <= m_highest_contact;
+          }))
         return core;
     }
   }
@@ -104,13 +116,16 @@ private:
     const auto is_short_number = [](const Coordinate& c) {
       return !c.is_rational() || (SC::internal::denominator_of(c.lower) <= 2000 && -100 <= c.lower && c.lower <= 100);
     };
-    return std::all_of(roots.begin(), roots.end(), [&](const Planted_root& root) { return std::all_of(root.point.begin(), root.point.end(), is_short_number); });
+    return std::all_of(roots.begin(), roots.end(), [&](const Planted_root& root) {
+      return std::all_of(root.point.begin(), root.point.end(), is_short_number);
+    });
   }
 
   // Often on planes of the subdivision.
   Rational number()
   {
-    return m_random.chance(40) ? fraction(m_random.integer(-4, 4), 1 << m_random.integer(0, 2)) : m_random.ratio(-24, 24, 12);
+    return m_random.chance(40) ? fraction(m_random.integer(-4, 4), 1 << m_random.integer(0, 2))
+                               : m_random.ratio(-24, 24, 12);
   }
 
   Rational new_number(const std::vector<Rational>& others)
@@ -152,7 +167,9 @@ private:
     std::vector<Rational> places;
     for (bool is_first = true; room > 0 && (is_first || m_random.chance(50)); is_first = false) {
       const int most = (std::min)(room, variable == 0 ? 6 : 4);
-      const int multiplicity = is_first && most > 1 ? m_random.integer(m_random.chance(80) ? 2 : 1, m_random.chance(25) ? most : (std::min)(most, 3)) : m_random.integer(1, (std::min)(most, 2));
+      const int multiplicity = is_first && most > 1
+          ? m_random.integer(m_random.chance(80) ? 2 : 1, m_random.chance(25) ? most : (std::min)(most, 3))
+          : m_random.integer(1, (std::min)(most, 2));
       places.push_back(new_number(places));
       result.function *= pow(x - places.back(), multiplicity);
       result.zeros.emplace_back(places.back(), multiplicity);
@@ -251,7 +268,8 @@ private:
   }
 
   // False when some choice is singular.
-  static bool count_choices(const std::vector<std::vector<std::vector<Rational>>>& factors, const std::vector<std::vector<Rational>>& chosen,
+  static bool count_choices(const std::vector<std::vector<std::vector<Rational>>>& factors,
+                            const std::vector<std::vector<Rational>>& chosen,
                             std::map<std::vector<Rational>, int>& multiplicities)
   {
     if (chosen.size() == factors.size()) {
@@ -292,13 +310,16 @@ private:
     return core;
   }
 
-  // x = t^2 - e, y = t^3 - e t. The line through two points meets the curve in a third one: t_1 t_2 + (t_1 + t_2) t_3 = -e.
+  // x = t^2 - e, y = t^3 - e t. The line through two points meets the curve in a third one: t_1 t_2 + (t_1 + t_2) t_3 =
+  // -e.
   Core cubic()
   {
     const std::vector<Polynomial> x = variables(2);
     const Rational e(m_random.integer(0, 1));
     std::map<std::vector<Rational>, int> multiplicities;
-    const auto count = [&](const Rational& t, int multiplicity) { multiplicities[{t * t - e, t * t * t - e * t}] += multiplicity; };
+    const auto count = [&](const Rational& t, int multiplicity) {
+      multiplicities[{t * t - e, t * t * t - e * t}] += multiplicity;
+    };
     Polynomial h(1);
     for (int lines = m_random.integer(1, 2); lines > 0; --lines) {
       const Rational t1 = m_random.ratio(-4, 4, 2), t2 = m_random.chance(60) ? t1 : m_random.ratio(-4, 4, 2);
@@ -327,11 +348,13 @@ private:
     std::map<std::vector<Rational>, int> multiplicities;
     Polynomial h(1);
     for (int lines = m_random.integer(1, 2); lines > 0; --lines) {
-      const std::vector<Rational> p = point(m_random.ratio(-3, 3, 2)), q = m_random.chance(60) ? p : point(m_random.ratio(-3, 3, 2));
+      const std::vector<Rational> p = point(m_random.ratio(-3, 3, 2)),
+                                  q = m_random.chance(60) ? p : point(m_random.ratio(-3, 3, 2));
       const int multiplicity = m_random.chance(20) ? 2 : 1;
       multiplicities[p] += multiplicity;
       multiplicities[q] += multiplicity;
-      const Polynomial line = p == q ? (p[0] - u) * (x[0] - p[0]) + (p[1] - v) * (x[1] - p[1]) : (q[1] - p[1]) * (x[0] - p[0]) - (q[0] - p[0]) * (x[1] - p[1]);
+      const Polynomial line = p == q ? (p[0] - u) * (x[0] - p[0]) + (p[1] - v) * (x[1] - p[1])
+                                     : (q[1] - p[1]) * (x[0] - p[0]) - (q[0] - p[0]) * (x[1] - p[1]);
       h *= pow(line, multiplicity);
     }
     return {"circle", tangential(square(x[0] - u) + square(x[1] - v) - r * r, h), roots_of(multiplicities)};
@@ -368,12 +391,14 @@ private:
     std::erase_if(core.roots, [&](const Planted_root& root) { return !is_in(domain, root.point); });
     std::vector<SC::Spline_function> functions;
     for (const Polynomial& function : composed(core.functions, change.z))
-      functions.push_back(!m_may_be_irrational && m_random.chance(20) ? broken(function, domain, core.roots) : SC::Spline_function(function));
+      functions.push_back(!m_may_be_irrational && m_random.chance(20) ? broken(function, domain, core.roots)
+                                                                      : SC::Spline_function(function));
     return {core.name, mixed_system(m_random, domain, std::move(functions)), std::move(core.roots)};
   }
 
   // A polynomial in one unknown in two pieces that meet somewhere, maybe at a root; any other one as it is.
-  SC::Spline_function broken(const Polynomial& function, const std::vector<System::Domain>& domain, std::vector<Planted_root>& roots)
+  SC::Spline_function broken(const Polynomial& function, const std::vector<System::Domain>& domain,
+                             std::vector<Planted_root>& roots)
   {
     if (function.variables().size() != 1 || roots.empty())
       return function;

@@ -16,9 +16,10 @@
 namespace solver_test {
 
 /*
-Random systems of which all solutions are known, rational and simple: in the unknowns z_i they are products of linear factors g_i(z_i), and of quadratic
-ones without real zeros; z is an affine, a triangular or a kinked map of x, and the equations are mixed by a regular matrix. Some zeros are a small gap
-apart; the domain has some solutions on its faces, in its corners and right outside.
+Random systems of which all solutions are known, rational and simple: in the unknowns z_i they are products of linear
+factors g_i(z_i), and of quadratic ones without real zeros; z is an affine, a triangular or a kinked map of x, and the
+equations are mixed by a regular matrix. Some zeros are a small gap apart; the domain has some solutions on its faces,
+in its corners and right outside.
 */
 class Planted_simple_roots
 {
@@ -32,7 +33,9 @@ public:
   std::size_t on_faces = 0, in_corners = 0, close_pairs = 0, splines = 0;
   int highest_degree = 0;
 
-  explicit Planted_simple_roots(std::uint64_t seed, const Rational& gap = fraction(1, 1000000000)) : m_random(seed), m_gap(gap) {}
+  explicit Planted_simple_roots(std::uint64_t seed, const Rational& gap = fraction(1, 1000000000))
+    : m_random(seed), m_gap(gap)
+  {}
 
   Problem make(int n)
   {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random Minkowski sums and swept areas, some with areas in closed form, and which points are proved by samples of both boundaries to be inside or outside.
+// Random Minkowski sums and swept areas, some with areas in closed form, and which points are proved by samples of both
+// boundaries to be inside or outside.
 
 #ifndef SPLINE_CONSTRAINTS_D_TEST_RANDOM_SUMS_2_H
 #define SPLINE_CONSTRAINTS_D_TEST_RANDOM_SUMS_2_H
@@ -38,7 +39,11 @@ struct Scene
   bool is_sweep = false;
   std::optional<double> area{};   // in closed form
 
-  SC::Minkowski_sum_2<K> result() const { return is_sweep ? SC::swept_area(SC::planar_region(region), other[0]) : SC::minkowski_sum(SC::planar_region(region), SC::planar_region(other)); }
+  SC::Minkowski_sum_2<K> result() const
+  {
+    return is_sweep ? SC::swept_area(SC::planar_region(region), other[0])
+                    : SC::minkowski_sum(SC::planar_region(region), SC::planar_region(other));
+  }
 };
 
 // Scenes with coordinates in 64ths, which are exact in each kernel.
@@ -59,7 +64,8 @@ public:
 
   explicit Scenes(unsigned seed) : m_random(seed) {}
 
-  // Of two ellipses; a convex polygon and a disk; regions with inflections, and polygons or others of these; a region with a hole; and regions with corners between cubics.
+  // Of two ellipses; a convex polygon and a disk; regions with inflections, and polygons or others of these; a region
+  // with a hole; and regions with corners between cubics.
   Scene<K> sum(unsigned kind)
   {
     switch (kind) {
@@ -72,7 +78,8 @@ public:
     }
   }
 
-  // Of an ellipse along a segment; a disk along a circle; regions with inflections along a cubic, or a closed spline; polygons along a cubic; and regions along polylines.
+  // Of an ellipse along a segment; a disk along a circle; regions with inflections along a cubic, or a closed spline;
+  // polygons along a cubic; and regions along polylines.
   Scene<K> sweep(unsigned kind)
   {
     switch (kind) {
@@ -81,13 +88,19 @@ public:
     case 2: return {{spline(1, 3, 6)}, {cubic(6)}, true};
     case 3: return {{spline(0.5, 2, 5)}, {spline(3, 7, 6)}, true};
     case 4: return {{star_polygon(1, 3, 7)}, {cubic(6)}, true};
-    default: return {{spline(1, 3, 6)}, {SC::polyline_curve(std::vector<Point>{point(-6, 6), point(-6, 6), point(-6, 6), point(-6, 6)})}, true};
+    default:
+      return {{spline(1, 3, 6)},
+              {SC::polyline_curve(std::vector<Point>{point(-6, 6), point(-6, 6), point(-6, 6), point(-6, 6)})},
+              true};
     }
   }
 
 private:
   static double rounded(double x) { return std::round(64 * x) / 64; }
-  double number(double low, double high) { return rounded(std::uniform_real_distribution<double>(low, high)(m_random)); }
+  double number(double low, double high)
+  {
+    return rounded(std::uniform_real_distribution<double>(low, high)(m_random));
+  }
   Pair pair(double low, double high)
   {
     const double x = number(low, high);
@@ -131,7 +144,11 @@ private:
   }
 
   Curve star_polygon(double least, double greatest, int n) { return closed_polyline(points(star(least, greatest, n))); }
-  Curve cubic(double size) { return SC::bezier_curve(std::vector<Point>{point(-size, size), point(-size, size), point(-size, size), point(-size, size)}); }
+  Curve cubic(double size)
+  {
+    return SC::bezier_curve(
+        std::vector<Point>{point(-size, size), point(-size, size), point(-size, size), point(-size, size)});
+  }
   static Curve circle(double radius) { return SC::circle_curve(Point(FT(0), FT(0)), FT(radius)); }
 
   // Of four cubics.
@@ -162,7 +179,8 @@ private:
         return result;
   }
 
-  // The areas, and the integral of the support function of one over the other one's boundary: the trapezoidal rule converges exponentially.
+  // The areas, and the integral of the support function of one over the other one's boundary: the trapezoidal rule
+  // converges exponentially.
   Scene<K> two_ellipses()
   {
     constexpr int steps = 4096;
@@ -192,7 +210,10 @@ private:
   {
     const Ellipse e = ellipse();
     const Pair way = pair(1, 6);
-    return {{e.curve()}, {SC::segment_curve(Point(FT(0), FT(0)), at(way))}, true, e.area() + 2 * e.support({-way[1], way[0]})};
+    return {{e.curve()},
+            {SC::segment_curve(Point(FT(0), FT(0)), at(way))},
+            true,
+            e.area() + 2 * e.support({-way[1], way[0]})};
   }
 
   Scene<K> disk_along_circle()
@@ -202,7 +223,8 @@ private:
   }
 };
 
-// Points of the boundaries of a region, or of a path. Between two of them each point is nearer to one than the gap, if arcs between them turn by less than a right angle and corners are among them: 0.71 times the chord.
+// Points of the boundaries of a region, or of a path. Between two of them each point is nearer to one than the gap, if
+// arcs between them turn by less than a right angle and corners are among them: 0.71 times the chord.
 class Samples
 {
   std::vector<std::vector<std::array<double, 2>>> m_curves;
@@ -215,13 +237,17 @@ public:
   {
     for (const Curve& curve : curves) {
       const auto [begin, end] = curve.domain();   // integers, as all knots
-      const int spans = static_cast<int>(std::round(CGAL::to_double(end - begin))), steps = spans * ((count + spans - 1) / spans);
+      const int spans = static_cast<int>(std::round(CGAL::to_double(end - begin))),
+                steps = spans * ((count + spans - 1) / spans);
       std::vector<std::array<double, 2>>& points = m_curves.emplace_back();
       for (int i = 0; i <= steps; ++i) {
         const auto p = curve(begin + (end - begin) * i / steps);
         points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y())});
         if (i > 0)
-          m_gap = std::max(m_gap, 0.75 * std::hypot(points[points.size() - 1][0] - points[points.size() - 2][0], points[points.size() - 1][1] - points[points.size() - 2][1]));
+          m_gap = std::max(m_gap,
+                           0.75 *
+                               std::hypot(points[points.size() - 1][0] - points[points.size() - 2][0],
+                                          points[points.size() - 1][1] - points[points.size() - 2][1]));
       }
     }
   }
@@ -257,7 +283,8 @@ public:
   }
 };
 
-// A point is inside of the sum A + B if p - a is inside of B for a point a of the boundary of A, or p - b inside of A; it is outside if there is no such a or b, and the boundaries of A and p - B are apart.
+// A point is inside of the sum A + B if p - a is inside of B for a point a of the boundary of A, or p - b inside of A;
+// it is outside if there is no such a or b, and the boundaries of A and p - B are apart.
 class Sampled_sum
 {
   static constexpr double margin = 1e-3;   // for the error of polygons
@@ -274,7 +301,8 @@ public:
   };
 
   template <class K>
-  Sampled_sum(const Scene<K>& scene, int count) : m_first(scene.region, count, true), m_second(scene.other, count, !scene.is_sweep)
+  Sampled_sum(const Scene<K>& scene, int count)
+    : m_first(scene.region, count, true), m_second(scene.other, count, !scene.is_sweep)
   {}
 
   // The width of the strip along the boundary where samples do not tell, about.
@@ -282,7 +310,9 @@ public:
 
   Answer operator()(double x, double y) const
   {
-    const auto depth = [&](const Samples& samples) { return [&samples, x, y](const std::array<double, 2>& p) { return samples.depth(x - p[0], y - p[1]); }; };
+    const auto depth = [&](const Samples& samples) {
+      return [&samples, x, y](const std::array<double, 2>& p) { return samples.depth(x - p[0], y - p[1]); };
+    };
     const double first = m_second.most(depth(m_first), m_first.gap() + margin);
     if (first > m_first.gap() + margin)
       return {Place::INSIDE, true};
@@ -297,13 +327,16 @@ public:
 struct Comparison
 {
   std::size_t points = 0, near_boundary = 0, inside = 0, outside = 0;
-  std::size_t wrong_in_polygons = 0, wrong_in_sum = 0, uncertain = 0;   // of those inside or outside; the sum is asked every tenth of these
+  // of those inside or outside; the sum is asked every tenth of these
+  std::size_t wrong_in_polygons = 0, wrong_in_sum = 0, uncertain = 0;
   double area = 0;                                                      // of polygons
-  double estimate = 0, deviation = 0;                                   // of the area by the share of points, and its standard error
+  // of the area by the share of points, and its standard error
+  double estimate = 0, deviation = 0;
 };
 
 template <class K>
-Comparison compare(const Scene<K>& scene, const SC::Minkowski_sum_2<K>& sum, std::size_t points, int samples, unsigned seed)
+Comparison compare(const Scene<K>& scene, const SC::Minkowski_sum_2<K>& sum, std::size_t points, int samples,
+                   unsigned seed)
 {
   using Place = Sampled_sum::Place;
   constexpr double polygon_error = 1e-5, enlarged_by = 0.5;
@@ -316,15 +349,21 @@ Comparison compare(const Scene<K>& scene, const SC::Minkowski_sum_2<K>& sum, std
     for (const auto& hole : polygon.holes())
       result.area += CGAL::to_double(hole.area());
   }
-  const auto side = [](const CGAL::Polygon_2<K>& polygon, const typename K::Point_2& p) { return CGAL::bounded_side_2(polygon.vertices_begin(), polygon.vertices_end(), p, K()); };   // the member proves each time that the polygon is simple
+  // the member proves each time that the polygon is simple
+  const auto side = [](const CGAL::Polygon_2<K>& polygon, const typename K::Point_2& p) {
+    return CGAL::bounded_side_2(polygon.vertices_begin(), polygon.vertices_end(), p, K());
+  };
   const auto is_in_polygons = [&](const typename K::Point_2& p) {
     return std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) {
-      return side(polygon.outer_boundary(), p) == CGAL::ON_BOUNDED_SIDE && std::all_of(polygon.holes_begin(), polygon.holes_end(), [&](const auto& hole) { return side(hole, p) == CGAL::ON_UNBOUNDED_SIDE; });
+      return side(polygon.outer_boundary(), p) == CGAL::ON_BOUNDED_SIDE &&
+          std::all_of(polygon.holes_begin(), polygon.holes_end(),
+                      [&](const auto& hole) { return side(hole, p) == CGAL::ON_UNBOUNDED_SIDE; });
     });
   };
   const Sampled_sum sampled(scene, samples);
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> left(box.xmin() - enlarged_by, box.xmax() + enlarged_by), low(box.ymin() - enlarged_by, box.ymax() + enlarged_by);
+  std::uniform_real_distribution<double> left(box.xmin() - enlarged_by, box.xmax() + enlarged_by),
+      low(box.ymin() - enlarged_by, box.ymax() + enlarged_by);
   std::size_t likely_inside = 0;
   for (; result.points < points; ++result.points) {
     const double x = left(random), y = low(random);
@@ -343,7 +382,8 @@ Comparison compare(const Scene<K>& scene, const SC::Minkowski_sum_2<K>& sum, std
       result.wrong_in_sum += CGAL::certainly(answer != is_inside);
     }
   }
-  const double whole = (left.max() - left.min()) * (low.max() - low.min()), share = static_cast<double>(likely_inside) / static_cast<double>(points);
+  const double whole = (left.max() - left.min()) * (low.max() - low.min()),
+               share = static_cast<double>(likely_inside) / static_cast<double>(points);
   result.estimate = share * whole;
   result.deviation = whole * std::sqrt(share * (1 - share) / static_cast<double>(points));
   return result;

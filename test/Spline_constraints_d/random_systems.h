@@ -52,7 +52,8 @@ public:
   }
 };
 
-// New unknowns z = z(x) as polynomials in x, and x for a given z. The map is one-to-one and regular everywhere, so that it keeps multiplicities.
+// New unknowns z = z(x) as polynomials in x, and x for a given z. The map is one-to-one and regular everywhere, so that
+// it keeps multiplicities.
 struct Change_of_unknowns
 {
   std::vector<Polynomial> z;
@@ -64,7 +65,8 @@ inline Change_of_unknowns identity(int dimension)
   return {variables(dimension), [](const Point& value) { return value; }};
 }
 
-// z = A x with a matrix that is triangular up to the order of the unknowns, of ones and small fractions, and with few entries in the rows of high degree.
+// z = A x with a matrix that is triangular up to the order of the unknowns, of ones and small fractions, and with few
+// entries in the rows of high degree.
 inline Change_of_unknowns affine_change(Random_numbers& random, const std::vector<int>& degrees)
 {
   const int n = static_cast<int>(degrees.size());
@@ -92,7 +94,8 @@ inline Change_of_unknowns affine_change(Random_numbers& random, const std::vecto
           }};
 }
 
-// z_i = x_i + c x_{i-1}^2 for the unknowns from `first` on, with c = 0 where the degree is high. Coordinates may grow so large that doubles do not see a difference of 1e-9.
+// z_i = x_i + c x_{i-1}^2 for the unknowns from `first` on, with c = 0 where the degree is high. Coordinates may grow
+// so large that doubles do not see a difference of 1e-9.
 inline Change_of_unknowns triangular_change(Random_numbers& random, const std::vector<int>& degrees, int first = 1)
 {
   const int n = static_cast<int>(degrees.size());
@@ -154,7 +157,8 @@ inline int count_faces(const std::vector<System::Domain>& domain, const Point& p
 }
 
 // The system of the functions, in most cases multiplied by a regular matrix, in any order and with any factors.
-inline System mixed_system(Random_numbers& random, const std::vector<System::Domain>& domain, std::vector<SC::Spline_function> rows)
+inline System mixed_system(Random_numbers& random, const std::vector<System::Domain>& domain,
+                           std::vector<SC::Spline_function> rows)
 {
   const bool is_mixed = random.chance(60);
   for (std::size_t i = rows.size(); i-- > 0 && is_mixed;)   // a unit triangular matrix is regular

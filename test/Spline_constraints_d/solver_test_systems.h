@@ -39,7 +39,10 @@ struct Coordinate
     result.upper = upper;
     return result;
   }
-  static Coordinate near(double value, double error = 4e-15) { return between(Rational(value) - Rational(error), Rational(value) + Rational(error)); }
+  static Coordinate near(double value, double error = 4e-15)
+  {
+    return between(Rational(value) - Rational(error), Rational(value) + Rational(error));
+  }
 
   // The positive square root of a number up to 100 that is not a square, to some 300 bits.
   static Coordinate square_root(const Rational& number)
@@ -59,11 +62,18 @@ struct Coordinate
   // A short number: this one, or one close by.
   Rational about() const { return is_rational() ? lower : Rational(CGAL::to_double(lower)); }
 
-  friend Coordinate operator+(const Coordinate& a, const Coordinate& b) { return between(a.lower + b.lower, a.upper + b.upper); }
-  friend Coordinate operator-(const Coordinate& a, const Coordinate& b) { return between(a.lower - b.upper, a.upper - b.lower); }
+  friend Coordinate operator+(const Coordinate& a, const Coordinate& b)
+  {
+    return between(a.lower + b.lower, a.upper + b.upper);
+  }
+  friend Coordinate operator-(const Coordinate& a, const Coordinate& b)
+  {
+    return between(a.lower - b.upper, a.upper - b.lower);
+  }
   friend Coordinate operator*(const Coordinate& a, const Coordinate& b)
   {
-    const auto [least, largest] = std::minmax({Rational(a.lower * b.lower), Rational(a.lower * b.upper), Rational(a.upper * b.lower), Rational(a.upper * b.upper)});
+    const auto [least, largest] = std::minmax({Rational(a.lower * b.lower), Rational(a.lower * b.upper),
+                                               Rational(a.upper * b.lower), Rational(a.upper * b.upper)});
     return between(least, largest);
   }
 };
@@ -119,7 +129,8 @@ inline Polynomial composed(const Polynomial& p, const std::vector<Polynomial>& r
   return result;
 }
 
-inline std::vector<Polynomial> composed(const std::vector<Polynomial>& functions, const std::vector<Polynomial>& replacements)
+inline std::vector<Polynomial> composed(const std::vector<Polynomial>& functions,
+                                        const std::vector<Polynomial>& replacements)
 {
   std::vector<Polynomial> result;
   for (const Polynomial& function : functions)
@@ -165,11 +176,13 @@ inline Problem cyclic_chebyshev(int n, int degree)
     Point point;
     for (int i = 0; i < n; ++i) {
       point.push_back(k % modulus == 0           ? Coordinate(1)
-                      : 2 * k % modulus == 0     ? Coordinate(-1)
-                      : 4 * k % modulus == 0     ? Coordinate(0)
-                      : 3 * k % modulus == 0     ? Coordinate(fraction(-1, 2))
-                      : 6 * k % modulus == 0     ? Coordinate(fraction(1, 2))
-                                                 : Coordinate::near(std::cos(2 * std::acos(-1.0) * static_cast<double>(k) / static_cast<double>(modulus))));
+                          : 2 * k % modulus == 0 ? Coordinate(-1)
+                          : 4 * k % modulus == 0 ? Coordinate(0)
+                          : 3 * k % modulus == 0 ? Coordinate(fraction(-1, 2))
+                          : 6 * k % modulus == 0
+                          ? Coordinate(fraction(1, 2))
+                          : Coordinate::near(
+                                std::cos(2 * std::acos(-1.0) * static_cast<double>(k) / static_cast<double>(modulus))));
       k = k * degree % modulus;
     }
     known.push_back(std::move(point));
@@ -223,9 +236,10 @@ inline Problem mixed_chebyshev(int n, int degree)
 inline Problem circle_and_ellipse()
 {
   const auto x = variables(2);
-  return all_known("circle and ellipse",
-                   with_equalities(cube(2, 0, 1), {square(x[0]) + square(x[1]) - 1, square(x[0]) / 4 + 4 * square(x[1]) - 1}),
-                   {{Coordinate::near(2 / std::sqrt(5)), Coordinate::near(1 / std::sqrt(5))}});
+  return all_known(
+      "circle and ellipse",
+      with_equalities(cube(2, 0, 1), {square(x[0]) + square(x[1]) - 1, square(x[0]) / 4 + 4 * square(x[1]) - 1}),
+      {{Coordinate::near(2 / std::sqrt(5)), Coordinate::near(1 / std::sqrt(5))}});
 }
 
 // Problem 7.
@@ -235,10 +249,11 @@ inline Problem curves_of_degree_six()
   const Polynomial &x = v[0], &y = v[1];
   const auto point = [](double a, double b) { return Point{Coordinate::near(a, 1e-9), Coordinate::near(b, 1e-9)}; };
   return all_known("curves of degree six",
-                   with_equalities(cube(2, -3, 3), {(pow(x, 4) + pow(y, 4) - 1) * (x * x + y * y - 2) + pow(x, 5) * y,
-                                                    x * x + 2 * x * y * y - 2 * y * y - Rational(0.5)}),
-                   {point(0.820978892, -0.697132646), point(0.899917921, -1.244182761), point(-0.936897967, 0.312284082),
-                    point(-1.671421393, 0.655205186)});
+                   with_equalities(cube(2, -3, 3),
+                                   {(pow(x, 4) + pow(y, 4) - 1) * (x * x + y * y - 2) + pow(x, 5) * y,
+                                    x * x + 2 * x * y * y - 2 * y * y - Rational(0.5)}),
+                   {point(0.820978892, -0.697132646), point(0.899917921, -1.244182761),
+                    point(-0.936897967, 0.312284082), point(-1.671421393, 0.655205186)});
 }
 
 // A Bezier curve as a polynomial in one unknown.
@@ -253,7 +268,8 @@ inline Polynomial bezier(const std::vector<Rational>& control, const Polynomial&
   return points[0];
 }
 
-inline System curve_intersection(const std::vector<std::pair<Rational, Rational>>& a, const std::vector<std::pair<Rational, Rational>>& b)
+inline System curve_intersection(const std::vector<std::pair<Rational, Rational>>& a,
+                                 const std::vector<std::pair<Rational, Rational>>& b)
 {
   std::array<std::vector<Rational>, 4> control;
   for (const auto& [x, y] : a) {
@@ -297,8 +313,8 @@ inline Problem wiggly_beziers()
   return {"wiggly Bezier curves", curve_intersection(curve, transposed), 4, {{Coordinate(1), Coordinate(1)}}};
 }
 
-// Problem 11: circles tangent to unit circles at (0,2), (-sqrt 3,-1), (sqrt 3,-1), touched from the sides (1: outside, -1: inside), which are unknowns too.
-// The first coordinate is in units of sqrt 3.
+// Problem 11: circles tangent to unit circles at (0,2), (-sqrt 3,-1), (sqrt 3,-1), touched from the sides (1: outside,
+// -1: inside), which are unknowns too. The first coordinate is in units of sqrt 3.
 inline Problem apollonius()
 {
   const auto v = variables(6);
@@ -328,7 +344,8 @@ inline Problem bitangents()
 {
   const auto n = variables(2);
   const double h = std::sqrt(3) / 2;
-  return all_known("bitangents", with_equalities(cube(2, -1, 1), {square(n[0]) + square(n[1]) - 1, square(4 * n[0] + 1) - 1}),
+  return all_known("bitangents",
+                   with_equalities(cube(2, -1, 1), {square(n[0]) + square(n[1]) - 1, square(4 * n[0] + 1) - 1}),
                    {{0, 1}, {0, -1}, {fraction(-1, 2), Coordinate::near(h)}, {fraction(-1, 2), Coordinate::near(-h)}});
 }
 
@@ -344,12 +361,14 @@ inline Problem tritangent_planes()
     known.push_back({fraction(-1, 2), fraction(-1, 2), Coordinate::near(sign * std::sqrt(0.5))});
   }
   return all_known("tritangent planes",
-                   with_equalities(cube(3, -1, 1), {square(n[0]) + square(n[1]) + square(n[2]) - 1, square(4 * n[0] + 1) - 1,
-                                                    square(4 * n[1] + 1) - 1}),
+                   with_equalities(cube(3, -1, 1),
+                                   {square(n[0]) + square(n[1]) + square(n[2]) - 1, square(4 * n[0] + 1) - 1,
+                                    square(4 * n[1] + 1) - 1}),
                    known);
 }
 
-// Problem 14: unit direction v of a line and its point p next to the origin. Of each pair of directions an inequality takes one.
+// Problem 14: unit direction v of a line and its point p next to the origin. Of each pair of directions an inequality
+// takes one.
 inline Problem lines_tangent_to_spheres()
 {
   const auto v = variables(6);
@@ -387,7 +406,8 @@ inline Problem lines_tangent_to_spheres()
   return all_known("lines tangent to four spheres", std::move(system), std::move(known));
 }
 
-// Problem 15: x_1 = ... = x_{n-1} = t and x_n = n + 1 - n t with n t^n - (n+1) t^{n-1} + 1 = 0; for odd n there are three such t, 1 among them.
+// Problem 15: x_1 = ... = x_{n-1} = t and x_n = n + 1 - n t with n t^n - (n+1) t^{n-1} + 1 = 0; for odd n there are
+// three such t, 1 among them.
 inline Problem brown(int n, const Rational& half_width)
 {
   const auto x = variables(n);
@@ -408,7 +428,8 @@ inline Problem brown(int n, const Rational& half_width)
     point.back() = Coordinate::near(n + 1 - n * t, 1e-12);
     known.push_back(std::move(point));
   }
-  return all_known("Brown " + std::to_string(n), with_equalities(cube(n, -half_width, half_width), functions), std::move(known));
+  return all_known("Brown " + std::to_string(n), with_equalities(cube(n, -half_width, half_width), functions),
+                   std::move(known));
 }
 
 // Problem 23.
@@ -427,7 +448,8 @@ inline Problem broyden_tridiagonal(int n)
   return {"Broyden tridiagonal " + std::to_string(n), with_equalities(cube(n, -2, 2), functions), 2, {}};
 }
 
-// Katsura's equations with three unknowns, solved by hand: u1 = 0, or 7 u0^2 - 6 u0 + 1 = 0 with u1 = u0 / 2, u2 = 1/2 - u0.
+// Katsura's equations with three unknowns, solved by hand: u1 = 0, or 7 u0^2 - 6 u0 + 1 = 0 with u1 = u0 / 2, u2 = 1/2
+// - u0.
 inline Problem katsura_2()
 {
   const auto u = variables(3);
@@ -443,8 +465,10 @@ inline Problem katsura_2()
                    known);
 }
 
-// A spline of one unknown that is the k-th polynomial between breaks k and k + 1. The polynomials may use any one unknown.
-inline SC::Spline_function piecewise(int variable, const std::vector<Rational>& breaks, const std::vector<Polynomial>& polynomials)
+// A spline of one unknown that is the k-th polynomial between breaks k and k + 1. The polynomials may use any one
+// unknown.
+inline SC::Spline_function piecewise(int variable, const std::vector<Rational>& breaks,
+                                     const std::vector<Polynomial>& polynomials)
 {
   std::vector<SC::Bernstein_tensor<Rational>> pieces;
   for (std::size_t k = 0; k < polynomials.size(); ++k) {
@@ -500,7 +524,10 @@ inline Problem zigzag()
   system.add(x[0] - 2 * x[1], Relation::EQUAL);
   // 1 - 2x = x/2 on [0,1], 11 - 2x = x/2 on [4,5], -14 + 3x = x/2 on [5,6]
   return all_known("zigzag", std::move(system),
-                   {{fraction(2, 5), fraction(1, 5)}, {2, 1}, {fraction(22, 5), fraction(11, 5)}, {fraction(28, 5), fraction(14, 5)}});
+                   {{fraction(2, 5), fraction(1, 5)},
+                    {2, 1},
+                    {fraction(22, 5), fraction(11, 5)},
+                    {fraction(28, 5), fraction(14, 5)}});
 }
 
 } // namespace solver_test

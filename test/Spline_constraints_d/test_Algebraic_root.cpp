@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What only exact signs at irrational points decide: double roots, roots closer than any precision, common points of more equalities than unknowns, boundaries of inequalities.
+// What only exact signs at irrational points decide: double roots, roots closer than any precision, common points of
+// more equalities than unknowns, boundaries of inequalities.
 
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Algebraic_root.h>
 
@@ -29,7 +30,8 @@ Rational tenth_to(int exponent)
   return result;
 }
 
-Algebraic_root root_near(const std::vector<Polynomial>& equations, const std::vector<double>& point, bool ends_with_determinant = false)
+Algebraic_root root_near(const std::vector<Polynomial>& equations, const std::vector<double>& point,
+                         bool ends_with_determinant = false)
 {
   Exact_box box;
   for (double p : point)
@@ -81,10 +83,12 @@ protected:
   void SetUp() override
   {
     Random_numbers random(static_cast<std::uint64_t>(GetParam()));
-    const Polynomial r = Polynomial(random.ratio(-2, 2, 5)) + Polynomial(random.ratio(-1, 1, 5)) * x + Polynomial(random.ratio(-1, 1, 5)) * x * x;
+    const Polynomial r = Polynomial(random.ratio(-2, 2, 5)) + Polynomial(random.ratio(-1, 1, 5)) * x +
+        Polynomial(random.ratio(-1, 1, 5)) * x * x;
     SC::Solution_set_d<double> roots;
     do {   // until all roots are simple, and there are some
-      p = Polynomial(random.integer(-6, 6)) + random.integer(-6, 6) * x + random.integer(-3, 3) * x * x + random.integer(1, 3) * x * x * x;
+      p = Polynomial(random.integer(-6, 6)) + random.integer(-6, 6) * x + random.integer(-3, 3) * x * x +
+          random.integer(1, 3) * x * x * x;
       System line({{-side, side}});
       line.add(p, Relation::EQUAL);
       roots = solve(line);
@@ -93,8 +97,10 @@ protected:
     second = first + p * p * Polynomial(random.ratio(1, 3, 4));
     for (const auto& root : roots) {
       const auto [lower, upper] = root.exact_box()[0];
-      const Rational middle((lower + upper) / 2), value = Rational(-first(std::vector<Rational>{middle, Rational(0)})), room(1e-9);
-      points.push_back({Coordinate::between(Rational(lower - room), Rational(upper + room)), Coordinate::between(Rational(value - room), Rational(value + room))});
+      const Rational middle((lower + upper) / 2), value = Rational(-first(std::vector<Rational>{middle, Rational(0)})),
+                                                  room(1e-9);
+      points.push_back({Coordinate::between(Rational(lower - room), Rational(upper + room)),
+                        Coordinate::between(Rational(value - room), Rational(value + room))});
     }
   }
 

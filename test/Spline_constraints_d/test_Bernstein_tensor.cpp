@@ -94,7 +94,8 @@ TEST(Bernstein_tensor, sums_and_products_are_pointwise)
     }
 }
 
-// Small integers take the double path, wide ones the packed path, unrelated denominators the path without a common denominator.
+// Small integers take the double path, wide ones the packed path, unrelated denominators the path without a common
+// denominator.
 TEST(Bernstein_tensor, products_agree_for_all_sizes_of_numbers)
 {
   Random_source random(3);
@@ -128,7 +129,8 @@ TEST(Bernstein_tensor, products_of_disjoint_variables_are_outer_products)
   EXPECT_EQ(product.coefficients(), (std::vector<FT>{3, 7, 6, 14, 15, 35}));
   // No rounding but the multiplication's own.
   const Double_tensor x({2, 0}, {0.1, 0.2, 0.3}), y({0, 1}, {0.7, 1.1});
-  EXPECT_EQ((x * y).coefficients(), (std::vector<double>{0.1 * 0.7, 0.1 * 1.1, 0.2 * 0.7, 0.2 * 1.1, 0.3 * 0.7, 0.3 * 1.1}));
+  EXPECT_EQ((x * y).coefficients(),
+            (std::vector<double>{0.1 * 0.7, 0.1 * 1.1, 0.2 * 0.7, 0.2 * 1.1, 0.3 * 0.7, 0.3 * 1.1}));
 }
 
 TEST(Bernstein_tensor, derivatives_match_differences_and_the_gradient)
@@ -191,7 +193,10 @@ TEST(Bernstein_tensor, restriction_and_split_preserve_the_function)
       const int axis = random.integer(0, n - 1);
       const std::vector<FT> u = random.point(n);
       // Also outside of [0,1], reversed, and of no length.
-      for (const auto& [t0, t1] : {std::pair<FT, FT>(random.fraction(), random.fraction()), {FT(1), FT(2)}, {FT(1), FT(0)}, {FT(-3), random.rational()},
+      for (const auto& [t0, t1] : {std::pair<FT, FT>(random.fraction(), random.fraction()),
+                                   {FT(1), FT(2)},
+                                   {FT(1), FT(0)},
+                                   {FT(-3), random.rational()},
                                    {FT(1) / FT(3), FT(1) / FT(3)}}) {
         std::vector<FT> v = u;
         v[axis] = (FT(1) - u[axis]) * t0 + u[axis] * t1;
@@ -370,9 +375,11 @@ TEST(Bernstein_tensor, double_errors_stay_below_the_documented_bounds_in_every_r
         EXPECT_LE(exact_difference(value, exact_f(exact_u)), FT(rounding_bound(evaluation)));
         const Tensor exact_product = exact_f * exact_g, exact_part = exact_f.split(0, FT(t)).first;
         for (std::size_t k = 0; k < product.coefficients().size(); ++k)
-          EXPECT_LE(exact_difference(product.coefficients()[k], exact_product.coefficients()[k]), FT(rounding_bound(terms + 6 * shared)));
+          EXPECT_LE(exact_difference(product.coefficients()[k], exact_product.coefficients()[k]),
+                    FT(rounding_bound(terms + 6 * shared)));
         for (std::size_t k = 0; k < part.coefficients().size(); ++k)
-          EXPECT_LE(exact_difference(part.coefficients()[k], exact_part.coefficients()[k]), FT(rounding_bound(4 * f.degree(0))));
+          EXPECT_LE(exact_difference(part.coefficients()[k], exact_part.coefficients()[k]),
+                    FT(rounding_bound(4 * f.degree(0))));
       }
 }
 
@@ -384,14 +391,16 @@ TEST(Bernstein_tensor, intervals_enclose_the_exact_results)
     if (enclosure.degrees() != exact.degrees())
       return false;
     for (std::size_t k = 0; k < exact.coefficients().size(); ++k)
-      if (exact.coefficients()[k] < FT(enclosure.coefficients()[k].inf()) || FT(enclosure.coefficients()[k].sup()) < exact.coefficients()[k])
+      if (exact.coefficients()[k] < FT(enclosure.coefficients()[k].inf()) ||
+          FT(enclosure.coefficients()[k].sup()) < exact.coefficients()[k])
         return false;
     return true;
   };
   for (int n = 1; n <= 3; ++n)
     for (int i = 0; i < 4; ++i) {
       const Tensor f = random.tensor(n), g = random.tensor(n);
-      const Interval_tensor enclosed_f = f.converted<Interval>(to_interval), enclosed_g = g.converted<Interval>(to_interval);
+      const Interval_tensor enclosed_f = f.converted<Interval>(to_interval),
+                            enclosed_g = g.converted<Interval>(to_interval);
       std::vector<int> degrees = f.degrees();
       ++degrees[0];
       const FT t = random.fraction();
@@ -399,11 +408,16 @@ TEST(Bernstein_tensor, intervals_enclose_the_exact_results)
       std::vector<Interval> bounds;
       {
         CGAL::Interval_nt<false>::Protector protector;
-        results = {enclosed_f * enclosed_g, enclosed_f - enclosed_g, enclosed_f.derivative(0), enclosed_f.elevated(degrees),
-                   enclosed_f.split(n - 1, to_interval(t)).second, enclosed_f.restricted(0, Interval(-2), to_interval(t))};
+        results = {enclosed_f * enclosed_g,
+                   enclosed_f - enclosed_g,
+                   enclosed_f.derivative(0),
+                   enclosed_f.elevated(degrees),
+                   enclosed_f.split(n - 1, to_interval(t)).second,
+                   enclosed_f.restricted(0, Interval(-2), to_interval(t))};
         bounds = {enclosed_f.bounds().first, enclosed_f.bounds().second};
       }
-      const std::vector<Tensor> exact{f * g, f - g, f.derivative(0), f.elevated(degrees), f.split(n - 1, t).second, f.restricted(0, FT(-2), t)};
+      const std::vector<Tensor> exact{
+          f * g, f - g, f.derivative(0), f.elevated(degrees), f.split(n - 1, t).second, f.restricted(0, FT(-2), t)};
       for (std::size_t k = 0; k < exact.size(); ++k)
         EXPECT_TRUE(encloses(results[k], exact[k])) << k;
       EXPECT_TRUE(FT(bounds[0].inf()) <= f.bounds().first && f.bounds().first <= FT(bounds[0].sup()));

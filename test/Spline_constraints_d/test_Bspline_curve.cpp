@@ -162,7 +162,8 @@ TEST(Bspline_curve, operations_keep_the_points)
     // Other weights for the same points: a common factor, and one that varies.
     const auto x = curve.homogeneous_coordinates();
     const SC::Bspline_function<FT> factor({1}, {{0, 0, 1, 1}}, {-2, -5});
-    EXPECT_TRUE(Curve_2::from_homogeneous_coordinates({x[0] * factor, x[1] * factor}, curve.weight() * factor) == curve);
+    EXPECT_TRUE(Curve_2::from_homogeneous_coordinates({x[0] * factor, x[1] * factor}, curve.weight() * factor) ==
+                curve);
   }
 }
 
@@ -194,10 +195,12 @@ TEST(Bspline_curve, derivatives_follow_the_quotient_rule)
     const Curve_2 curve = random.curve<Exact_cartesian, 2>();
     const FT t = random.fraction();
     const auto numerators = curve.homogeneous_coordinates();
-    const Curve_2 numerator = Curve_2::from_homogeneous_coordinates(numerators, SC::Bspline_function<FT>({0}, {{0, 1}}, {1}));
+    const Curve_2 numerator =
+        Curve_2::from_homogeneous_coordinates(numerators, SC::Bspline_function<FT>({0}, {{0, 1}}, {1}));
     const auto w = curve.weight();
     const Curve_2 weight = Curve_2::from_homogeneous_coordinates({w, w}, SC::Bspline_function<FT>({0}, {{0, 1}}, {1}));
-    const std::vector<Vector_2> c = curve.derivatives(t, 3), n = numerator.derivatives(t, 3), v = weight.derivatives(t, 3);
+    const std::vector<Vector_2> c = curve.derivatives(t, 3), n = numerator.derivatives(t, 3),
+                                v = weight.derivatives(t, 3);
     ASSERT_EQ(c.size(), 4u);
     EXPECT_EQ(c[0], curve(t) - CGAL::ORIGIN);
     // Leibniz' rule for n = w c.
@@ -241,7 +244,8 @@ TEST(Bspline_curve, curvature_of_circles_and_of_a_twisted_cubic)
     EXPECT_EQ(CGAL::orientation(circle.tangent(t), circle.normal(t)), CGAL::LEFT_TURN);
   }
   // (t, t^2, t^3) at 0: binormal along z, curvature 2; at 1 from the formula.
-  const Curve_3 cubic(3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0, 0}, {FT(1) / 3, 0, 0}, {FT(2) / 3, FT(1) / 3, 0}, {1, 1, 1}});
+  const Curve_3 cubic(3, {0, 0, 0, 0, 1, 1, 1, 1},
+                      {{0, 0, 0}, {FT(1) / 3, 0, 0}, {FT(2) / 3, FT(1) / 3, 0}, {1, 1, 1}});
   EXPECT_EQ(cubic.squared_curvature(0), 4);
   EXPECT_EQ(cubic.curvature(0), 2.0);
   EXPECT_EQ(cubic.binormal(0), Vector_3(0, 0, 2));
@@ -268,7 +272,8 @@ TEST(Bspline_curve, boxes_contain_the_curve)
   EXPECT_LT(FT(third.xmin()), FT(1) / 3);
   EXPECT_LT(FT(1) / 3, FT(third.xmax()));
   // The half circle (1 - t^2, 2 t) / (1 + t^2) on [-1, 1] has a control point at infinity.
-  const SC::Bspline_function<FT> x({2}, {{-1, -1, -1, 1, 1, 1}}, {0, 2, 0}), y({2}, {{-1, -1, -1, 1, 1, 1}}, {-2, 0, 2}), w({2}, {{-1, -1, -1, 1, 1, 1}}, {2, 0, 2});
+  const SC::Bspline_function<FT> x({2}, {{-1, -1, -1, 1, 1, 1}}, {0, 2, 0}),
+      y({2}, {{-1, -1, -1, 1, 1, 1}}, {-2, 0, 2}), w({2}, {{-1, -1, -1, 1, 1, 1}}, {2, 0, 2});
   const Curve_2 half = Curve_2::from_homogeneous_coordinates({x, y}, w);
   expect_invalid([&] { half.control_points(); }, "control point 1 has weight 0");
   const CGAL::Bbox_2 box = half.bbox();
@@ -329,10 +334,12 @@ TEST(Bspline_curve, doubles_stay_close_and_decide_exactly)
     }
     EXPECT_TRUE(exact == Curve_2(Double_curve_2(exact)));
     const CGAL::Bbox_2 box = curve.bbox();
-    EXPECT_TRUE(FT(box.xmin()) <= q.x() && q.x() <= FT(box.xmax()) && FT(box.ymin()) <= q.y() && q.y() <= FT(box.ymax()));
+    EXPECT_TRUE(FT(box.xmin()) <= q.x() && q.x() <= FT(box.xmax()) && FT(box.ymin()) <= q.y() &&
+                q.y() <= FT(box.ymax()));
   }
   const double above = std::nextafter(1.0, 2.0);
-  EXPECT_FALSE(Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}) == Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, above}}));
+  EXPECT_FALSE(Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}) ==
+               Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, above}}));
   EXPECT_FALSE(Double_curve_2(1, {0, 0, 1, 2, 2}, {{1, 0}, {3, 1}, {above, 0}}).is_closed());
 }
 
@@ -344,8 +351,9 @@ TEST(Bspline_curve, rounded_knots_keep_their_order_and_their_pieces)
   for (int i = 0; i < 200; ++i) {
     const double begin = uniform(engine), end = begin + 1 + uniform(engine);
     // Knots next to the ends, where images are rounded to and across them most easily.
-    const Double_curve_2 curve(1, {begin - 1, begin, std::nextafter(begin, 9.0), (begin + end) / 2, std::nextafter(end, -9.0), end, end + 0.3},
-                               {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}});
+    const Double_curve_2 curve(
+        1, {begin - 1, begin, std::nextafter(begin, 9.0), (begin + end) / 2, std::nextafter(end, -9.0), end, end + 0.3},
+        {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}});
     const double new_begin = uniform(engine), new_end = new_begin + 3 * (1 + uniform(engine));
     const auto check = [&](const auto& operation, const Double_cartesian::Point_2& source, double first, double last) {
       try {

@@ -263,7 +263,8 @@ TEST(Bspline_function, sums_and_products_are_pointwise_and_as_smooth_as_their_op
     }
 }
 
-// On the same knots, and with constants, there is a shorter way. It gives what the long one does, which other knots take.
+// On the same knots, and with constants, there is a shorter way. It gives what the long one does, which other knots
+// take.
 TEST(Bspline_function, operands_on_the_same_knots)
 {
   Random_splines random(14);
@@ -318,7 +319,8 @@ TEST(Bspline_function, double_evaluation_stays_close_to_the_exact_one)
 {
   std::mt19937_64 engine(9);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  // Cubic: three levels of at most 6 roundings of non-negative weights each, then 4 products and sums, per axis; control points below 1.
+  // Cubic: three levels of at most 6 roundings of non-negative weights each, then 4 products and sums, per axis;
+  // control points below 1.
   const double bound = 2 * (3 * 6 + 5) * std::numeric_limits<double>::epsilon() * 1.01;
   for (int i = 0; i < 50; ++i) {
     std::vector<std::vector<double>> knots(2);
@@ -361,7 +363,11 @@ TEST(Bspline_function, rejects_bad_input)
   expect_invalid([] { Double_spline({2}, {{0, 0, 0, 1, 1, 1}}, {1, 2}); }, "2 where 3");
   expect_invalid([&] { Double_spline({1}, {{0, 0, nan, 1}}, {1, 2}); }, "knot 2 is not a finite number");
   expect_invalid([&] { Double_spline({1}, {{0, 0, 1, 1}}, {1, nan}); }, "control point 1");
-  expect_invalid([] { Double_spline({2}, {{0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}, {1, 2, 3, 4, 5, 6}); }, "knot 3 occurs 3 times");
+  expect_invalid(
+      [] {
+        Double_spline({2}, {{0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}, {1, 2, 3, 4, 5, 6});
+      },
+      "knot 3 occurs 3 times");
   expect_invalid([] { Double_spline({1}, {{0, 0, 0, 1, 1}}, {1, 2, 3}); }, "knot 0 occurs 3 times");
   expect_invalid([] { Double_spline({0}, {{0, 0.5, 1}}, {1, 2}); }, "not continuous");
   expect_invalid([] { Double_spline({1}, {{0, 1, 1, 2}}, {1, 2}); }, "domain is empty");

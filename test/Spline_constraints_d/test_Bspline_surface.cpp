@@ -28,9 +28,11 @@ constexpr int rounds = 12;
 Surface random_surface(Random_geometry& random)
 {
   const std::array<int, 2> degrees{random.integer(1, 3), random.integer(1, 3)};
-  const std::array<std::vector<FT>, 2> knots{random.knots(degrees[0], degrees[0]), random.knots(degrees[1], degrees[1])};
+  const std::array<std::vector<FT>, 2> knots{random.knots(degrees[0], degrees[0]),
+                                             random.knots(degrees[1], degrees[1])};
   const std::size_t count = (knots[0].size() - degrees[0] - 1) * (knots[1].size() - degrees[1] - 1);
-  return Surface(degrees, knots[0], knots[1], random.points<Exact_cartesian, 3>(count), random.integer(0, 1) == 1 ? random.weights(count) : std::vector<FT>());
+  return Surface(degrees, knots[0], knots[1], random.points<Exact_cartesian, 3>(count),
+                 random.integer(0, 1) == 1 ? random.weights(count) : std::vector<FT>());
 }
 
 // The least that models the concepts: lines and planes.
@@ -117,7 +119,8 @@ class Surface_in_kernel
 {
 };
 
-using Kernels = testing::Types<Double_cartesian, CGAL::Epick, CGAL::Epeck, Exact_cartesian, CGAL::Simple_cartesian<CGAL::Gmpq>>;
+using Kernels =
+    testing::Types<Double_cartesian, CGAL::Epick, CGAL::Epeck, Exact_cartesian, CGAL::Simple_cartesian<CGAL::Gmpq>>;
 TYPED_TEST_SUITE(Surface_in_kernel, Kernels, );
 
 // z = u v and short dyadic numbers: exact in every kernel.
@@ -181,7 +184,8 @@ TEST(Bspline_surface_3, operations_keep_the_points)
     ASSERT_EQ(pieces.size(), (surface.breaks(0).size() - 1) * (surface.breaks(1).size() - 1));
     int holders = 0;
     for (const Surface& piece : pieces)
-      if (piece.domain(0).first <= u && u <= piece.domain(0).second && piece.domain(1).first <= v && v <= piece.domain(1).second) {
+      if (piece.domain(0).first <= u && u <= piece.domain(0).second && piece.domain(1).first <= v &&
+          v <= piece.domain(1).second) {
         EXPECT_EQ(piece(u, v), p);
         ++holders;
       }
@@ -205,14 +209,18 @@ TEST(Bspline_surface_3, derivatives_are_those_of_iso_curves)
       EXPECT_EQ(surface.derivative(u, v, r, 0), surface.iso_curve(1, v).derivative(u, r));
       EXPECT_EQ(surface.derivative(u, v, 0, r), surface.iso_curve(0, u).derivative(v, r));
     }
-    EXPECT_EQ(surface.normal(u, v), CGAL::cross_product(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)));
+    EXPECT_EQ(surface.normal(u, v),
+              CGAL::cross_product(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)));
     // w S_uv + w_u S_v + w_v S_u + w_uv S = n_uv.
     const auto numerators = surface.homogeneous_coordinates();
     const SC::Bspline_function<FT> one({0, 0}, {{0, 1}, {0, 1}}, {1});
     const Surface n = Surface::from_homogeneous_coordinates(numerators, one);
-    const Surface w = Surface::from_homogeneous_coordinates({surface.weight(), surface.weight(), surface.weight()}, one);
-    const Vector mixed = surface.derivative(u, v, 1, 1) * w(u, v).x() + surface.derivative(u, v, 0, 1) * w.derivative(u, v, 1, 0).x() +
-                         surface.derivative(u, v, 1, 0) * w.derivative(u, v, 0, 1).x() + (surface(u, v) - CGAL::ORIGIN) * w.derivative(u, v, 1, 1).x();
+    const Surface w =
+        Surface::from_homogeneous_coordinates({surface.weight(), surface.weight(), surface.weight()}, one);
+    const Vector mixed = surface.derivative(u, v, 1, 1) * w(u, v).x() +
+        surface.derivative(u, v, 0, 1) * w.derivative(u, v, 1, 0).x() +
+        surface.derivative(u, v, 1, 0) * w.derivative(u, v, 0, 1).x() +
+        (surface(u, v) - CGAL::ORIGIN) * w.derivative(u, v, 1, 1).x();
     EXPECT_EQ(mixed, n.derivative(u, v, 1, 1));
   }
 }
@@ -249,7 +257,8 @@ TEST(Bspline_surface_3, periodic_axes_are_unwrapped)
   EXPECT_EQ(tube.size(0), 5u);
   EXPECT_EQ(tube.size(1), 3u);
   EXPECT_EQ(tube.iso_curve(1, 0)(FT(1) / 2),
-            (SC::Bspline_curve_3<Exact_cartesian>::from_periodic(2, period, {points[0], points[3], points[6]}, {weights[0], weights[3], weights[6]})(FT(1) / 2)));
+            (SC::Bspline_curve_3<Exact_cartesian>::from_periodic(2, period, {points[0], points[3], points[6]},
+                                                                 {weights[0], weights[3], weights[6]})(FT(1) / 2)));
   const Surface torus = Surface::from_periodic({2, 2}, period, period, points, {true, true}, weights);
   EXPECT_TRUE(torus.is_closed(0) && torus.is_closed(1));
   EXPECT_EQ(torus.derivative(0, 1, 1, 0), torus.bezier_pieces()[6 + 1].derivative(4, 1, 1, 0));

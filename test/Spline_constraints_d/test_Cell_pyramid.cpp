@@ -24,7 +24,9 @@ std::vector<Cell> possible_cells(const SC::Constraint_system_d& system)
   const SC::internal::System_layout layout(system);
   const SC::internal::Exact_source source(system, layout);
   std::vector<Cell> cells;
-  SC::internal::Cell_pyramid(system, source.breaks()).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
+  SC::internal::Cell_pyramid(system, source.breaks()).visit_possible_cells([&](const Cell& cell) {
+    cells.push_back(cell);
+  });
   std::sort(cells.begin(), cells.end());
   return cells;
 }

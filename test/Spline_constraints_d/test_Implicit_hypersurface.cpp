@@ -28,7 +28,8 @@ using SC::Power_polynomial;
 using K = CGAL::Simple_cartesian<Exact_rational>;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-const Power_polynomial x = Power_polynomial::variable(0), y = Power_polynomial::variable(1), z = Power_polynomial::variable(2);
+const Power_polynomial x = Power_polynomial::variable(0), y = Power_polynomial::variable(1),
+                       z = Power_polynomial::variable(2);
 const SC::Implicit_curve_2::Box square_box{{{-3, 3}, {-3, 3}}};
 
 TEST(Implicit_hypersurface, ValuesAndGradients)
@@ -39,7 +40,8 @@ TEST(Implicit_hypersurface, ValuesAndGradients)
   EXPECT_EQ(ellipse.box()[1], (SC::Implicit_curve_2::Range(-2, 2)));
   EXPECT_EQ(SC::Implicit_curve_2(u*u/4 + v*v - 1).polynomial(), ellipse.polynomial());
   EXPECT_EQ(ellipse(std::array<Exact_rational, 2>{1, Exact_rational(1) / 2}), Exact_rational(-1) / 2);
-  EXPECT_EQ(ellipse.gradient(std::array<Exact_rational, 2>{1, Exact_rational(1) / 2}), (std::array<Exact_rational, 2>{Exact_rational(1) / 2, 1}));
+  EXPECT_EQ(ellipse.gradient(std::array<Exact_rational, 2>{1, Exact_rational(1) / 2}),
+            (std::array<Exact_rational, 2>{Exact_rational(1) / 2, 1}));
   EXPECT_EQ(ellipse.sign_at(K::Point_2(Exact_rational(6) / 5, Exact_rational(4) / 5)), CGAL::ZERO);
   EXPECT_EQ(ellipse.sign_at(Epeck::Point_2(1.2, 0.8)), CGAL::POSITIVE);   // the doubles are beside it
   EXPECT_TRUE(ellipse.has_on(K::Point_2(-2, 0)));
@@ -76,9 +78,11 @@ TEST(Implicit_hypersurface, ObjectsOfCGAL)
 {
   const K::Point_2 p(4, 6);
   const SC::Implicit_curve_2 circle = SC::to_implicit(K::Circle_2(K::Point_2(1, 2), 25));
-  EXPECT_TRUE(circle.has_on(p) && circle.has_on(K::Point_2(-4, 2)) && circle.sign_at(K::Point_2(1, 2)) == CGAL::NEGATIVE);
+  EXPECT_TRUE(circle.has_on(p) && circle.has_on(K::Point_2(-4, 2)) &&
+              circle.sign_at(K::Point_2(1, 2)) == CGAL::NEGATIVE);
   const SC::Implicit_surface_3 sphere = SC::to_implicit(Epeck::Sphere_3(Epeck::Point_3(1, 2, 3), 3));
-  EXPECT_TRUE(sphere.has_on(K::Point_3(2, 3, 4)) && sphere.has_on(K::Point_3(0, 1, 2)) && !sphere.has_on(K::Point_3(1, 2, 3)));
+  EXPECT_TRUE(sphere.has_on(K::Point_3(2, 3, 4)) && sphere.has_on(K::Point_3(0, 1, 2)) &&
+              !sphere.has_on(K::Point_3(1, 2, 3)));
   const SC::Implicit_curve_2 line = SC::to_implicit(K::Line_2(K::Point_2(0, 1), p), K::Iso_rectangle_2(-9, -9, 9, 9));
   EXPECT_TRUE(line.has_on(p) && line.has_on(K::Point_2(-4, -4)) && !line.has_on(K::Point_2(12, 16)));
   const SC::Implicit_surface_3 plane = SC::to_implicit(K::Plane_3(1, 2, 3, -6), K::Iso_cuboid_3(0, 0, 0, 9, 9, 9));
@@ -115,7 +119,8 @@ TEST(Implicit_hypersurface, PolynomialsOfCGAL)
   expect_round_trips<Rationals>(7);
   const Integers s = CGAL::shift(Integers(1), 1, 0), t = CGAL::shift(Integers(1), 1, 1);
   EXPECT_EQ(SC::from_cgal_polynomial(s * s * s - 3 * t + 1), x * x * x - 3 * y + 1);
-  EXPECT_EQ(SC::from_cgal_polynomial(CGAL::Polynomial<CGAL::Polynomial<double>>(CGAL::Polynomial<double>(0.1, 2.0))), Power_polynomial(0.1) + 2 * x);
+  EXPECT_EQ(SC::from_cgal_polynomial(CGAL::Polynomial<CGAL::Polynomial<double>>(CGAL::Polynomial<double>(0.1, 2.0))),
+            Power_polynomial(0.1) + 2 * x);
   EXPECT_TRUE(SC::Implicit_curve_2(SC::from_cgal_polynomial(s * s + t * t - 2), square_box).has_on(K::Point_2(-1, 1)));
   EXPECT_TRUE(SC::from_cgal_polynomial(Integers(0)).is_zero());
   EXPECT_THROW(SC::to_cgal_polynomial<Integers>(x / 2), Invalid_input);
@@ -134,7 +139,8 @@ TEST(Implicit_hypersurface, BadInput)
   EXPECT_THROW(SC::Implicit_surface_3(u/v == w), Invalid_input);
   EXPECT_THROW(SC::Implicit_surface_3(SC::Expression(1)), Invalid_input);
   const SC::Implicit_curve_2 line(x + y, square_box);
-  EXPECT_THROW(line.has_on(CGAL::Simple_cartesian<double>::Point_2(std::numeric_limits<double>::infinity(), 0)), Invalid_input);
+  EXPECT_THROW(line.has_on(CGAL::Simple_cartesian<double>::Point_2(std::numeric_limits<double>::infinity(), 0)),
+               Invalid_input);
 }
 
 } // namespace

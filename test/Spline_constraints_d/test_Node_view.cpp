@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a node says of its functions, beside the same numbers in exact arithmetic: blocks of all shapes, since there are several ways to pass over them.
+// What a node says of its functions, beside the same numbers in exact arithmetic: blocks of all shapes, since there are
+// several ways to pass over them.
 
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
@@ -72,11 +73,18 @@ class Expected
   const std::vector<double>& m_coefficients;
 
 public:
-  Expected(const Block& block, const std::vector<double>& coefficients) : m_block(block), m_coefficients(coefficients) {}
+  Expected(const Block& block, const std::vector<double>& coefficients) : m_block(block), m_coefficients(coefficients)
+  {}
 
-  Rational value(std::size_t point, std::size_t f) const { return Rational(m_coefficients[point * m_block.functions.size() + f]); }
+  Rational value(std::size_t point, std::size_t f) const
+  {
+    return Rational(m_coefficients[point * m_block.functions.size() + f]);
+  }
   std::size_t points_in_layer(std::size_t j) const { return m_block.lengths[j + 1] / m_block.functions.size(); }
-  int index(std::size_t point, std::size_t j) const { return static_cast<int>(point / points_in_layer(j)) % (m_block.degrees[j] + 1); }
+  int index(std::size_t point, std::size_t j) const
+  {
+    return static_cast<int>(point / points_in_layer(j)) % (m_block.degrees[j] + 1);
+  }
 
   Range values(std::size_t f) const
   {
@@ -149,7 +157,18 @@ TEST(NodeView, BlocksOfAllShapes)
 {
   std::mt19937_64 engine(1);
   for (int functions = 1; functions <= 7; ++functions)
-    for (const std::vector<int>& degrees : {std::vector<int>{}, {0}, {1}, {5}, {2, 2}, {3, 0}, {1, 6}, {4, 12}, {2, 2, 2}, {1, 3, 2}, {2, 1, 1, 2}, {1, 1, 1, 1, 1}}) {
+    for (const std::vector<int>& degrees : {std::vector<int>{},
+                                            {0},
+                                            {1},
+                                            {5},
+                                            {2, 2},
+                                            {3, 0},
+                                            {1, 6},
+                                            {4, 12},
+                                            {2, 2, 2},
+                                            {1, 3, 2},
+                                            {2, 1, 1, 2},
+                                            {1, 1, 1, 1, 1}}) {
       SCOPED_TRACE(testing::Message() << functions << " functions, " << degrees.size() << " axes");
       check(degrees, functions, engine);
     }

@@ -83,7 +83,8 @@ TEST(Power_polynomial, ring_laws_and_values_on_random_input)
 {
   std::mt19937_64 random(20260101);
   for (int round = 0; round < 60; ++round) {
-    const Power_polynomial p = random_polynomial(random, 7, 3), q = random_polynomial(random, 5, 2), r = random_polynomial(random, 4, 2);
+    const Power_polynomial p = random_polynomial(random, 7, 3), q = random_polynomial(random, 5, 2),
+                           r = random_polynomial(random, 4, 2);
     EXPECT_EQ(p * q, q * p);
     EXPECT_EQ((p + q) * r, p * r + q * r);
     EXPECT_EQ((p * q) * r, p * (q * r));

@@ -64,7 +64,8 @@ TEST(Rational_function, derivative_gradient_restriction_and_bounds_agree)
       EXPECT_TRUE(low <= value && value <= high);
       for (int axis = 0; axis < n; ++axis) {
         // The quotient rule, by values: f w = n, so f' w + f w' = n'.
-        EXPECT_EQ(FT(gradient[axis] * f.weight()(u) + value * f.weight().derivative(axis)(u)), f.numerator().derivative(axis)(u));
+        EXPECT_EQ(FT(gradient[axis] * f.weight()(u) + value * f.weight().derivative(axis)(u)),
+                  f.numerator().derivative(axis)(u));
         EXPECT_EQ(f.derivative(axis)(u), gradient[axis]);
         const auto [least, greatest] = f.derivative_bounds(axis);
         EXPECT_TRUE(least <= gradient[axis] && gradient[axis] <= greatest);
@@ -131,7 +132,8 @@ TEST(Rational_function, certification_proves_or_rejects)
   EXPECT_NE(message_of_certification(Tensor({1, 1}, {1, 1, 1, 0})).find("zero at a point"), std::string::npos);
   EXPECT_NE(message_of_certification(Tensor({}, {0})).find("zero everywhere"), std::string::npos);
   // Of one sign in each piece, but not of the same.
-  EXPECT_NE(message_of_certification(Double_spline({1}, {{0, 0, 1, 2, 2}}, {1, 1, -1})).find("both signs"), std::string::npos);
+  EXPECT_NE(message_of_certification(Double_spline({1}, {{0, 0, 1, 2, 2}}, {1, 1, -1})).find("both signs"),
+            std::string::npos);
   // In several variables: x^2 + y^2 + 1/1000 on [-1,1]^2, and without the constant.
   const std::vector<std::pair<FT, FT>> box(2, {FT(-1), FT(1)});
   const std::vector<FT> sum_of_squares{FT(1) / FT(1000), 0, 1, 0, 0, 0, 1, 0, 0};
@@ -157,8 +159,10 @@ TEST(Rational_function, certifies_intervals)
   using Interval = CGAL::Interval_nt<false>;
   using Interval_tensor = CGAL::Spline_constraints::Bernstein_tensor<Interval>;
   CGAL::Interval_nt<false>::Protector protector;
-  EXPECT_EQ(message_of_certification(Interval_tensor({2}, {Interval(1), Interval(-0.99, -0.5), Interval(1)})), "certified");
-  EXPECT_NE(message_of_certification(Interval_tensor({1}, {Interval(1), Interval(-1, 1)})).find("could not be proved"), std::string::npos);
+  EXPECT_EQ(message_of_certification(Interval_tensor({2}, {Interval(1), Interval(-0.99, -0.5), Interval(1)})),
+            "certified");
+  EXPECT_NE(message_of_certification(Interval_tensor({1}, {Interval(1), Interval(-1, 1)})).find("could not be proved"),
+            std::string::npos);
 }
 
 TEST(Rational_function, certifies_multiprecision_intervals)
@@ -170,7 +174,9 @@ TEST(Rational_function, certifies_multiprecision_intervals)
   EXPECT_EQ(message_of_certification(weight), "certified");
   EXPECT_TRUE(weight.bounds().first.contains(FT(-99) / FT(100)));
   EXPECT_TRUE(weight.bounds().second.contains(FT(1)));
-  EXPECT_NE(message_of_certification(Interval_tensor({1}, {Interval(1), Interval(FT(-1), FT(1))})).find("could not be proved"), std::string::npos);
+  EXPECT_NE(message_of_certification(Interval_tensor({1}, {Interval(1), Interval(FT(-1), FT(1))}))
+                .find("could not be proved"),
+            std::string::npos);
   EXPECT_THROW(Interval_tensor({0}, {Interval::entire_line()}), Invalid_input);
 }
 
@@ -188,7 +194,9 @@ TEST(Rational_function, rejects_bad_input)
 {
   EXPECT_THROW(Rational(Tensor({1}, {1, 2}), Tensor({1}, {0, 0})), Invalid_input);
   EXPECT_THROW(Rational(Tensor({1}, {1, 2}), Tensor({1, 1}, {1, 1, 1, 1})), Invalid_input);
-  EXPECT_THROW(Rational_function<Double_spline>(Double_spline({1}, {{0, 0, 1, 1}}, {1, 2}), Double_spline({1}, {{0, 0, 2, 2}}, {1, 2})), Invalid_input);
+  EXPECT_THROW(Rational_function<Double_spline>(Double_spline({1}, {{0, 0, 1, 1}}, {1, 2}),
+                                                Double_spline({1}, {{0, 0, 2, 2}}, {1, 2})),
+               Invalid_input);
   const Rational zero(Tensor({1}, {0, 0}), Tensor({1}, {1, 1})), one(Tensor({1}, {1, 1}), Tensor({1}, {1, 2}));
   EXPECT_THROW(one / zero, Invalid_input);
   const std::vector<FT> u{FT(1) / FT(2)};

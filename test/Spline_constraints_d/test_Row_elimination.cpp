@@ -46,7 +46,8 @@ Rows random_rows(std::mt19937& engine, int rows, int columns)
   return result;
 }
 
-// The part that a row takes of the equations, applied to their rows, leaves one of its own unknown and nothing of those that other rows were solved for.
+// The part that a row takes of the equations, applied to their rows, leaves one of its own unknown and nothing of those
+// that other rows were solved for.
 template <int size>
 void expect_solved(const Rows& rows, const Row_elimination<size>& elimination)
 {
@@ -54,7 +55,8 @@ void expect_solved(const Rows& rows, const Row_elimination<size>& elimination)
     for (int pivot = 0; pivot < elimination.rank(); ++pivot) {
       double sum = 0;
       for (int k = 0; k < rows.rows; ++k)
-        sum += elimination.part(row, k) * rows.entries[elimination.equation(k) * rows.columns + elimination.unknown(pivot)];
+        sum += elimination.part(row, k) *
+            rows.entries[elimination.equation(k) * rows.columns + elimination.unknown(pivot)];
       EXPECT_NEAR(sum, row == pivot ? 1 : 0, 1e-12);
     }
 }

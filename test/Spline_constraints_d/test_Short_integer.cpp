@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Integers of two words and longer ones against those of GMP: every operation, around the lengths where one becomes the other.
+// Integers of two words and longer ones against those of GMP: every operation, around the lengths where one becomes the
+// other.
 
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
 
@@ -105,11 +106,15 @@ TEST(Short_integer, QuotientsAreTruncated)
   Engine engine(2);
   for (int i = 0; i < 5000; ++i) {
     const Big_integer numerator = random_integer(engine), denominator = abs(random_integer(engine)) + 1;
-    const long most = 127 - SC::internal::bit_length(numerator) + SC::internal::bit_length(denominator) - 1, shift = most - static_cast<long>(engine() % 100);
+    const long most = 127 - SC::internal::bit_length(numerator) + SC::internal::bit_length(denominator) - 1,
+               shift = most - static_cast<long>(engine() % 100);
     const Big_integer size = abs(numerator);
-    const Big_integer expected = shift >= 0 ? Big_integer((size << static_cast<unsigned>(shift)) / denominator) : Big_integer((size >> static_cast<unsigned>(-shift)) / denominator);
+    const Big_integer expected = shift >= 0 ? Big_integer((size << static_cast<unsigned>(shift)) / denominator)
+                                            : Big_integer((size >> static_cast<unsigned>(-shift)) / denominator);
     const Unsigned_two_words found = scaled_quotient(short_of(numerator, engine), shift, short_of(denominator, engine));
-    EXPECT_EQ((Big_integer(static_cast<unsigned long>(found >> 64)) << 64) + static_cast<unsigned long>(found), expected) << numerator << ' ' << denominator << ' ' << shift;
+    EXPECT_EQ((Big_integer(static_cast<unsigned long>(found >> 64)) << 64) + static_cast<unsigned long>(found),
+              expected)
+        << numerator << ' ' << denominator << ' ' << shift;
   }
 }
 
@@ -117,12 +122,15 @@ TEST(Short_integer, HoldsRationalsOverCommonDenominators)
 {
   Engine engine(3);
   for (int i = 0; i < 2000; ++i) {
-    const Exact_rational a = SC::internal::quotient(random_integer(engine), Big_integer(abs(random_integer(engine)) + 1));
-    const Exact_rational b = SC::internal::quotient(random_integer(engine), Big_integer(1) << static_cast<unsigned>(engine() % 140));
+    const Exact_rational a =
+        SC::internal::quotient(random_integer(engine), Big_integer(abs(random_integer(engine)) + 1));
+    const Exact_rational b =
+        SC::internal::quotient(random_integer(engine), Big_integer(1) << static_cast<unsigned>(engine() % 140));
     Short_integer common(1);
     extend_common_denominator(common, a);
     extend_common_denominator(common, b);
-    EXPECT_EQ(common.to_big_integer(), Big_integer(lcm(SC::internal::denominator_of(a), SC::internal::denominator_of(b))));
+    EXPECT_EQ(common.to_big_integer(),
+              Big_integer(lcm(SC::internal::denominator_of(a), SC::internal::denominator_of(b))));
     for (const Exact_rational& x : {a, b}) {
       Exact_rational back(5);
       set_quotient(back, numerator_over(x, common), common);

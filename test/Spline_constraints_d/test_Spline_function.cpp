@@ -24,11 +24,15 @@ std::vector<double> random_doubles(Engine& engine, std::size_t count)
 {
   std::vector<double> result;
   while (result.size() < count)
-    result.push_back(std::ldexp(static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5, static_cast<int>(engine() % 80) - 40));
+    result.push_back(
+        std::ldexp(static_cast<double>(engine() >> 11) * 0x1p-53 - 0.5, static_cast<int>(engine() % 80) - 40));
   return result;
 }
 
-Tensor exact(const SC::Bernstein_tensor<double>& tensor) { return Tensor(tensor.degrees(), {tensor.coefficients().begin(), tensor.coefficients().end()}); }
+Tensor exact(const SC::Bernstein_tensor<double>& tensor)
+{
+  return Tensor(tensor.degrees(), {tensor.coefficients().begin(), tensor.coefficients().end()});
+}
 
 TEST(Spline_function, TakesPolynomialsFromTheirBernsteinCoefficients)
 {
@@ -51,7 +55,8 @@ TEST(Spline_function, TakesPolynomialsFromTheirBernsteinCoefficients)
     for (const auto& breaks : term.breaks)
       EXPECT_TRUE(breaks.empty());
     EXPECT_EQ(SC::Spline_function::from_bernstein(variables, exact(tensor)).terms(), function.terms());
-    const SC::Spline_function piece = SC::Spline_function::from_bezier_pieces(variables, unit_breaks, std::vector<SC::Bernstein_tensor<double>>{tensor});
+    const SC::Spline_function piece = SC::Spline_function::from_bezier_pieces(
+        variables, unit_breaks, std::vector<SC::Bernstein_tensor<double>>{tensor});
     EXPECT_EQ(piece.terms().front().pieces, term.pieces);
     EXPECT_EQ(piece.terms().front().breaks, unit_breaks);
   }
@@ -61,16 +66,20 @@ TEST(Spline_function, TakesPolynomialsFromTheirBernsteinCoefficients)
 TEST(Spline_function, RaisesPiecesToACommonDegree)
 {
   Engine engine(2);
-  const std::vector<std::vector<Exact_rational>> breaks{{Exact_rational(-1), Exact_rational(1) / Exact_rational(3), Exact_rational(2)}};
-  const std::vector<SC::Bernstein_tensor<double>> pieces{{{2}, random_doubles(engine, 3)}, {{5}, random_doubles(engine, 6)}};
+  const std::vector<std::vector<Exact_rational>> breaks{
+      {Exact_rational(-1), Exact_rational(1) / Exact_rational(3), Exact_rational(2)}};
+  const std::vector<SC::Bernstein_tensor<double>> pieces{{{2}, random_doubles(engine, 3)},
+                                                         {{5}, random_doubles(engine, 6)}};
   const SC::Spline_function function = SC::Spline_function::from_bezier_pieces({1}, breaks, pieces);
-  const SC::Spline_function same = SC::Spline_function::from_bezier_pieces({1}, breaks, std::vector<Tensor>{exact(pieces[0]), exact(pieces[1])});
+  const SC::Spline_function same =
+      SC::Spline_function::from_bezier_pieces({1}, breaks, std::vector<Tensor>{exact(pieces[0]), exact(pieces[1])});
   EXPECT_EQ(function.terms(), same.terms());
   const SC::Spline_term& term = function.terms().front();
   ASSERT_EQ(term.pieces.size(), 2u);
   for (std::size_t c = 0; c < 2; ++c)
     for (int i = 0; i <= 4; ++i) {
-      const Exact_rational t = Exact_rational(i) / Exact_rational(4), x = breaks[0][c] + t * (breaks[0][c + 1] - breaks[0][c]);
+      const Exact_rational t = Exact_rational(i) / Exact_rational(4),
+                           x = breaks[0][c] + t * (breaks[0][c + 1] - breaks[0][c]);
       Exact_rational value(0);
       for (std::size_t k = term.pieces[c].size(); k-- > 0;)
         value = value * x + term.pieces[c][k];
@@ -83,9 +92,12 @@ TEST(Spline_function, RefusesBadInput)
   const SC::Bernstein_tensor<double> line({1}, {0, 1});
   EXPECT_THROW(SC::Spline_function::from_bernstein({0, 1}, line), SC::Invalid_input);
   EXPECT_THROW(SC::Spline_function::from_bernstein({-1}, line), SC::Invalid_input);
-  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{}}, std::vector<SC::Bernstein_tensor<double>>{line}), SC::Invalid_input);
-  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{1, 0}}, std::vector<SC::Bernstein_tensor<double>>{line}), SC::Invalid_input);
-  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{0, 1}}, std::vector<SC::Bernstein_tensor<double>>{}), SC::Invalid_input);
+  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{}}, std::vector<SC::Bernstein_tensor<double>>{line}),
+               SC::Invalid_input);
+  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{1, 0}}, std::vector<SC::Bernstein_tensor<double>>{line}),
+               SC::Invalid_input);
+  EXPECT_THROW(SC::Spline_function::from_bezier_pieces({0}, {{0, 1}}, std::vector<SC::Bernstein_tensor<double>>{}),
+               SC::Invalid_input);
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Boundaries of what a tool can reach: the exact shadows of spheres, patches, walls and cylinders on a plane, spheres beside their surfaces along normals, hemispheres of directions.
+// Boundaries of what a tool can reach: the exact shadows of spheres, patches, walls and cylinders on a plane, spheres
+// beside their surfaces along normals, hemispheres of directions.
 
 #include "surface_test_names.h"
 
@@ -39,12 +40,16 @@ Surface dome()
 
 Vector normal(const Surface& surface, const SC::Surface_curve_sample<K>& sample)
 {
-  const auto within = [&](int axis) { return (std::min)((std::max)(Rational(sample.parameters[axis]), surface.domain(axis).first), surface.domain(axis).second); };
+  const auto within = [&](int axis) {
+    return (std::min)((std::max)(Rational(sample.parameters[axis]), surface.domain(axis).first),
+                      surface.domain(axis).second);
+  };
   return surface.normal(within(0), within(1));
 }
 
 template <class Check>
-Curves expect_curves(const Surface& surface, const Check& check, const SC::Tool_axis<K>& axis, std::size_t closed, std::size_t open, const std::string& what = "")
+Curves expect_curves(const Surface& surface, const Check& check, const SC::Tool_axis<K>& axis, std::size_t closed,
+                     std::size_t open, const std::string& what = "")
 {
   Curves set = SC::accessibility_boundaries(surface, check, axis);
   EXPECT_TRUE(set.is_complete()) << what;
@@ -55,11 +60,13 @@ Curves expect_curves(const Surface& surface, const Check& check, const SC::Tool_
 }
 
 // The rays along the axis touch the ball.
-void expect_touching(const Surface& surface, const SC::Tool_axis<K>& axis, const Point& center, double radius, const Curves& set)
+void expect_touching(const Surface& surface, const SC::Tool_axis<K>& axis, const Point& center, double radius,
+                     const Curves& set)
 {
   for (const SC::Surface_curve& curve : set.curves())
     for (const auto& sample : set.polyline(curve, 1e-2)) {
-      const Vector direction = axis.direction ? *axis.direction : normal(surface, sample), to_center = center - sample.point;
+      const Vector direction = axis.direction ? *axis.direction : normal(surface, sample),
+                   to_center = center - sample.point;
       EXPECT_NEAR(length(CGAL::cross_product(to_center, direction)) / length(direction), radius, tiny);
       EXPECT_GT(to_center * direction, 0);
       EXPECT_GT(CGAL::to_double(direction * axis.hemisphere.value_or(direction)), -tiny);
@@ -75,7 +82,8 @@ TEST(Accessibility, shadows_of_a_sphere)
   const Surface surface = SC::sphere_surface<K>(center, 1);
   for (const Vector& direction : {up, Vector(0, 1, 2), Vector(Rational(1, 5), 0, 1), Vector(1, 2, 9)})
     for (const SC::Tool_axis<K> axis{direction, {}}; const bool is_surface : {false, true})
-      expect_touching(plane, axis, center, 1, is_surface ? expect_curves(plane, surface, axis, 1, 0) : expect_curves(plane, ball, axis, 1, 0));
+      expect_touching(plane, axis, center, 1,
+                      is_surface ? expect_curves(plane, surface, axis, 1, 0) : expect_curves(plane, ball, axis, 1, 0));
   // Upright: a circle of the same radius.
   const Curves circle = expect_curves(plane, ball, {}, 1, 0);
   for (const auto& sample : circle.polyline(circle.curves()[0], 1e-3))
@@ -92,16 +100,22 @@ TEST(Accessibility, shadows_of_edges)
   for (const SC::Surface_curve& curve : outline.curves())
     for (const auto& sample : outline.polyline(curve, 1e-2)) {
       const Point& p = sample.point;
-      const auto to_line = [&](const Vector& n, const Rational& c) { return std::abs(CGAL::to_double(n * (p - CGAL::ORIGIN) - c)); };
-      EXPECT_LT((std::min)({to_line({1, 0, 0}, -1), to_line({1, 0, 0}, 2), to_line({0, 1, 0}, -1), to_line({-1, 3, 0}, 4)}), tiny);
+      const auto to_line = [&](const Vector& n, const Rational& c) {
+        return std::abs(CGAL::to_double(n * (p - CGAL::ORIGIN) - c));
+      };
+      EXPECT_LT(
+          (std::min)({to_line({1, 0, 0}, -1), to_line({1, 0, 0}, 2), to_line({0, 1, 0}, -1), to_line({-1, 3, 0}, 4)}),
+          tiny);
     }
   expect_curves(plane, roof, {}, 0, 4);
   // Walls along the rays: only what is not along them counts.
-  expect_curves(plane, SC::bilinear_surface<K>(Point(1, 0, 1), Point(2, 1, 1), Point(1, 0, 2), Point(2, 1, 2)), {up, {}}, 0, 2);
+  expect_curves(plane, SC::bilinear_surface<K>(Point(1, 0, 1), Point(2, 1, 1), Point(1, 0, 2), Point(2, 1, 2)),
+                {up, {}}, 0, 2);
   expect_curves(plane, SC::cylinder_surface<K>(Point(0, 0, 1), 1, 1), {up, {}}, 2, 0);
   expect_curves(plane, SC::torus_surface<K>(Point(0, 0, 4), Rational(2), Rational(1)), {up, {}}, 2, 0);
   // A crease across a roof that is open below.
-  const Surface gable({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1}, {{-1, -1, 2}, {-1, 1, 2}, {0, -1, 3}, {0, 1, 3}, {1, -1, 2}, {1, 1, 2}});
+  const Surface gable({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1},
+                      {{-1, -1, 2}, {-1, 1, 2}, {0, -1, 3}, {0, 1, 3}, {1, -1, 2}, {1, 1, 2}});
   expect_curves(plane, gable, {up, {}}, 0, 7);
 }
 
@@ -117,22 +131,33 @@ TEST(Accessibility, along_normals)
   expect_touching(surface, other, center, 1, expect_curves(surface, ball, other, 0, 1));
   expect_curves(surface, ball, {{}, Vector(0, 0, -1)}, 0, 0);
   // The sphere as a surface: three equations in four unknowns.
-  expect_touching(surface, {}, center, 1, expect_curves(surface, SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), {}, 1, 0));
+  expect_touching(
+      surface, {}, center, 1,
+      expect_curves(surface,
+                    SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), {},
+                    1, 0));
 }
 
 TEST(Accessibility, fields_of_directions)
 {
-  // Rays from one point below the plane: the shadow of the unit ball above it is a circle of the radius 10 tan(a) with sin(a) = 1/15.
-  const SC::Tool_axis<K> rays{.field = SC::bilinear_surface<K>(Point(-4, -4, 10), Point(-4, 4, 10), Point(4, -4, 10), Point(4, 4, 10))};
+  // Rays from one point below the plane: the shadow of the unit ball above it is a circle of the radius 10 tan(a) with
+  // sin(a) = 1/15.
+  const SC::Tool_axis<K> rays{
+      .field = SC::bilinear_surface<K>(Point(-4, -4, 10), Point(-4, 4, 10), Point(4, -4, 10), Point(4, 4, 10))};
   const Point center(0, 0, 5);
   const Curves circle = expect_curves(plane, K::Sphere_3(center, 1), rays, 1, 0);
   for (const auto& sample : circle.polyline(circle.curves()[0], 1e-2))
     EXPECT_NEAR(length(sample.point - Point(0, 0, 0)), 10 / std::sqrt(224.0), tiny);
-  const Curves same = expect_curves(plane, SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), rays, 1, 0);
+  const Curves same = expect_curves(
+      plane, SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), rays, 1,
+      0);
   for (const auto& sample : same.polyline(same.curves()[0], 1e-2))
     EXPECT_NEAR(length(sample.point - Point(0, 0, 0)), 10 / std::sqrt(224.0), tiny);
-  EXPECT_THROW(SC::accessibility_boundaries(dome(), K::Sphere_3(center, 1), {.direction = up, .field = rays.field}), SC::Invalid_input);
-  EXPECT_THROW(SC::accessibility_boundaries(SC::cylinder_surface<K>(Point(0, 0, 1), 1, 1), K::Sphere_3(center, 1), rays), SC::Invalid_input);
+  EXPECT_THROW(SC::accessibility_boundaries(dome(), K::Sphere_3(center, 1), {.direction = up, .field = rays.field}),
+               SC::Invalid_input);
+  EXPECT_THROW(
+      SC::accessibility_boundaries(SC::cylinder_surface<K>(Point(0, 0, 1), 1, 1), K::Sphere_3(center, 1), rays),
+      SC::Invalid_input);
 }
 
 TEST(Accessibility, random_balls)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// 102 random systems with known simple roots: one certified answer for each root with every number type that tracks its rounding. Doubles that do not may lose roots, those on faces first of
-// all, but what they certify is true.
+// 102 random systems with known simple roots: one certified answer for each root with every number type that tracks its
+// rounding. Doubles that do not may lose roots, those on faces first of all, but what they certify is true.
 
 #include "planted_simple_roots.h"
 #include "solver_test_checks.h"
@@ -19,7 +19,8 @@ template <class Traits>
 class Tracking_traits : public testing::Test
 {};
 
-using Four_traits = testing::Types<SC::Certified_solver_traits, SC::Interval_solver_traits, SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
+using Four_traits = testing::Types<SC::Certified_solver_traits, SC::Interval_solver_traits,
+                                   SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
 TYPED_TEST_SUITE(Tracking_traits, Four_traits);
 
 TYPED_TEST(Tracking_traits, CertifyTheSameRoots)
@@ -51,7 +52,9 @@ TEST(Fast_traits, CertifyNothingElse)
         ++found;
         EXPECT_TRUE(verify(problem.system, solution));
         const auto box = solution.exact_box();
-        EXPECT_EQ(std::count_if(problem.known.begin(), problem.known.end(), [&](const Point& point) { return meets(box, point); }), 1);
+        EXPECT_EQ(std::count_if(problem.known.begin(), problem.known.end(),
+                                [&](const Point& point) { return meets(box, point); }),
+                  1);
       }
     expect_consistent_regions(solutions);
     complete += found == problem.count;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Alpha-sectors of two curves: known conics and Cartesian ovals, the bisector among them, and the ratio of the distances along both normals at every point.
+// Alpha-sectors of two curves: known conics and Cartesian ovals, the bisector among them, and the ratio of the
+// distances along both normals at every point.
 
 #include "pair_locus_test_tools.h"
 
@@ -20,7 +21,8 @@ namespace {
 
 using Number = SC::Exact_rational;
 
-// Calls check(x, y) for points of all curves, whose distances from the curves along their normals have the ratio alpha : 1 - alpha. The number of points.
+// Calls check(x, y) for points of all curves, whose distances from the curves along their normals have the ratio alpha
+// : 1 - alpha. The number of points.
 template <class Check>
 std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, const Number& alpha, const Check& check)
 {
@@ -28,7 +30,8 @@ std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, c
   std::size_t points = 0;
   visit_points(locus, c1, c2, [&](const Vector& p, const std::array<Foot, 2>& feet) {
     ++points;
-    EXPECT_NEAR((1 - share) * checked_distance(p, feet[0]), share * checked_distance(p, feet[1]), 1e-11 * (1 + std::hypot(p[0], p[1])));
+    EXPECT_NEAR((1 - share) * checked_distance(p, feet[0]), share * checked_distance(p, feet[1]),
+                1e-11 * (1 + std::hypot(p[0], p[1])));
     check(p[0], p[1]);
   });
   return points;
@@ -44,12 +47,16 @@ TEST(Alpha_sectors_2, lines)
   const Curve c1 = segment({-1, 0}, {1, 0}), c2 = segment({Number(-3, 5), Number(-4, 5)}, {Number(3, 5), Number(4, 5)});
   const Locus locus = SC::alpha_sectors(c1, c2, Number(1, 3));
   expect_numbers(locus, 0, 2, 0, 0);
-  EXPECT_GE(check_points(locus, c1, c2, Number(1, 3), [](double x, double y) { EXPECT_NEAR(2 * std::abs(y), std::abs(0.8 * x - 0.6 * y), 1e-13); }), 4u);
+  EXPECT_GE(check_points(locus, c1, c2, Number(1, 3),
+                         [](double x, double y) { EXPECT_NEAR(2 * std::abs(y), std::abs(0.8 * x - 0.6 * y), 1e-13); }),
+            4u);
 
   const Curve parallel = segment({-2, 3}, {5, 3});
   const Locus lines = SC::alpha_sectors(c1, parallel, Number(1, 3));
   expect_numbers(lines, 0, 2, 0, 0);
-  EXPECT_GE(check_points(lines, c1, parallel, Number(1, 3), [](double, double y) { EXPECT_NEAR((y - 1) * (y + 3), 0, 1e-13); }), 4u);
+  EXPECT_GE(check_points(lines, c1, parallel, Number(1, 3),
+                         [](double, double y) { EXPECT_NEAR((y - 1) * (y + 3), 0, 1e-13); }),
+            4u);
 }
 
 // Conics with the center as focus, of eccentricity alpha / (1 - alpha): two ellipses or hyperbolas.
@@ -71,7 +78,8 @@ TEST(Alpha_sectors_2, circle_and_line_have_conics)
 // Cartesian ovals: two for either sign.
 TEST(Alpha_sectors_2, circles_have_Cartesian_ovals)
 {
-  const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 16)), small = SC::to_bspline_curve(K::Circle_2(Point(Number(21, 5), Number(28, 5)), 1));
+  const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 16)),
+              small = SC::to_bspline_curve(K::Circle_2(Point(Number(21, 5), Number(28, 5)), 1));
   const Locus locus = SC::alpha_sectors(large, small, Number(1, 4));
   expect_numbers(locus, 4, 0, 0, 0);
   EXPECT_GT(check_points(locus, large, small, Number(1, 4), [](double x, double y) {
@@ -86,13 +94,15 @@ TEST(Alpha_sectors_2, circles_have_Cartesian_ovals)
 
 TEST(Alpha_sectors_2, one_half_is_the_bisector)
 {
-  const Curve c1 = SC::bezier_curve(std::vector<Point>{{0, 0}, {1, 2}, {2, -2}, {3, 0}}), c2 = SC::bezier_curve(std::vector<Point>{{0, 3}, {1, 5}, {2, 2}, {3, 4}});
+  const Curve c1 = SC::bezier_curve(std::vector<Point>{{0, 0}, {1, 2}, {2, -2}, {3, 0}}),
+              c2 = SC::bezier_curve(std::vector<Point>{{0, 3}, {1, 5}, {2, 2}, {3, 4}});
   const Locus locus = SC::alpha_sectors(c1, c2, Number(1, 2));
   expect_numbers(locus, 0, 4, 0, 1);
   EXPECT_GT(check_points(locus, c1, c2, Number(1, 2), [](double, double) {}), 20u);
 }
 
-// Exchanging the curves and alpha with 1 - alpha, and rational rigid motions, change no numbers. In every other trial, the curves intersect.
+// Exchanging the curves and alpha with 1 - alpha, and rational rigid motions, change no numbers. In every other trial,
+// the curves intersect.
 TEST(Alpha_sectors_2, random_cubics)
 {
   std::mt19937 random(3);
@@ -108,7 +118,8 @@ TEST(Alpha_sectors_2, random_cubics)
       }
     const Curve c1 = SC::bezier_curve(control_points[0]), c2 = SC::bezier_curve(control_points[1]);
     const Number alpha(2 + trial, 11);
-    const Locus locus = SC::alpha_sectors(c1, c2, alpha), exchanged = SC::alpha_sectors(c2, c1, Number(1 - alpha)), moved = SC::alpha_sectors(c1.transformed(motion), c2.transformed(motion), alpha);
+    const Locus locus = SC::alpha_sectors(c1, c2, alpha), exchanged = SC::alpha_sectors(c2, c1, Number(1 - alpha)),
+                moved = SC::alpha_sectors(c1.transformed(motion), c2.transformed(motion), alpha);
     EXPECT_FALSE(locus.curves().empty());
     for (const Locus* other : {&locus, &exchanged, &moved})
       expect_numbers(*other, locus.number_of_closed_curves(), locus.number_of_open_curves(), 0, 0);

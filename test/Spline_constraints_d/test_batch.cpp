@@ -18,7 +18,8 @@ using namespace solver_test;
 
 static std::vector<Problem> problems()
 {
-  return {cyclic_chebyshev(2, 3), broyden_tridiagonal(4), cyclic_chebyshev(1, 5), circle_and_ellipse(), cyclic_chebyshev_in_pieces(3), zigzag()};
+  return {cyclic_chebyshev(2, 3), broyden_tridiagonal(4),        cyclic_chebyshev(1, 5),
+          circle_and_ellipse(),   cyclic_chebyshev_in_pieces(3), zigzag()};
 }
 
 static std::vector<System> systems_of(const std::vector<Problem>& problems)

@@ -49,7 +49,8 @@ TEST(Bezier_traits_curves, are_converted_both_ways)
   const auto back = SC::to_bezier_traits_curves<Bezier_curve>(spline);
   ASSERT_TRUE(back);
   ASSERT_EQ(back->size(), 1u);
-  EXPECT_TRUE(std::equal(curve.control_points_begin(), curve.control_points_end(), back->front().control_points_begin()));
+  EXPECT_TRUE(
+      std::equal(curve.control_points_begin(), curve.control_points_end(), back->front().control_points_begin()));
 }
 
 TEST(Bezier_traits_curves, are_made_of_polynomial_pieces_only)
@@ -98,7 +99,8 @@ TEST(Bezier_traits_curves, x_monotone_parts_with_rational_parameters_are_convert
   EXPECT_EQ(last.source(), Rat_kernel::Point_2(1, 1));
 
   // It turns where 3 t^2 = 1.
-  const auto irrational = parts_of(bezier({{0, 0}, {Nt_traits::Rational(1, 3), 1}, {Nt_traits::Rational(2, 3), 2}, {0, 3}}));
+  const auto irrational =
+      parts_of(bezier({{0, 0}, {Nt_traits::Rational(1, 3), 1}, {Nt_traits::Rational(2, 3), 2}, {0, 3}}));
   ASSERT_EQ(irrational.size(), 2u);
   expect_invalid([&] { SC::to_bspline_curve(irrational[0]); }, "no rational parameter");
 }

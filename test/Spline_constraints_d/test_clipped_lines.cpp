@@ -57,12 +57,15 @@ TEST(Clipped_lines, in_space_are_the_points_in_the_cuboid)
   Random_source random(7);
   int hits = 0, misses = 0;
   for (int i = 0; i < 100; ++i) {
-    const auto point = [&] { return Exact_cartesian::Point_3(random.integer(-4, 4), random.integer(-4, 4), random.integer(-4, 4)); };
+    const auto point = [&] {
+      return Exact_cartesian::Point_3(random.integer(-4, 4), random.integer(-4, 4), random.integer(-4, 4));
+    };
     const auto p = point(), q = point();
     if (p == q)
       continue;
     const Exact_cartesian::Ray_3 ray(p, q);
-    const auto curve = SC::to_bspline_curve(ray, cuboid), whole = SC::to_bspline_curve(Exact_cartesian::Line_3(p, q), cuboid);
+    const auto curve = SC::to_bspline_curve(ray, cuboid),
+               whole = SC::to_bspline_curve(Exact_cartesian::Line_3(p, q), cuboid);
     EXPECT_EQ(curve.has_value(), CGAL::do_intersect(ray, CGAL::Bbox_3(-1, -1, -1, 1, 2, 3)));
     if (curve) {
       ++hits;

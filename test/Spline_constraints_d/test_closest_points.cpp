@@ -69,7 +69,8 @@ TEST(Closest_points, PointAndCircle)
   const auto irrational = SC::closest_points(circle, K::Point_2(5, 1));
   EXPECT_TRUE(irrational.is_unique());
   const auto [lower, upper] = irrational.distance_range();
-  EXPECT_TRUE(lower <= std::sqrt(26.0) - 2 && std::sqrt(26.0) - 2 <= upper && upper - lower < 1e-14) << lower << ' ' << upper;
+  EXPECT_TRUE(lower <= std::sqrt(26.0) - 2 && std::sqrt(26.0) - 2 <= upper && upper - lower < 1e-14)
+      << lower << ' ' << upper;
 
   const auto center = SC::closest_points(K::Point_2(0, 0), circle);
   ASSERT_EQ(center.size(), 1u);
@@ -91,10 +92,13 @@ TEST(Closest_points, FeetOnAnEllipse)
     EXPECT_EQ(foot.point(0), K::Point_2(K::FT(1) / 2, 0));
     feet.emplace_back(CGAL::to_double(foot.point(1).x()), CGAL::to_double(foot.point(1).y()));
   }
-  const std::vector<std::pair<double, double>> expected{{2.0 / 3, -std::sqrt(8.0) / 3}, {2.0 / 3, std::sqrt(8.0) / 3}, {2, 0}, {-2, 0}};
+  const std::vector<std::pair<double, double>> expected{
+      {2.0 / 3, -std::sqrt(8.0) / 3}, {2.0 / 3, std::sqrt(8.0) / 3}, {2, 0}, {-2, 0}};
   std::sort(feet.begin(), feet.begin() + 2);
   for (int i = 0; i < 4; ++i)
-    EXPECT_TRUE(std::abs(feet[i].first - expected[i].first) < 1e-14 && std::abs(feet[i].second - expected[i].second) < 1e-14) << i;
+    EXPECT_TRUE(std::abs(feet[i].first - expected[i].first) < 1e-14 &&
+                std::abs(feet[i].second - expected[i].second) < 1e-14)
+        << i;
   EXPECT_EQ(inside.feet[3].squared_distance_range(), exactly(Exact_rational(25) / 4));
   EXPECT_EQ(SC::projections(K::Point_2(K::FT(3) / 10, K::FT(1) / 5), ellipse).feet.size(), 4u);
   EXPECT_EQ(SC::projections(K::Point_2(3, 2), ellipse).feet.size(), 2u);
@@ -113,7 +117,9 @@ TEST(Closest_points, FeetOnAnEllipse)
 TEST(Closest_points, FeetAtCorners)
 {
   const auto corner = SC::polyline_curve(std::vector<K::Point_2>{{0, 0}, {4, 0}, {4, 4}});
-  for (const auto& [point, count] : {std::pair(K::Point_2(4, 3), 2u), std::pair(K::Point_2(2, 5), 1u), std::pair(K::Point_2(1, 1), 2u), std::pair(K::Point_2(5, -1), 0u), std::pair(K::Point_2(1, 0), 2u)}) {
+  for (const auto& [point, count] :
+       {std::pair(K::Point_2(4, 3), 2u), std::pair(K::Point_2(2, 5), 1u), std::pair(K::Point_2(1, 1), 2u),
+        std::pair(K::Point_2(5, -1), 0u), std::pair(K::Point_2(1, 0), 2u)}) {
     const auto feet = SC::projections(point, corner);
     EXPECT_TRUE(feet.summary.is_complete);
     EXPECT_EQ(feet.feet.size(), count) << point;
@@ -129,7 +135,8 @@ TEST(Closest_points, RandomSegments)
     const K::Segment_2 a(random.point_2(), random.point_2()), b(random.point_2(), random.point_2());
     if (a.is_degenerate() || b.is_degenerate())
       continue;
-    const auto closest = SC::closest_points(SC::segment_curve(a.source(), a.target()), SC::segment_curve(b.source(), b.target()));
+    const auto closest =
+        SC::closest_points(SC::segment_curve(a.source(), a.target()), SC::segment_curve(b.source(), b.target()));
     ASSERT_FALSE(closest.empty());
     EXPECT_TRUE(closest.is_complete()) << a << ' ' << b;
     EXPECT_EQ(closest.squared_distance_range(), exactly(CGAL::squared_distance(a, b).exact())) << a << ' ' << b;
@@ -138,7 +145,8 @@ TEST(Closest_points, RandomSegments)
     const K::Segment_3 a(random.point_3(), random.point_3()), b(random.point_3(), random.point_3());
     if (a.is_degenerate() || b.is_degenerate())
       continue;
-    const auto closest = SC::closest_points(SC::segment_curve(a.source(), a.target()), SC::segment_curve(b.source(), b.target()));
+    const auto closest =
+        SC::closest_points(SC::segment_curve(a.source(), a.target()), SC::segment_curve(b.source(), b.target()));
     ASSERT_FALSE(closest.empty());
     EXPECT_TRUE(closest.is_complete()) << a << ' ' << b;
     EXPECT_EQ(closest.squared_distance_range(), exactly(CGAL::squared_distance(a, b).exact())) << a << ' ' << b;
@@ -164,7 +172,8 @@ TEST(Closest_points, RandomPolylines)
 
 TEST(Closest_points, ParallelSegments)
 {
-  const auto a = SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, 0)), b = SC::segment_curve(K::Point_2(1, 1), K::Point_2(5, 1));
+  const auto a = SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, 0)),
+             b = SC::segment_curve(K::Point_2(1, 1), K::Point_2(5, 1));
   expect_distance(a, b, 1);
   EXPECT_EQ(SC::closest_points(a, b)[0].kind(), Solution_kind::CONTINUUM);
 }
@@ -276,7 +285,8 @@ TEST(Closest_points, SplinesOfManyPieces)
       net.emplace_back(4 * i, 4 * j, random());
   const SC::Bspline_surface_3<K> surface({3, 2}, knots_of(3, 4, {1}), knots_of(2, 4, {1}), net);
   for (const K::Point_3& point : {K::Point_3(9, 11, 8), K::Point_3(-3, 4, 1), K::Point_3(12, 12, -20)})
-    expect_distance_of_pieces(point, surface, distance_of_pieces(std::vector<K::Point_3>{point}, surface.bezier_pieces()));
+    expect_distance_of_pieces(point, surface,
+                              distance_of_pieces(std::vector<K::Point_3>{point}, surface.bezier_pieces()));
 }
 
 // Two nearest points in pieces that are far from each other; and a closed curve, whose seam is nearest.
@@ -307,7 +317,8 @@ TEST(Closest_points, NearestPointsInDistantPieces)
 // The nearest point of a rectangle has clamped coordinates: in the interior, on a side, or a corner.
 TEST(Closest_points, PointAndRectangle)
 {
-  const auto rectangle = SC::bilinear_surface(K::Point_3(0, 0, 0), K::Point_3(0, 3, 0), K::Point_3(2, 0, 0), K::Point_3(2, 3, 0));
+  const auto rectangle =
+      SC::bilinear_surface(K::Point_3(0, 0, 0), K::Point_3(0, 3, 0), K::Point_3(2, 0, 0), K::Point_3(2, 3, 0));
   Random_integers random(17, 5);
   for (int round = 0; round < 25; ++round) {
     const K::Point_3 p = random.point_3();
@@ -317,7 +328,8 @@ TEST(Closest_points, PointAndRectangle)
     EXPECT_TRUE(closest.is_unique() && closest.is_complete()) << p;
     EXPECT_EQ(closest.squared_distance_range(), exactly(expected.exact())) << p;
   }
-  const auto other = SC::bilinear_surface(K::Point_3(3, 4, 5), K::Point_3(3, 6, 5), K::Point_3(5, 4, 5), K::Point_3(5, 6, 5));
+  const auto other =
+      SC::bilinear_surface(K::Point_3(3, 4, 5), K::Point_3(3, 6, 5), K::Point_3(5, 4, 5), K::Point_3(5, 6, 5));
   const auto corners = SC::closest_points(rectangle, other);
   EXPECT_TRUE(corners.is_unique());
   EXPECT_EQ(corners.squared_distance_range(), exactly(1 + 1 + 25));
@@ -328,8 +340,10 @@ TEST(Closest_points, PointAndRectangle)
 // An edge of one patch passes through the other one at irrational parameters.
 TEST(Closest_points, IntersectingPatches)
 {
-  const auto a = SC::bilinear_surface(K::Point_3(0, 0, 0), K::Point_3(0, 3, 1), K::Point_3(2, 0, 0), K::Point_3(2, 3, 0));
-  const auto b = SC::bilinear_surface(K::Point_3(1, 1, -1), K::Point_3(1, 1, 2), K::Point_3(2, 2, -1), K::Point_3(1, 3, 2));
+  const auto a =
+      SC::bilinear_surface(K::Point_3(0, 0, 0), K::Point_3(0, 3, 1), K::Point_3(2, 0, 0), K::Point_3(2, 3, 0));
+  const auto b =
+      SC::bilinear_surface(K::Point_3(1, 1, -1), K::Point_3(1, 1, 2), K::Point_3(2, 2, -1), K::Point_3(1, 3, 2));
   const auto closest = SC::closest_points(a, b);
   ASSERT_FALSE(closest.empty());
   EXPECT_EQ(closest.squared_distance_range(), exactly(0));
@@ -347,12 +361,16 @@ TEST(Closest_points, Sphere)
   expect_distance(K::Point_3(0, 0, 0), sphere, 4);
   const auto pole = SC::closest_points(K::Point_3(0, 0, 3), sphere);
   EXPECT_EQ(pole.squared_distance_range(), exactly(1));
-  const auto feet = SC::projections(K::Point_3(5, 3, 1), sphere).feet;   // besides the poles, where a derivative is zero
-  EXPECT_EQ(std::count_if(feet.begin(), feet.end(), [](const auto& foot) { return CGAL::abs(foot.point(1).z()) < 1; }), 2);
+  // besides the poles, where a derivative is zero
+  const auto feet = SC::projections(K::Point_3(5, 3, 1), sphere).feet;
+  EXPECT_EQ(std::count_if(feet.begin(), feet.end(), [](const auto& foot) { return CGAL::abs(foot.point(1).z()) < 1; }),
+            2);
 
   expect_distance(SC::segment_curve(K::Point_3(3, -2, -1), K::Point_3(3, 4, 2)), sphere, 1);
   expect_distance(SC::segment_curve(K::Point_3(-5, -3, 1), K::Point_3(4, 6, 0)), sphere, 0, 2);
-  const auto patch = SC::bilinear_surface(K::Point_3(3, -5, -4), K::Point_3(3, 5, -4), K::Point_3(4, -5, 3), K::Point_3(4, 5, 3));   // 7x - z = 25, at the distance 25/sqrt(50) - 2
+  // 7x - z = 25, at the distance 25/sqrt(50) - 2
+  const auto patch =
+      SC::bilinear_surface(K::Point_3(3, -5, -4), K::Point_3(3, 5, -4), K::Point_3(4, -5, 3), K::Point_3(4, 5, 3));
   const auto plane = SC::closest_points(patch, sphere);
   EXPECT_TRUE(plane.is_unique()) << plane.summary();
   EXPECT_NEAR(plane.distance_range().first, std::sqrt(12.5) - 2, 1e-12);
@@ -364,15 +382,18 @@ TEST(Closest_points, NothingIsLostAtALimit)
 {
   SC::Solver_options options;
   options.node_limit = 1;
-  const auto a = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {1, 9}, {2, -7}, {3, 1}}), b = SC::bezier_curve(std::vector<K::Point_2>{{0, 4}, {1, -2}, {2, 9}, {3, 2}, {4, 8}});
+  const auto a = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {1, 9}, {2, -7}, {3, 1}}),
+             b = SC::bezier_curve(std::vector<K::Point_2>{{0, 4}, {1, -2}, {2, 9}, {3, 2}, {4, 8}});
   const auto limited = SC::closest_points(a, b, options), full = SC::closest_points(a, b);
   EXPECT_TRUE(full.is_complete());
   EXPECT_LE(limited.squared_distance_range().first, full.squared_distance_range().first);
   EXPECT_GE(limited.squared_distance_range().second, full.squared_distance_range().second);
   for (const auto& nearest : full)
     EXPECT_TRUE(std::any_of(limited.begin(), limited.end(), [&](const auto& pair) {
-      return pair.parameter_range(0).first <= nearest.parameter_range(0).first && nearest.parameter_range(0).second <= pair.parameter_range(0).second &&
-             pair.parameter_range(1).first <= nearest.parameter_range(1).first && nearest.parameter_range(1).second <= pair.parameter_range(1).second;
+      return pair.parameter_range(0).first <= nearest.parameter_range(0).first &&
+          nearest.parameter_range(0).second <= pair.parameter_range(0).second &&
+          pair.parameter_range(1).first <= nearest.parameter_range(1).first &&
+          nearest.parameter_range(1).second <= pair.parameter_range(1).second;
     }));
 }
 
@@ -380,7 +401,8 @@ TEST(Closest_points, DoublesAndBadInput)
 {
   using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto curve = SC::bezier_curve(std::vector<Epick::Point_2>{{0, 0}, {0.5, 1}, {1, 0}});
-  EXPECT_EQ(SC::closest_points(Epick::Point_2(0.5, 3), curve).squared_distance_range(), exactly(Exact_rational(25) / 4));
+  EXPECT_EQ(SC::closest_points(Epick::Point_2(0.5, 3), curve).squared_distance_range(),
+            exactly(Exact_rational(25) / 4));
   EXPECT_THROW(SC::closest_points(Epick::Point_2(0, std::nan("")), curve), SC::Invalid_input);
   SC::Solver_options options;
   options.tolerance = -1;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Diagrams and offsets that CGAL knows as well: of circles, by its Apollonius graph; of segments and points, by its segment Delaunay graph; of polygons, by its approximated offsets.
+// Diagrams and offsets that CGAL knows as well: of circles, by its Apollonius graph; of segments and points, by its
+// segment Delaunay graph; of polygons, by its approximated offsets.
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
@@ -41,9 +42,12 @@ struct Expected_vertex
   std::set<std::size_t> sites;   // of its three vertices
 };
 
-// All vertices are those of CGAL, as many as its graph has finite faces, and touch the sites of these. Where an edge goes on with another site, or ends in a corner, they list some of them only. Sites are compared by what `name` makes of those of the diagram.
+// All vertices are those of CGAL, as many as its graph has finite faces, and touch the sites of these. Where an edge
+// goes on with another site, or ends in a corner, they list some of them only. Sites are compared by what `name` makes
+// of those of the diagram.
 template <class Name>
-void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>& expected, std::size_t number, const Name& name)
+void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>& expected, std::size_t number,
+                     const Name& name)
 {
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_EQ(expected.size(), number);
@@ -51,7 +55,9 @@ void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>&
   std::set<std::size_t> found;
   for (const auto& [point, sites] : expected) {
     EXPECT_EQ(sites.size(), 3U) << point;
-    const auto vertex = std::find_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && distance(v.point, point) < 1e-6 * (1 + v.radius); });
+    const auto vertex = std::find_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+      return !v.is_at_infinity && distance(v.point, point) < 1e-6 * (1 + v.radius);
+    });
     ASSERT_NE(vertex, diagram.vertices().end()) << point;
     EXPECT_TRUE(found.insert(static_cast<std::size_t>(vertex - diagram.vertices().begin())).second) << point;
     std::set<std::size_t> touched;
@@ -62,7 +68,8 @@ void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>&
   }
 }
 
-// One in each of eight cells, with integers or with decimal numbers, of which the control points of circles are not those of circles if they are rounded; `survey_scenes circles` compares more.
+// One in each of eight cells, with integers or with decimal numbers, of which the control points of circles are not
+// those of circles if they are rounded; `survey_scenes circles` compares more.
 TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
 {
   using Traits = CGAL::Apollonius_graph_traits_2<Double_kernel>;
@@ -74,12 +81,16 @@ TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
     std::vector<P> centers;
     CGAL::Apollonius_graph_2<Traits> graph;
     for (int i = 0; i < 8; ++i) {
-      const double x = 10 * (i % 3) + hundredths(random) * unit / 100.0, y = 10 * (i / 3) + hundredths(random) * unit / 100.0, radius = radii(random) * unit / 100.0;
+      const double x = 10 * (i % 3) + hundredths(random) * unit / 100.0,
+                   y = 10 * (i / 3) + hundredths(random) * unit / 100.0, radius = radii(random) * unit / 100.0;
       centers.emplace_back(x, y);
       circles.push_back(SC::circle_curve(centers.back(), radius));
       graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
     }
-    const auto circle_of = [&](const Traits::Site_2& site) { return static_cast<std::size_t>(std::find(centers.begin(), centers.end(), P(site.point().x(), site.point().y())) - centers.begin()); };
+    const auto circle_of = [&](const Traits::Site_2& site) {
+      return static_cast<std::size_t>(std::find(centers.begin(), centers.end(), P(site.point().x(), site.point().y())) -
+                                      centers.begin());
+    };
     std::vector<Expected_vertex> expected;
     for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
       const auto &a = face->vertex(0)->site(), &b = face->vertex(1)->site(), &c = face->vertex(2)->site();
@@ -87,7 +98,8 @@ TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
       expected.push_back({P(p.x(), p.y()), {circle_of(a), circle_of(b), circle_of(c)}});
     }
     const Diagram diagram = SC::voronoi_diagram(circles);
-    expect_vertices(diagram, expected, counts(diagram).branching, [&](std::size_t site) { return diagram.sites()[site].curve; });
+    expect_vertices(diagram, expected, counts(diagram).branching,
+                    [&](std::size_t site) { return diagram.sites()[site].curve; });
   }
 }
 
@@ -128,7 +140,8 @@ public:
     }
     const Counts numbers = counts(diagram);
     EXPECT_EQ(numbers.tips, corners);
-    expect_vertices(diagram, expected, numbers.branching + numbers.passing + numbers.tips, [](std::size_t site) { return site; });
+    expect_vertices(diagram, expected, numbers.branching + numbers.passing + numbers.tips,
+                    [](std::size_t site) { return site; });
   }
 
 private:
@@ -201,10 +214,12 @@ double area_with_arcs(const Polygon& polygon)
 {
   double result = 0;
   for (auto arc = polygon.curves_begin(); arc != polygon.curves_end(); ++arc) {
-    const double x = CGAL::to_double(arc->source().x()), y = CGAL::to_double(arc->source().y()), u = CGAL::to_double(arc->target().x()), v = CGAL::to_double(arc->target().y());
+    const double x = CGAL::to_double(arc->source().x()), y = CGAL::to_double(arc->source().y()),
+                 u = CGAL::to_double(arc->target().x()), v = CGAL::to_double(arc->target().y());
     result += (x * v - u * y) / 2;
     if (arc->is_circular()) {
-      const double square = CGAL::to_double(arc->supporting_circle().squared_radius()), angle = 2 * std::asin((std::min)(1.0, std::hypot(u - x, v - y) / (2 * std::sqrt(square))));
+      const double square = CGAL::to_double(arc->supporting_circle().squared_radius()),
+                   angle = 2 * std::asin((std::min)(1.0, std::hypot(u - x, v - y) / (2 * std::sqrt(square))));
       result += (arc->orientation() == CGAL::COUNTERCLOCKWISE ? 1 : -1) * square / 2 * (angle - std::sin(angle));
     }
   }
@@ -266,8 +281,10 @@ double least_distance(const P& p, const std::vector<CGAL::Polygon_2<K>>& polygon
 
 constexpr double offset_distance = 0.5, chord_error = 1e-5, error_of_CGAL = 1e-6;
 
-// All points of both boundaries have the distance from the polygon, and those of one are points of the other one, up to errors of chords and of CGAL.
-void expect_same_boundaries(const SC::Trimmed_offset_2<K>& offset, const std::vector<Arc_polygon>& boundaries, const CGAL::Polygon_2<K>& polygon)
+// All points of both boundaries have the distance from the polygon, and those of one are points of the other one, up to
+// errors of chords and of CGAL.
+void expect_same_boundaries(const SC::Trimmed_offset_2<K>& offset, const std::vector<Arc_polygon>& boundaries,
+                            const CGAL::Polygon_2<K>& polygon)
 {
   constexpr double error = 2 * (chord_error + error_of_CGAL);
   std::vector<CGAL::Polygon_2<K>> polygons;
@@ -301,7 +318,8 @@ void expect_same_boundaries(const SC::Trimmed_offset_2<K>& offset, const std::ve
 
 std::size_t number_of_holes(const SC::Trimmed_offset_2<K>& offset)
 {
-  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return boundary.is_hole; }));
+  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                                [](const auto& boundary) { return boundary.is_hole; }));
 }
 
 // Compares what has grown and shrunk with offsets of CGAL; returns how many holes the first one has.
@@ -332,7 +350,8 @@ std::size_t expect_offsets_of_CGAL(const CGAL::Polygon_2<K>& polygon)
   EXPECT_TRUE(shrunk.is_complete());
   EXPECT_EQ(shrunk.boundaries().size(), inner.size());
   EXPECT_EQ(number_of_holes(shrunk), 0U);
-  EXPECT_NEAR(total_area(shrunk.polygons_with_holes(chord_error)), std::abs(sum_of_areas(inner)), 1e-3);   // those of CGAL are clockwise
+  // those of CGAL are clockwise
+  EXPECT_NEAR(total_area(shrunk.polygons_with_holes(chord_error)), std::abs(sum_of_areas(inner)), 1e-3);
   expect_same_boundaries(shrunk, inner, polygon);
   return number_of_holes(grown);
 }
@@ -351,7 +370,8 @@ TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
     }
     expect_offsets_of_CGAL(star);
   }
-  const std::vector<P> letter{P(0, 0), P(6, 0.5), P(6.25, 2.625), P(5, 2.5), P(4.5, 1.75), P(1.5, 1.5), P(1.25, 5), P(4.5, 4.5), P(4.75, 3.25), P(6, 3.375), P(5.75, 6.5), P(-0.25, 6)};
+  const std::vector<P> letter{P(0, 0),    P(6, 0.5),   P(6.25, 2.625), P(5, 2.5),   P(4.5, 1.75), P(1.5, 1.5),
+                              P(1.25, 5), P(4.5, 4.5), P(4.75, 3.25),  P(6, 3.375), P(5.75, 6.5), P(-0.25, 6)};
   EXPECT_EQ(expect_offsets_of_CGAL({letter.begin(), letter.end()}), 1U);
 }
 

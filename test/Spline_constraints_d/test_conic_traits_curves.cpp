@@ -30,7 +30,8 @@ using Point = Traits::Point_2;
 
 // It runs between these points, turning this way, on the conic.
 template <class Curve, class Any_arc>
-void expect_arc(const Curve& curve, const R::Point_2& source, const R::Point_2& target, CGAL::Orientation orientation, const Any_arc& arc)
+void expect_arc(const Curve& curve, const R::Point_2& source, const R::Point_2& target, CGAL::Orientation orientation,
+                const Any_arc& arc)
 {
   EXPECT_EQ(curve.source(), source);
   EXPECT_EQ(curve.target(), target);
@@ -56,7 +57,8 @@ TEST(Conic_traits_curves, arcs_of_ellipses_are_converted)
   }
   const Arc through(R::Point_2(0, 5), R::Point_2(3, 4), R::Point_2(5, 0));
   expect_arc(SC::to_bspline_curve(through), {0, 5}, {5, 0}, CGAL::CLOCKWISE, through);
-  const Arc irrational(1, 1, 0, 0, 0, -2, CGAL::COUNTERCLOCKWISE, Point(CGAL::sqrt(Algebraic(2)), 0), Point(0, CGAL::sqrt(Algebraic(2))));
+  const Arc irrational(1, 1, 0, 0, 0, -2, CGAL::COUNTERCLOCKWISE, Point(CGAL::sqrt(Algebraic(2)), 0),
+                       Point(0, CGAL::sqrt(Algebraic(2))));
   expect_invalid([&] { SC::to_bspline_curve(irrational); }, "no rational coordinates");
 }
 
@@ -125,9 +127,11 @@ TEST(Conic_traits_curves, parabolas_hyperbolas_and_segments_are_converted)
   expect_arc(SC::to_bspline_curve(parabola), {-1, 1}, {2, 4}, CGAL::COUNTERCLOCKWISE, parabola);
   const Arc backwards(1, 0, 0, 0, -1, 0, CGAL::CLOCKWISE, Point(2, 4), Point(-1, 1));
   expect_arc(SC::to_bspline_curve(backwards), {2, 4}, {-1, 1}, CGAL::CLOCKWISE, backwards);
-  const Arc hyperbola(0, 0, 1, 0, 0, -1, CGAL::COUNTERCLOCKWISE, Point(Algebraic(1) / Algebraic(2), 2), Point(3, Algebraic(1) / Algebraic(3)));
+  const Arc hyperbola(0, 0, 1, 0, 0, -1, CGAL::COUNTERCLOCKWISE, Point(Algebraic(1) / Algebraic(2), 2),
+                      Point(3, Algebraic(1) / Algebraic(3)));
   ASSERT_TRUE(hyperbola.is_valid());
-  expect_arc(SC::to_bspline_curve(hyperbola), {Rational(1, 2), 2}, {3, Rational(1, 3)}, CGAL::COUNTERCLOCKWISE, hyperbola);
+  expect_arc(SC::to_bspline_curve(hyperbola), {Rational(1, 2), 2}, {3, Rational(1, 3)}, CGAL::COUNTERCLOCKWISE,
+             hyperbola);
 
   const auto segment = SC::to_bspline_curve(Arc(R::Segment_2(R::Point_2(1, 2), R::Point_2(4, 6))));
   EXPECT_EQ(segment.degree(), 1);
@@ -148,7 +152,8 @@ void expect_same_arc(const Arc& back, const Arc& arc)
   }
   if (arc.orientation() == CGAL::COLLINEAR)
     return;
-  const std::vector<CORE::BigInt> a{arc.r(), arc.s(), arc.t(), arc.u(), arc.v(), arc.w()}, b{back.r(), back.s(), back.t(), back.u(), back.v(), back.w()};
+  const std::vector<CORE::BigInt> a{arc.r(), arc.s(), arc.t(), arc.u(), arc.v(), arc.w()},
+      b{back.r(), back.s(), back.t(), back.u(), back.v(), back.w()};
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_EQ(a[i] * b[j], a[j] * b[i]);
@@ -156,16 +161,18 @@ void expect_same_arc(const Arc& back, const Arc& arc)
 
 TEST(Conic_traits_curves, are_given_back)
 {
-  const std::vector<Arc> arcs{Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(5, 0), Point(-3, 2)),
-                              Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(5, 0), Point(-3, 2)),
-                              Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
-                              Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
-                              Arc(1, 0, 0, 0, -1, 0, CGAL::COUNTERCLOCKWISE, Point(-1, 1), Point(2, 4)),
-                              Arc(0, 0, 1, 0, 0, -1, CGAL::COUNTERCLOCKWISE, Point(Algebraic(1) / Algebraic(2), 2), Point(3, Algebraic(1) / Algebraic(3))),
-                              Arc(R::Segment_2(R::Point_2(1, 2), R::Point_2(4, 6))),
-                              Arc(R::Circle_2(R::Point_2(1, 2), Rational(5))),
-                              Arc(1, 1, 1, -1, 1, -6),
-                              Arc(-1, -1, -1, 1, -1, 6)};
+  const std::vector<Arc> arcs{
+      Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(5, 0), Point(-3, 2)),
+      Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(5, 0), Point(-3, 2)),
+      Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
+      Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
+      Arc(1, 0, 0, 0, -1, 0, CGAL::COUNTERCLOCKWISE, Point(-1, 1), Point(2, 4)),
+      Arc(0, 0, 1, 0, 0, -1, CGAL::COUNTERCLOCKWISE, Point(Algebraic(1) / Algebraic(2), 2),
+          Point(3, Algebraic(1) / Algebraic(3))),
+      Arc(R::Segment_2(R::Point_2(1, 2), R::Point_2(4, 6))),
+      Arc(R::Circle_2(R::Point_2(1, 2), Rational(5))),
+      Arc(1, 1, 1, -1, 1, -6),
+      Arc(-1, -1, -1, 1, -1, 6)};
   for (const Arc& arc : arcs) {
     ASSERT_TRUE(arc.is_valid());
     const auto curve = SC::to_bspline_curve(arc);
@@ -182,9 +189,14 @@ TEST(Conic_traits_curves, are_given_back)
 TEST(Conic_traits_curves, of_curves_with_a_common_factor)
 {
   const auto function = [](const std::vector<SC::Exact_rational>& powers) {
-    return SC::Bspline_function<SC::Exact_rational>({4}, {{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}}, SC::Bernstein_tensor<SC::Exact_rational>::from_power({4}, powers).coefficients());
+    return SC::Bspline_function<SC::Exact_rational>(
+        {4}, {{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}},
+        SC::Bernstein_tensor<SC::Exact_rational>::from_power({4}, powers).coefficients());
   };
-  const auto curve = [&](int cubic) { return SC::Bspline_curve_2<R>::from_homogeneous_coordinates({function({0, 1, 0, 1, 0}), function({0, 0, 1, cubic, 1})}, function({1, 0, 1, 0, 0})); };
+  const auto curve = [&](int cubic) {
+    return SC::Bspline_curve_2<R>::from_homogeneous_coordinates(
+        {function({0, 1, 0, 1, 0}), function({0, 0, 1, cubic, 1})}, function({1, 0, 1, 0, 0}));
+  };
   const auto parts = SC::to_conic_traits_curves<Traits>(curve(0));
   ASSERT_TRUE(parts);
   ASSERT_EQ(parts->size(), 1u);
@@ -202,7 +214,8 @@ TEST(Conic_traits_curves, of_curves_join_what_is_on_one_conic)
   ASSERT_EQ(parts->size(), 1u);
   EXPECT_FALSE(parts->front().is_full_conic());
   EXPECT_EQ(parts->front().orientation(), CGAL::COUNTERCLOCKWISE);
-  const SC::Bspline_curve_2<R> corner(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 3}, {4, 4}});
+  const SC::Bspline_curve_2<R> corner(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                                      {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 3}, {4, 4}});
   const auto pieces = SC::to_conic_traits_curves<Traits>(corner);
   ASSERT_TRUE(pieces);
   ASSERT_EQ(pieces->size(), 3u);
@@ -216,7 +229,8 @@ TEST(Conic_traits_curves, of_curves_join_what_is_on_one_conic)
   EXPECT_FALSE(SC::to_conic_traits_curves<Traits>(SC::bezier_curve<R>(Points{{1, 1}, {1, 1}, {1, 1}})));
 }
 
-// Random rational quadratic curves are arcs through their points: of ellipses and parabolas, where CGAL 5.5 is right about all of them.
+// Random rational quadratic curves are arcs through their points: of ellipses and parabolas, where CGAL 5.5 is right
+// about all of them.
 TEST(Conic_traits_curves, of_random_curves_hold_their_points)
 {
   Random_geometry random(17);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves along which two surfaces touch: planes, spheres, cylinders, cones and tori with known circles and lines, on pieces, breaks and seams, parametric and implicit; their kinds, also of curves that cross.
+// Curves along which two surfaces touch: planes, spheres, cylinders, cones and tori with known circles and lines, on
+// pieces, breaks and seams, parametric and implicit; their kinds, also of curves that cross.
 
 #include "surface_test_names.h"
 
@@ -24,7 +25,8 @@ using Polynomial = SC::Power_polynomial;
 double number(const Rational& x) { return CGAL::to_double(x); }
 
 template <class A, class B>
-Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size_t open, std::size_t contacts, std::size_t singular = 0)
+Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size_t open, std::size_t contacts,
+                           std::size_t singular = 0)
 {
   Intersection set = SC::intersection_curves(a, b);
   EXPECT_TRUE(set.is_complete()) << set;
@@ -33,7 +35,8 @@ Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size
   EXPECT_EQ(set.number_of_contact_curves(), contacts);
   EXPECT_EQ(set.singular_points().size(), singular);
   for (const SC::Intersection_curve& curve : set.curves())
-    EXPECT_EQ(curve.kind(), curve.multiplicity == 1 ? SC::Intersection_kind::TRANSVERSAL : SC::Intersection_kind::TANGENT);
+    EXPECT_EQ(curve.kind(),
+              curve.multiplicity == 1 ? SC::Intersection_kind::TRANSVERSAL : SC::Intersection_kind::TANGENT);
   return set;
 }
 
@@ -61,12 +64,14 @@ void expect_circle(const Intersection& set, double radius, double height)
 K::Aff_transformation_3 motion(int k)
 {
   const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
-  const K::Aff_transformation_3 about_z(c, -s, 0, 1, s, c, 0, -2, 0, 0, 1, Rational(1, 3)), about_x(1, 0, 0, 0, 0, c, -s, 0, 0, s, c, k);
+  const K::Aff_transformation_3 about_z(c, -s, 0, 1, s, c, 0, -2, 0, 0, 1, Rational(1, 3)),
+      about_x(1, 0, 0, 0, 0, c, -s, 0, 0, s, c, k);
   return about_x * about_z;
 }
 
 const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1);
-const Surface cylinder = SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(Rational(3, 5), Rational(4, 5), -3));
+const Surface cylinder =
+    SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(Rational(3, 5), Rational(4, 5), -3));
 const Surface cone = SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(4, 0, 3));
 
 TEST(Contact_curves, circles_with_planes_and_spheres)
@@ -82,7 +87,8 @@ TEST(Contact_curves, circles_with_planes_and_spheres)
 
 Surface board(const Rational& y0, const Rational& y1, const Rational& height)
 {
-  return SC::bilinear_surface<K>(Point(-5, y0, height), Point(-5, y1, height), Point(6, y0, height), Point(6, y1, height));
+  return SC::bilinear_surface<K>(Point(-5, y0, height), Point(-5, y1, height), Point(6, y0, height),
+                                 Point(6, y1, height));
 }
 
 // Neither is implicit: the equation of one of them is found.
@@ -93,7 +99,9 @@ TEST(Contact_curves, parametric_surfaces)
   expect_circle(ring, 1, 1.0 / 3);
   for (const SC::Intersection_arc& arc : ring.curves()[0].arcs)
     for (const auto& sample : ring.samples(arc, 1e-1)) {
-      const auto at = [](const Surface& surface, const std::array<double, 2>& uv) { return surface(Rational(uv[0]), Rational(uv[1])); };
+      const auto at = [](const Surface& surface, const std::array<double, 2>& uv) {
+        return surface(Rational(uv[0]), Rational(uv[1]));
+      };
       EXPECT_LT(number(CGAL::squared_distance(at(cylinder, sample.parameters[0]), sample.point)), 1e-20);
       EXPECT_LT(number(CGAL::squared_distance(at(sphere, sample.parameters[1]), sample.point)), 1e-20);
     }
@@ -124,10 +132,12 @@ TEST(Contact_curves, of_parametric_surfaces_along_breaks)
     const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
     return K::Aff_transformation_3(c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0);
   };
-  const Surface large = SC::torus_surface<K>(Point(0, 0, 0), 5, 1), tube = SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(4, 0, -3));
+  const Surface large = SC::torus_surface<K>(Point(0, 0, 0), 5, 1),
+                tube = SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(4, 0, -3));
   expect_circle(expect_curves(torus, large, 1, 0, 1), 4, 0);
   expect_circle(expect_curves(tube.transformed(turned(2)), torus, 1, 0, 1), 4, 0);
-  expect_circle(expect_curves(torus, SC::sphere_surface<K>(Point(0, 0, 0), 4), 1, 0, 1), 4, 0);   // which has poles elsewhere
+  // which has poles elsewhere
+  expect_circle(expect_curves(torus, SC::sphere_surface<K>(Point(0, 0, 0), 4), 1, 0, 1), 4, 0);
 }
 
 // Inside of a cell, along a break and along the seam.
@@ -149,8 +159,10 @@ TEST(Contact_curves, lines_of_cylinders)
 // y (y - x)^2 (x^2 + y^2 - 1)^3 as heights: lines and a circle of the contacts 1, 2 and 3 that cross.
 TEST(Contact_curves, multiplicities)
 {
-  const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1), line = x - y - Polynomial(Rational(1, 7)), circle = x * x + y * y - Polynomial(1);
-  const auto factors = SC::square_free_factors((y - Polynomial(Rational(1, 3))) * line * line * circle * circle * circle);
+  const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1), line = x - y - Polynomial(Rational(1, 7)),
+                   circle = x * x + y * y - Polynomial(1);
+  const auto factors =
+      SC::square_free_factors((y - Polynomial(Rational(1, 3))) * line * line * circle * circle * circle);
   ASSERT_EQ(factors.size(), 3u);
   EXPECT_EQ(factors[0].total_degree(), 1);
   EXPECT_EQ(factors[1].total_degree(), 1);
@@ -222,7 +234,8 @@ TEST(Contact_curves, implicit_surfaces)
     expect_implicit_contacts(sphere, tube, 1, 0, 2);
     expect_implicit_contacts(tube, SC::Implicit_surface_3(q == z * z + 1), 1, 0, 2);
     expect_implicit_contacts(cone, SC::Implicit_surface_3(q + square(z - 2) == 1), 1, 0, 2);
-    expect_implicit_contacts(SC::Implicit_surface_3(q == 2 * z), SC::Implicit_surface_3(q + square(z - 3) == 5), 1, 0, 2);
+    expect_implicit_contacts(SC::Implicit_surface_3(q == 2 * z), SC::Implicit_surface_3(q + square(z - 3) == 5), 1, 0,
+                             2);
     expect_implicit_contacts(tube, SC::Implicit_surface_3(square(x - 2) + y * y == 1), 0, 1, 2);   // along a line
     expect_implicit_contacts(sphere, SC::Implicit_surface_3(q == Rational(99, 100)), 2, 0, 1);
     expect_implicit_contacts(sphere, SC::Implicit_surface_3(q == Rational(101, 100)), 0, 0, 0);
@@ -241,14 +254,17 @@ TEST(Contact_curves, of_quadrics_along_a_line)
 {
   for (const int k : {0, 2}) {
     const auto [x, y, z] = turned_coordinates(k);
-    const auto expect = [&, turned = k != 0](const SC::Constraint& a, const SC::Constraint& b, std::size_t curves, std::size_t contacts, double height) {
+    const auto expect = [&, turned = k != 0](const SC::Constraint& a, const SC::Constraint& b, std::size_t curves,
+                                             std::size_t contacts, double height) {
       const auto set = SC::intersection_curves(SC::Implicit_surface_3(a), SC::Implicit_surface_3(b));
       EXPECT_TRUE(set.is_complete()) << set;
       EXPECT_EQ(set.curves().size(), curves);
       EXPECT_EQ(set.number_of_closed_curves(), 0u);
       EXPECT_EQ(set.number_of_contact_curves(), contacts);
       ASSERT_EQ(set.singular_points().size(), 1u);
-      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(set.singular_points()[0].point(), CGAL::Point_3<CGAL::Simple_cartesian<double>>(0, 0, 0))), std::abs(height), 1e-10);
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(set.singular_points()[0].point(),
+                                                   CGAL::Point_3<CGAL::Simple_cartesian<double>>(0, 0, 0))),
+                  std::abs(height), 1e-10);
       for (const SC::Intersection_curve& curve : set.curves())
         for (const auto& p : set.polyline(curve, 1e-1)) {
           EXPECT_TRUE(turned || curve.multiplicity == 1 || std::hypot(p.x(), p.y()) < 1e-10) << p;
@@ -268,7 +284,8 @@ TEST(Contact_curves, of_implicit_surfaces_that_cross_as_well)
 {
   auto [x, y, z] = SC::unknowns({-2, 2}, {-2, Rational(33, 16)}, {-2, 2});
   const SC::Expression circle = x * x + y * y - 1;
-  const auto set = SC::intersection_curves(SC::Implicit_surface_3(z == 0), SC::Implicit_surface_3(z == circle * circle * (x - Rational(3, 5))));
+  const auto set = SC::intersection_curves(SC::Implicit_surface_3(z == 0),
+                                           SC::Implicit_surface_3(z == circle * circle * (x - Rational(3, 5))));
   EXPECT_TRUE(set.is_complete()) << set;
   EXPECT_EQ(set.singular_points().size(), 2u);
   EXPECT_EQ(set.curves().size(), 5u);
@@ -288,10 +305,16 @@ TEST(Contact_curves, random_cubic_cylinders)
     std::vector<Point> points;
     for (int i = 0; i <= 3; ++i)   // blossoms of z
       for (const int y : {0, 1}) {
-        const Rational z0 = height(0), z1 = height(Rational(1)), d0 = z.derivative(0)(std::array{Rational(0)}), d1 = z.derivative(0)(std::array{Rational(1)});
-        points.emplace_back(Rational(i, 3), y, i == 0 ? z0 : i == 1 ? Rational(z0 + d0 / 3) : i == 2 ? Rational(z1 - d1 / 3) : z1);
+        const Rational z0 = height(0), z1 = height(Rational(1)), d0 = z.derivative(0)(std::array{Rational(0)}),
+                       d1 = z.derivative(0)(std::array{Rational(1)});
+        points.emplace_back(Rational(i, 3), y,
+                            i == 0       ? z0
+                                : i == 1 ? Rational(z0 + d0 / 3)
+                                : i == 2 ? Rational(z1 - d1 / 3)
+                                         : z1);
       }
-    const Surface surface = Surface({3, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 1, 1}, points).with_knot(0, Rational(1, 2));
+    const Surface surface =
+        Surface({3, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 1, 1}, points).with_knot(0, Rational(1, 2));
     const bool crosses = b + Rational(1, 70) < 1;
     const Intersection set = expect_curves(surface, K::Plane_3(0, 0, 1, 0), 0, crosses ? 2 : 1, 1);
     for (const SC::Intersection_curve& curve : set.curves())

@@ -52,7 +52,8 @@ TEST(Contact_points, SphereAndPlane)
   EXPECT_TRUE(pole[0].is_at_end(0, 1) && !pole[0].is_at_end(0, 0));
   EXPECT_EQ(pole[0].parameter_range(0, 0), Range(0, 4));
   // Apart, crossing, and crossing at both poles.
-  for (const Plane& plane : {Plane(2, 1, 2, -3 - FT(1e-40)), Plane(2, 1, 2, -3 + FT(1e-40)), Plane(1, 1, 0, 0), Plane(3, 1, 0, 0)}) {
+  for (const Plane& plane :
+       {Plane(2, 1, 2, -3 - FT(1e-40)), Plane(2, 1, 2, -3 + FT(1e-40)), Plane(1, 1, 0, 0), Plane(3, 1, 0, 0)}) {
     const auto none = SC::contact_points(plane, unit_sphere);
     EXPECT_TRUE(none.is_complete() && none.empty()) << none.summary();
   }
@@ -81,16 +82,19 @@ TEST(Contact_points, TangentPlanesOfABicubic)
 {
   Random_geometry random(5);
   for (int round = 0; round < 8; ++round) {
-    const Surface surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, random.points<K, 3>(16), round % 2 == 0 ? std::vector<FT>() : random.weights(16));
+    const Surface surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, random.points<K, 3>(16),
+                          round % 2 == 0 ? std::vector<FT>() : random.weights(16));
     const FT u = ratio(random.integer(1, 9), 10), v = ratio(random.integer(1, 9), 10);
     const Plane plane(surface(u, v), surface.normal(u, v));
     const auto found = SC::contact_points(surface, plane);
     ASSERT_TRUE(found.is_complete()) << round << ' ' << found.summary();
     EXPECT_EQ(std::count_if(found.begin(), found.end(), [&](const auto& x) {
       const auto holds = [](const Range& range, const FT& t) { return range.first <= t && t <= range.second; };
-      return x.kind() == Intersection_kind::TANGENT && holds(x.parameter_range(0, 0), u) && holds(x.parameter_range(0, 1), v);
+      return x.kind() == Intersection_kind::TANGENT && holds(x.parameter_range(0, 0), u) &&
+          holds(x.parameter_range(0, 1), v);
     }), 1) << round;
-    const CGAL::Aff_transformation_3<K> map(FT(3), FT(-1), FT(2), FT(7), FT(1), FT(4), ratio(1, 3), FT(5), FT(-2), FT(1), FT(1), FT(6));
+    const CGAL::Aff_transformation_3<K> map(FT(3), FT(-1), FT(2), FT(7), FT(1), FT(4), ratio(1, 3), FT(5), FT(-2),
+                                            FT(1), FT(1), FT(6));
     const Surface moved = surface.transformed(map);
     const auto images = SC::contact_points(Plane(moved(u, v), moved.normal(u, v)), moved);
     EXPECT_EQ(images.size(), found.size());
@@ -101,40 +105,52 @@ using Function = SC::Bspline_function<FT>;
 
 Function polynomial(const std::vector<int>& degrees, const std::vector<FT>& power)
 {
-  return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power), std::vector<Range>(2, Range(0, 1)));
+  return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power),
+                               std::vector<Range>(2, Range(0, 1)));
 }
 
 const Function u = polynomial({1, 0}, {0, 1}), v = polynomial({0, 1}, {0, 1}), one = polynomial({0, 0}, {1});
 
-Surface graph(const Function& height) { return Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, height}, one); }
+Surface graph(const Function& height)
+{
+  return Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, height}, one);
+}
 
 // Graphs over the unit square that touch in one point.
 TEST(Contact_points, CurvedSurfaces)
 {
-  const Surface lower = graph(u * u - v * v), upper = graph(u * u - v * v + (u - ratio(1, 3)) * (u - ratio(1, 3)) + (v - ratio(2, 5)) * (v - ratio(2, 5)));
+  const Surface lower = graph(u * u - v * v),
+                upper = graph(u * u - v * v + (u - ratio(1, 3)) * (u - ratio(1, 3)) +
+                              (v - ratio(2, 5)) * (v - ratio(2, 5)));
   expect_one_contact(SC::contact_points(lower, upper), {1. / 3, 2. / 5, 1. / 9 - 4. / 25});
-  const auto apart = SC::contact_points(lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-30)))));
+  const auto apart = SC::contact_points(
+      lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-30)))));
   EXPECT_TRUE(apart.is_complete() && apart.empty()) << apart.summary();
-  const auto crossing = SC::contact_points(lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, -FT(1e-3)))));
+  const auto crossing = SC::contact_points(
+      lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, -FT(1e-3)))));
   EXPECT_TRUE(crossing.is_complete() && crossing.empty()) << crossing.summary();
 }
 
-// Two surfaces of straight lines touch where x^2 = 1/2: their intersection is the line y = 1/2 and a curve that crosses it there.
+// Two surfaces of straight lines touch where x^2 = 1/2: their intersection is the line y = 1/2 and a curve that crosses
+// it there.
 TEST(Contact_points, RuledSurfacesAtIrrationalParameters)
 {
   const Function w = v - one * ratio(1, 2);
   const Surface a = graph((u * u - one * ratio(1, 2)) * w), b = graph(w * w * (u + one));
   expect_one_contact(SC::contact_points(a, b), {std::sqrt(0.5), 0.5, 0});
-  const auto apart = SC::contact_points(a, b.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-20)))));
+  const auto apart =
+      SC::contact_points(a, b.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-20)))));
   EXPECT_TRUE(apart.is_complete() && apart.empty()) << apart.summary();
 }
 
-// Patches that end at each other, on both sides of the edge (u, 0, u^2): parts of one surface touch along it, others where their directions across, (0, 1, 0) and (0, 1, 2 u^2 - 1), are the same.
+// Patches that end at each other, on both sides of the edge (u, 0, u^2): parts of one surface touch along it, others
+// where their directions across, (0, 1, 0) and (0, 1, 2 u^2 - 1), are the same.
 TEST(Contact_points, SharedEdges)
 {
   const auto patch = [](int side, bool is_bent, bool is_reversed) {
     const FT y(side), bend(is_bent ? side : 0);
-    std::vector<Point> edge{{0, 0, 0}, Point(ratio(1, 2), 0, 0), {1, 0, 1}}, end{Point(0, y, -bend), Point(ratio(1, 2), y, -bend), Point(1, y, 1 + bend)};
+    std::vector<Point> edge{{0, 0, 0}, Point(ratio(1, 2), 0, 0), {1, 0, 1}},
+        end{Point(0, y, -bend), Point(ratio(1, 2), y, -bend), Point(1, y, 1 + bend)};
     if (is_reversed) {
       std::reverse(edge.begin(), edge.end());
       std::reverse(end.begin(), end.end());
@@ -182,7 +198,8 @@ TEST(Contact_points, OutOfTime)
     for (const FT& v : {ratio(1, 2), ratio(3, 2)}) {
       const auto has = [](const Range& range, const FT& x) { return range.first <= x && x <= range.second; };
       EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& x) {
-        return x.kind() == Intersection_kind::UNDECIDED && has(x.parameter_range(0, 0), u) && has(x.parameter_range(1, 0), u) && has(x.parameter_range(0, 1), v) && has(x.parameter_range(1, 1), v);
+        return x.kind() == Intersection_kind::UNDECIDED && has(x.parameter_range(0, 0), u) &&
+            has(x.parameter_range(1, 0), u) && has(x.parameter_range(0, 1), v) && has(x.parameter_range(1, 1), v);
       }));
     }
 }

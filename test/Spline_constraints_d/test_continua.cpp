@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Systems with infinitely many solutions: recognised early, described exactly, and no isolated solution beside them lost.
+// Systems with infinitely many solutions: recognised early, described exactly, and no isolated solution beside them
+// lost.
 
 #include "solver_test_checks.h"
 
@@ -26,17 +27,20 @@ const Polynomial z = Polynomial::variable(2);
 std::vector<Answer> continua_of(const Solutions& solutions)
 {
   std::vector<Answer> result;
-  std::copy_if(solutions.begin(), solutions.end(), std::back_inserter(result), [](const Answer& a) { return a.kind() == Solution_kind::CONTINUUM; });
+  std::copy_if(solutions.begin(), solutions.end(), std::back_inserter(result),
+               [](const Answer& a) { return a.kind() == Solution_kind::CONTINUUM; });
   return result;
 }
 
 bool is_covered(const Answer& continuum, const std::vector<Rational>& point)
 {
-  return std::any_of(continuum.cover().begin(), continuum.cover().end(), [&](const auto& box) { return meets(box, Point(point.begin(), point.end())); });
+  return std::any_of(continuum.cover().begin(), continuum.cover().end(),
+                     [&](const auto& box) { return meets(box, Point(point.begin(), point.end())); });
 }
 
 // One segment with these ends, some certified roots and nothing else.
-void check_segment(const System& system, const Ends& ends, std::size_t roots = 0, const SC::Solver_options& options = {})
+void check_segment(const System& system, const Ends& ends, std::size_t roots = 0,
+                   const SC::Solver_options& options = {})
 {
   const Solutions solutions = SC::solve(system, options);
   EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
@@ -113,13 +117,15 @@ TEST(Continua, Overlap)
 TEST(Continua, OverlapInSpace)
 {
   const Polynomial u = 3 * x / 4, v = 3 * y / 4 + fraction(1, 4);
-  check_segment(with_equalities(cube(2, 0, 1), {u - v, pow(u, 3) - u - pow(v, 3) + v, pow(u, 2) - pow(v, 2)}), {{fraction(1, 3), 0}, {1, fraction(2, 3)}});
+  check_segment(with_equalities(cube(2, 0, 1), {u - v, pow(u, 3) - u - pow(v, 3) + v, pow(u, 2) - pow(v, 2)}),
+                {{fraction(1, 3), 0}, {1, fraction(2, 3)}});
 }
 
 // A line of solutions and four roots beside it.
 TEST(Continua, CommonLine)
 {
-  const System system = with_equalities(cube(2, -2, 2), {(x - y) * (x * x + y * y - 2), (x - y) * (x * y - fraction(1, 2))});
+  const System system =
+      with_equalities(cube(2, -2, 2), {(x - y) * (x * x + y * y - 2), (x - y) * (x * y - fraction(1, 2))});
   check_segment(system, {{-2, -2}, {2, 2}}, 4);
   System half = system;
   half.add(x * x - 1, Relation::LESS);
@@ -178,7 +184,8 @@ TEST(Continua, CommonCircle)
     const Rational t = fraction(i, 10), w = 1 + t * t;
     EXPECT_TRUE(is_covered(continua[0], {Rational((1 - t * t) / w), Rational(2 * t / w)}));
   }
-  for (const auto& box : continua[0].cover()) {   // each meets the circle: it has corners inside and outside, unless it is tiny and the circle touches it
+  // each meets the circle: it has corners inside and outside, unless it is tiny and the circle touches it
+  for (const auto& box : continua[0].cover()) {
     if (box[0].second - box[0].first < fraction(1, 100000))
       continue;
     bool is_inside = false, is_outside = false;
@@ -195,7 +202,8 @@ TEST(Continua, CommonCircle)
 TEST(Continua, IsolatedZeroOfTheFactor)
 {
   for (const Polynomial& factor : {x + y, x * x + y * y}) {
-    const Solutions solutions = SC::solve(with_equalities(cube(2, 0, 1), {factor * (x - fraction(1, 2)), factor * (y - fraction(1, 4))}));
+    const Solutions solutions =
+        SC::solve(with_equalities(cube(2, 0, 1), {factor * (x - fraction(1, 2)), factor * (y - fraction(1, 4))}));
     ASSERT_EQ(solutions.size(), 2u);
     EXPECT_EQ(solutions[0].kind(), Solution_kind::CERTIFIED);
     EXPECT_EQ(solutions[1].kind(), Solution_kind::CLUSTER);
@@ -222,7 +230,8 @@ TEST(Continua, Limits)
 {
   System system = with_equalities(cube(2, -2, 2), {(x - y) * (x * x + y * y - 2), (x - y) * (x * y - fraction(1, 2))});
   system.add((x - fraction(1, 2)) * (x + fraction(1, 3)) * (x - fraction(3, 2)), Relation::LESS_EQUAL);
-  const Ends first{{-2, -2}, {fraction(-1, 3), fraction(-1, 3)}}, second{{fraction(1, 2), fraction(1, 2)}, {fraction(3, 2), fraction(3, 2)}};
+  const Ends first{{-2, -2}, {fraction(-1, 3), fraction(-1, 3)}},
+      second{{fraction(1, 2), fraction(1, 2)}, {fraction(3, 2), fraction(3, 2)}};
   std::size_t segments = 0;
   for (std::size_t nodes : {1, 10, 40, 60, 100, 1000}) {
     const Solutions solutions = SC::solve(system, {.node_limit = nodes});
@@ -231,7 +240,11 @@ TEST(Continua, Limits)
       EXPECT_TRUE(answer.ends().empty() || answer.ends() == first || answer.ends() == second) << nodes;
       segments += !answer.ends().empty();
     }
-    expect_nothing_lost({{fraction(-1, 1), fraction(-1, 1)}, {fraction(-1, 3), fraction(-1, 3)}, {1, 1}, {fraction(3, 2), fraction(3, 2)}}, solutions);
+    expect_nothing_lost({{fraction(-1, 1), fraction(-1, 1)},
+                         {fraction(-1, 3), fraction(-1, 3)},
+                         {1, 1},
+                         {fraction(3, 2), fraction(3, 2)}},
+                        solutions);
   }
   EXPECT_GE(segments, 2u);
 }
@@ -250,19 +263,24 @@ TEST(Continua, ZeroEquations)
 TEST(Continua, CommonSurfaces)
 {
   const Polynomial sphere = x * x + y * y + z * z - 1, plane = x - y;
-  Solutions solutions = SC::solve(with_equalities(cube(3, -2, 2), {sphere * (x - y), sphere * (x + y - 3), sphere * (z - fraction(3, 2))}));
+  Solutions solutions = SC::solve(
+      with_equalities(cube(3, -2, 2), {sphere * (x - y), sphere * (x + y - 3), sphere * (z - fraction(3, 2))}));
   EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 1u);
   ASSERT_EQ(continua_of(solutions).size(), 1u);
   EXPECT_EQ(continua_of(solutions)[0].dimension(), 2);
-  for (const std::vector<Rational>& point : {std::vector<Rational>{1, 0, 0}, {0, fraction(3, 5), fraction(-4, 5)}, {fraction(2, 3), fraction(-2, 3), fraction(1, 3)}})
+  for (const std::vector<Rational>& point : {std::vector<Rational>{1, 0, 0},
+                                             {0, fraction(3, 5), fraction(-4, 5)},
+                                             {fraction(2, 3), fraction(-2, 3), fraction(1, 3)}})
     EXPECT_TRUE(is_covered(continua_of(solutions)[0], point));
-  solutions = SC::solve(with_equalities(cube(3, -2, 2), {square(plane) * (x + z), plane * (x * y - 1), plane * (x + y + z)}));
+  solutions =
+      SC::solve(with_equalities(cube(3, -2, 2), {square(plane) * (x + z), plane * (x * y - 1), plane * (x + y + z)}));
   EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);   // x = -z, x y = 1, y = 0
   ASSERT_EQ(continua_of(solutions).size(), 1u);
   EXPECT_EQ(continua_of(solutions)[0].dimension(), 2);
 }
 
-// Curves without a common factor: not proved, but no more than one-dimensional, and soon. The work does not depend on the tolerance.
+// Curves without a common factor: not proved, but no more than one-dimensional, and soon. The work does not depend on
+// the tolerance.
 TEST(Continua, SuspectedCurves)
 {
   const Polynomial sphere = x * x + y * y + z * z - 2, cone = x * x + y * y - z * z;
@@ -272,12 +290,17 @@ TEST(Continua, SuspectedCurves)
     std::vector<std::vector<Rational>> points;
   };
   const std::vector<Case> cases{
-    {with_equalities(cube(3, -1, 1), {x - y, x * x - z, x * x * x - y * z}), {{0, 0, 0}, {fraction(-1, 2), fraction(-1, 2), fraction(1, 4)}, {1, 1, 1}}},
-    // Rays that are reflected in a circle and come back after three times: the equilateral triangles, by the tangents of half the angles.
-    {with_equalities(cube(3, -3, 3), {4 * square(1 + x * y) - (1 + x * x) * (1 + y * y), 4 * square(1 + y * z) - (1 + y * y) * (1 + z * z),
-                                      4 * square(1 + z * x) - (1 + z * z) * (1 + x * x)}),
-     {}},
-    {with_equalities(cube(3, -2, 2), {sphere, cone, sphere * x + cone * y}), {{1, 0, 1}, {fraction(3, 5), fraction(4, 5), -1}}}};
+      {with_equalities(cube(3, -1, 1), {x - y, x * x - z, x * x * x - y * z}),
+       {{0, 0, 0}, {fraction(-1, 2), fraction(-1, 2), fraction(1, 4)}, {1, 1, 1}}},
+      // Rays that are reflected in a circle and come back after three times: the equilateral triangles, by the tangents
+      // of half the angles.
+      {with_equalities(cube(3, -3, 3),
+                       {4 * square(1 + x * y) - (1 + x * x) * (1 + y * y),
+                        4 * square(1 + y * z) - (1 + y * y) * (1 + z * z),
+                        4 * square(1 + z * x) - (1 + z * z) * (1 + x * x)}),
+       {}},
+      {with_equalities(cube(3, -2, 2), {sphere, cone, sphere * x + cone * y}),
+       {{1, 0, 1}, {fraction(3, 5), fraction(4, 5), -1}}}};
   for (const Case& test : cases) {
     const Solutions solutions = SC::solve(test.system);
     EXPECT_GE(solutions.size(), 1u);
@@ -289,7 +312,8 @@ TEST(Continua, SuspectedCurves)
       EXPECT_FALSE(answer.cover().empty());
     }
     for (const auto& point : test.points)
-      EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(), [&](const Answer& answer) { return is_covered(answer, point); }));
+      EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(),
+                              [&](const Answer& answer) { return is_covered(answer, point); }));
     EXPECT_EQ(SC::solve(test.system, {.tolerance = 1e-5}).summary().nodes, solutions.summary().nodes);
     EXPECT_LT(solutions.summary().nodes, 2000u);
   }
@@ -316,7 +340,8 @@ TEST(Continua, SplinesOverlap)
     b.resize(pieces + degree);
     const Spline first[2]{Spline({degree}, {knots(0)}, a), Spline({degree}, {knots(0)}, b)};
     const Spline second[2]{Spline({degree}, {knots(fraction(1, 4))}, a), Spline({degree}, {knots(fraction(1, 4))}, b)};
-    System same(std::vector<System::Domain>{{0, 1}, {0, 1}}), shifted(std::vector<System::Domain>{{fraction(1, 3), 1}, {fraction(1, 4), fraction(9, 10)}});
+    System same(std::vector<System::Domain>{{0, 1}, {0, 1}}),
+        shifted(std::vector<System::Domain>{{fraction(1, 3), 1}, {fraction(1, 4), fraction(9, 10)}});
     for (int i : {0, 1}) {
       same.add(on_variable(0, first[i]) - on_variable(1, first[i]), Relation::EQUAL);
       shifted.add(on_variable(0, first[i]) - on_variable(1, second[i]), Relation::EQUAL);
@@ -326,11 +351,14 @@ TEST(Continua, SplinesOverlap)
   }
 }
 
-// Random systems h g_i = 0 with a planted h: the continuum is where h is zero, and the roots beside it are those of g = 0 that are not on it.
+// Random systems h g_i = 0 with a planted h: the continuum is where h is zero, and the roots beside it are those of g =
+// 0 that are not on it.
 TEST(Continua, PlantedComponents)
 {
   std::mt19937 random(7);
-  const auto number = [&](int largest, int denominator) { return fraction(std::uniform_int_distribution<int>(-largest, largest)(random), denominator); };
+  const auto number = [&](int largest, int denominator) {
+    return fraction(std::uniform_int_distribution<int>(-largest, largest)(random), denominator);
+  };
   std::size_t segments = 0, covers = 0, roots = 0;
   for (int test = 0; test < 200; ++test) {
     SCOPED_TRACE(test);
@@ -350,10 +378,14 @@ TEST(Continua, PlantedComponents)
     const bool is_line = test % 2 == 0;
     Polynomial h = linear(on);
     if (!is_line)
-      h += Polynomial(number(2, 1)) * square(x - on[0]) + (y - on[1]) * (y - on[1]) + (x - on[0]) * (y - on[1]) * Polynomial(number(2, 1));
+      h += Polynomial(number(2, 1)) * square(x - on[0]) + (y - on[1]) * (y - on[1]) +
+          (x - on[0]) * (y - on[1]) * Polynomial(number(2, 1));
     System system = cube(n, -1, 1), cofactors = cube(n, -1, 1);
     for (int i = 0; i < n; ++i) {
-      const Polynomial g = linear(off) + (n == 2 ? square(x - off[0]) * Polynomial(number(3, 1)) + (x - off[0]) * (y - off[1]) * Polynomial(number(3, 1)) : Polynomial());
+      const Polynomial g = linear(off) +
+          (n == 2
+               ? square(x - off[0]) * Polynomial(number(3, 1)) + (x - off[0]) * (y - off[1]) * Polynomial(number(3, 1))
+               : Polynomial());
       system.add(h * g, Relation::EQUAL);
       cofactors.add(g, Relation::EQUAL);
     }
@@ -361,8 +393,11 @@ TEST(Continua, PlantedComponents)
     if (h.is_constant() || !expected.is_complete() || expected.count(Solution_kind::CERTIFIED) != expected.size())
       continue;   // the cofactors are a case of their own
     const auto continua = continua_of(solutions);
-    const bool is_singular = CGAL::is_zero(h.derivative(0)(on)) && CGAL::is_zero(h.derivative(1)(on));   // an ellipse that is a point, as a rule
-    EXPECT_TRUE(is_singular || std::any_of(continua.begin(), continua.end(), [&](const Answer& c) { return is_covered(c, on); })) << h;
+    // an ellipse that is a point, as a rule
+    const bool is_singular = CGAL::is_zero(h.derivative(0)(on)) && CGAL::is_zero(h.derivative(1)(on));
+    EXPECT_TRUE(is_singular ||
+                std::any_of(continua.begin(), continua.end(), [&](const Answer& c) { return is_covered(c, on); }))
+        << h;
     expect_nothing_lost({Point(on.begin(), on.end())}, solutions);
     std::size_t beside = 0;
     for (const Answer& root : expected) {

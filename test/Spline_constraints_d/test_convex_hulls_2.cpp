@@ -35,8 +35,14 @@ using Kind = SC::Hull_edge_kind;
 const double pi = std::acos(-1.0);
 
 Curve circle(double x, double y, double radius) { return SC::circle_curve(Point(x, y), radius); }
-Curve moved(const Curve& curve, double x, double y) { return curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, Vector(x, y))); }
-Curve kidney() { return Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {4, 0}, {4, 3}, {2, 1}, {2, 4}, {0, 5}, {-1, 2}}); }
+Curve moved(const Curve& curve, double x, double y)
+{
+  return curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, Vector(x, y)));
+}
+Curve kidney()
+{
+  return Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {4, 0}, {4, 3}, {2, 1}, {2, 4}, {0, 5}, {-1, 2}});
+}
 
 // Edges follow each other, and turn left all along.
 void expect_convex_cycle(const Hull& hull)
@@ -172,13 +178,15 @@ TEST(convex_hulls_2, ends_of_a_curve)
 // What touches the boundary from within, overlaps it, or lies on it, does not matter.
 TEST(convex_hulls_2, drawings)
 {
-  const Curve square = SC::polyline_curve(std::vector<Point>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}), disk = circle(0, 0, 1);
+  const Curve square = SC::polyline_curve(std::vector<Point>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}),
+              disk = circle(0, 0, 1);
   const Hull inscribed = SC::convex_hull(Curves{disk, square, disk, square.reversed()}, {Point(0, 1), Point(1, 1)});
   expect_complete(inscribed, 0, 4);
   EXPECT_EQ(inscribed.area().first, 4);
   EXPECT_EQ(inscribed.area().second, 4);
 
-  for (const Curves& curves : {Curves{disk, circle(0.5, 0, 0.5)}, Curves{disk, disk.reversed(), circle(0, 0.25, 0.75)}, Curves{circle(0.5, 0, 0.5), disk, SC::segment_curve(Point(-1, 0), Point(0, 0))}}) {
+  for (const Curves& curves : {Curves{disk, circle(0.5, 0, 0.5)}, Curves{disk, disk.reversed(), circle(0, 0.25, 0.75)},
+                               Curves{circle(0.5, 0, 0.5), disk, SC::segment_curve(Point(-1, 0), Point(0, 0))}}) {
     const Hull hull = SC::convex_hull(curves);
     EXPECT_TRUE(hull.is_complete());
     EXPECT_EQ(count_edges(hull, Kind::SEGMENT), 0u);
@@ -186,20 +194,23 @@ TEST(convex_hulls_2, drawings)
     expect_area(hull, pi);
   }
 
-  const Hull on_arc = SC::convex_hull(Curves{circle(0, 0, 5), SC::segment_curve(Point(0, 0), Point(3, 4))}, {Point(-4, 3)});
+  const Hull on_arc =
+      SC::convex_hull(Curves{circle(0, 0, 5), SC::segment_curve(Point(0, 0), Point(3, 4))}, {Point(-4, 3)});
   EXPECT_TRUE(on_arc.is_complete());
   expect_convex_cycle(on_arc);
   expect_area(on_arc, 25 * pi);
 
   const Curve arch = SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, 2}, {3, 0}});
-  const Hull overlapping = SC::convex_hull(Curves{arch.restricted(0, 0.625), arch.restricted(0.3125, 1), arch.restricted(0.25, 0.75).reversed()});
+  const Hull overlapping = SC::convex_hull(
+      Curves{arch.restricted(0, 0.625), arch.restricted(0.3125, 1), arch.restricted(0.25, 0.75).reversed()});
   EXPECT_TRUE(overlapping.is_complete());
   EXPECT_EQ(count_edges(overlapping, Kind::SEGMENT), 1u);
   expect_convex_cycle(overlapping);
   EXPECT_EQ(overlapping.area().first, 3);
   EXPECT_EQ(overlapping.area().second, 3);
 
-  const Hull wedge = SC::convex_hull(Curves{disk, SC::segment_curve(Point(1, -1), Point(1, 1)), SC::segment_curve(Point(3, 1), Point(-1, 1))});
+  const Hull wedge = SC::convex_hull(
+      Curves{disk, SC::segment_curve(Point(1, -1), Point(1, 1)), SC::segment_curve(Point(3, 1), Point(-1, 1))});
   EXPECT_TRUE(wedge.is_complete());
   expect_convex_cycle(wedge);
   expect_area(wedge, 1 + pi / 4 + 1 + 2 + 1);   // three quarters around the center, and a triangle
@@ -216,26 +227,32 @@ TEST(convex_hulls_2, three_tangents_are_one)
   expect_area(row, SC::to_nearest_double(SC::Exact_rational((lower + upper) / 2)));
 }
 
-// Curves that begin in a point of a circle, with the same tangent, at other speeds: inside, where they do not matter, and outside.
+// Curves that begin in a point of a circle, with the same tangent, at other speeds: inside, where they do not matter,
+// and outside.
 TEST(convex_hulls_2, forks)
 {
   const Curve disk = circle(0, 0, 1);
-  const auto fork = [](double speed, double depth, double height, int sign) { return SC::bezier_curve<K>({{-1, 0}, {-1, sign * speed}, {-1 + depth, sign * height}}); };
+  const auto fork = [](double speed, double depth, double height, int sign) {
+    return SC::bezier_curve<K>({{-1, 0}, {-1, sign * speed}, {-1 + depth, sign * height}});
+  };
   for (const int sign : {1, -1})
-    for (const Curve& inside : {fork(0.125, 0.125, 0.25, sign), fork(0.25, 0.5, 0.25, sign), fork(0.375, 0.5, 0.25, sign), fork(0.5, 1, 0.25, sign), fork(0.75, 1.5, 0, sign)}) {
+    for (const Curve& inside : {fork(0.125, 0.125, 0.25, sign), fork(0.25, 0.5, 0.25, sign),
+                                fork(0.375, 0.5, 0.25, sign), fork(0.5, 1, 0.25, sign), fork(0.75, 1.5, 0, sign)}) {
       const Hull hull = SC::convex_hull(Curves{disk, inside});
       EXPECT_TRUE(hull.is_complete());
       EXPECT_EQ(count_edges(hull, Kind::SEGMENT), 0u);
       expect_convex_cycle(hull);
       expect_area(hull, pi);
     }
-  const Hull greater = SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, 2}, {1, 2}}, {1, 1, 2})});   // a quarter of twice the radius
+  // a quarter of twice the radius
+  const Hull greater = SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, 2}, {1, 2}}, {1, 1, 2})});
   EXPECT_TRUE(greater.is_complete());
   EXPECT_EQ(count_edges(greater, Kind::SEGMENT), 1u);
   expect_convex_cycle(greater);
   expect_area(greater, 1.5 * pi);
   for (const double speed : {0.25, 1.0}) {   // the curvature is zero in the fork
-    const Hull straight = SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, speed}, {-1, 2 * speed}, {0, 2 * speed}})});
+    const Hull straight =
+        SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, speed}, {-1, 2 * speed}, {0, 2 * speed}})});
     EXPECT_TRUE(straight.is_complete());
     expect_convex_cycle(straight);
     EXPECT_GT(straight.area().first, SC::Exact_rational(pi));

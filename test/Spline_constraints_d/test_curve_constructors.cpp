@@ -52,7 +52,8 @@ TEST(Polygonal_curves, run_through_their_points)
   const auto segment = SC::segment_curve(CGAL::Epick::Point_3(1, 2, 3), CGAL::Epick::Point_3(2, 4, 7));
   EXPECT_EQ(segment(0.25), CGAL::Epick::Point_3(1.25, 2.5, 4));
   EXPECT_EQ(SC::bezier_curve<CGAL::Epeck>({{-3, 1}, {-1, -6}, {1, 6}, {3, -1}})(0.5), CGAL::Epeck::Point_2(0, 0));
-  EXPECT_TRUE(SC::bezier_curve<Exact_cartesian>({Point_3(0, 0, 0), Point_3(1, 1, 1), Point_3(0, 0, 2)}, {1, 2, 1}).is_rational());
+  EXPECT_TRUE(SC::bezier_curve<Exact_cartesian>({Point_3(0, 0, 0), Point_3(1, 1, 1), Point_3(0, 0, 2)}, {1, 2, 1})
+                  .is_rational());
 }
 
 TEST(Circle_curve, lies_on_its_circle)
@@ -85,19 +86,23 @@ TEST(Circle_curve, lies_on_its_circle)
       continue;
     const Curve_2 through = SC::circle_curve(center, source);
     EXPECT_EQ(through.source(), source);
-    EXPECT_EQ(CGAL::squared_distance(through(FT(4) * random.fraction()), center), CGAL::squared_distance(source, center));
+    EXPECT_EQ(CGAL::squared_distance(through(FT(4) * random.fraction()), center),
+              CGAL::squared_distance(source, center));
   }
   const auto rounded = SC::circle_curve(Double_point_2(0.1, 0.2), 0.3);
   for (int k = 0; k <= 40; ++k)
     EXPECT_NEAR(CGAL::squared_distance(rounded(0.1 * k), Double_point_2(0.1, 0.2)), 0.09, 1e-15);
-  EXPECT_EQ(CGAL::squared_distance(SC::circle_curve(CGAL::Epeck::Point_2(1, 2), 3)(0.3), CGAL::Epeck::Point_2(1, 2)), 9);
+  EXPECT_EQ(CGAL::squared_distance(SC::circle_curve(CGAL::Epeck::Point_2(1, 2), 3)(0.3), CGAL::Epeck::Point_2(1, 2)),
+            9);
 }
 
 // Whether points of a curve of doubles have exactly one distance from a center.
 bool is_exactly_circular(const SC::Bspline_curve_2<CGAL::Simple_cartesian<double>>& arc)
 {
   const Curve_2 exact(arc);
-  const auto at = [&](int k) { return exact(exact.domain().first + FT(k) / 7 * (exact.domain().second - exact.domain().first)); };
+  const auto at = [&](int k) {
+    return exact(exact.domain().first + FT(k) / 7 * (exact.domain().second - exact.domain().first));
+  };
   const Point_2 center = CGAL::circumcenter(at(0), at(3), at(5));
   bool result = true;
   for (int k = 0; k <= 7; ++k)
@@ -126,8 +131,11 @@ TEST(Circle_curve, at_the_ends_of_the_range_of_doubles)
 TEST(Circular_arc_curve, half_circles_in_doubles)
 {
   using Double_points = std::array<Double_point_2, 3>;
-  for (const auto& [center, source, target] : {Double_points{Double_point_2(0.9, 0.3), Double_point_2(0.9, 0.1), Double_point_2(0.9, 0.5)}, Double_points{Double_point_2(0, 0.3), Double_point_2(0, 0.1), Double_point_2(0, 0.5)},
-                                               Double_points{Double_point_2(0.3, 0), Double_point_2(0.1, 0), Double_point_2(0.5, 0)}, Double_points{Double_point_2(0.1, 0.3), Double_point_2(0.1, 0.5), Double_point_2(0.1, 0.1)}})
+  for (const auto& [center, source, target] :
+       {Double_points{Double_point_2(0.9, 0.3), Double_point_2(0.9, 0.1), Double_point_2(0.9, 0.5)},
+        Double_points{Double_point_2(0, 0.3), Double_point_2(0, 0.1), Double_point_2(0, 0.5)},
+        Double_points{Double_point_2(0.3, 0), Double_point_2(0.1, 0), Double_point_2(0.5, 0)},
+        Double_points{Double_point_2(0.1, 0.3), Double_point_2(0.1, 0.5), Double_point_2(0.1, 0.1)}})
     for (const auto orientation : {CGAL::COUNTERCLOCKWISE, CGAL::CLOCKWISE}) {
       const auto arc = SC::circular_arc_curve(center, source, target, orientation);
       EXPECT_EQ(arc.domain(), std::pair(0.0, 2.0));
@@ -139,15 +147,18 @@ TEST(Circular_arc_curve, half_circles_in_doubles)
   // In any direction the target is where it should be, and the angle is nearly a half turn.
   for (int k = 0; k < 60; ++k) {
     const double angle = 0.1 * k;
-    const Double_point_2 center(0.1, 0.7), source(0.1 + 0.3 * std::cos(angle), 0.7 + 0.3 * std::sin(angle)), target(0.1 - 0.3 * std::cos(angle), 0.7 - 0.3 * std::sin(angle));
+    const Double_point_2 center(0.1, 0.7), source(0.1 + 0.3 * std::cos(angle), 0.7 + 0.3 * std::sin(angle)),
+        target(0.1 - 0.3 * std::cos(angle), 0.7 - 0.3 * std::sin(angle));
     const auto arc = SC::circular_arc_curve(center, source, target);
     EXPECT_NEAR(arc.domain().second, 2, 1e-14);
     EXPECT_LT(CGAL::squared_distance(arc.target(), target), 1e-30);
   }
-  const auto quarter = SC::circular_arc_curve(Double_point_2(0.1, 0.2), Double_point_2(0.4, 0.2), Double_point_2(0.1, 0.5));
+  const auto quarter =
+      SC::circular_arc_curve(Double_point_2(0.1, 0.2), Double_point_2(0.4, 0.2), Double_point_2(0.1, 0.5));
   EXPECT_EQ(quarter.domain().second, 1);
   EXPECT_TRUE(is_exactly_circular(quarter));
-  expect_invalid([] { SC::circular_arc_curve(Double_point_2(0, 0), Double_point_2(1, 0), Double_point_2(2, 0)); }, "same direction");
+  expect_invalid([] { SC::circular_arc_curve(Double_point_2(0, 0), Double_point_2(1, 0), Double_point_2(2, 0)); },
+                 "same direction");
 }
 
 TEST(Circular_arc_curve, runs_from_source_to_target)
@@ -160,7 +171,8 @@ TEST(Circular_arc_curve, runs_from_source_to_target)
     if (p == q)
       continue;
     const bool is_clockwise = random.integer(0, 1) == 1;
-    const Curve_2 arc = SC::circular_arc_curve(Point_2(1, 2), p, q, is_clockwise ? CGAL::CLOCKWISE : CGAL::COUNTERCLOCKWISE);
+    const Curve_2 arc =
+        SC::circular_arc_curve(Point_2(1, 2), p, q, is_clockwise ? CGAL::CLOCKWISE : CGAL::COUNTERCLOCKWISE);
     EXPECT_EQ(arc.source(), p);
     EXPECT_EQ(arc.target(), q);
     EXPECT_LT(arc.domain().second, 4);
@@ -169,14 +181,16 @@ TEST(Circular_arc_curve, runs_from_source_to_target)
       EXPECT_EQ(CGAL::squared_distance(arc(t), Point_2(1, 2)), 5);
       EXPECT_EQ(arc.curvature(t) < 0, is_clockwise);
     }
-    // At most half a turn exactly if the target is not on the other side of the line from the center through the source.
+    // At most half a turn exactly if the target is not on the other side of the line from the center through the
+    // source.
     const CGAL::Orientation side = CGAL::orientation(Point_2(1, 2), p, q);
     EXPECT_EQ(arc.domain().second <= 2, side == CGAL::COLLINEAR || (side == CGAL::CLOCKWISE) == is_clockwise);
     ++turns[arc.domain().second <= 2];
   }
   EXPECT_GT(turns[0], rounds / 2);
   EXPECT_GT(turns[1], rounds / 2);
-  const auto rounded = SC::circular_arc_curve(Double_point_2(0, 0), Double_point_2(1, 0), Double_point_2(-std::sqrt(0.5), -std::sqrt(0.5)));
+  const auto rounded = SC::circular_arc_curve(Double_point_2(0, 0), Double_point_2(1, 0),
+                                              Double_point_2(-std::sqrt(0.5), -std::sqrt(0.5)));
   EXPECT_NEAR(rounded.target().x(), -std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(rounded.target().y(), -std::sqrt(0.5), 1e-15);
 }
@@ -231,12 +245,14 @@ TEST(Conic_curve, through_five_points)
     for (const Point_2& p : points)
       ASSERT_EQ(equation(p.x(), p.y()), 0);
     for (int i = 0; i < rounds; ++i) {
-      const Point_2 p = curve(curve.domain().first + (curve.domain().second - curve.domain().first) * random.fraction());
+      const Point_2 p =
+          curve(curve.domain().first + (curve.domain().second - curve.domain().first) * random.fraction());
       EXPECT_EQ(equation(p.x(), p.y()), 0);
     }
   };
   // x^2 + x y + y^2 = 7, all of it.
-  const std::array<Point_2, 5> on_ellipse{Point_2(1, 2), Point_2(2, 1), Point_2(-1, 3), Point_2(3, -1), Point_2(-1, -2)};
+  const std::array<Point_2, 5> on_ellipse{Point_2(1, 2), Point_2(2, 1), Point_2(-1, 3), Point_2(3, -1),
+                                          Point_2(-1, -2)};
   const Curve_2 ellipse = SC::conic_curve(on_ellipse);
   check(on_ellipse, [](const FT& x, const FT& y) { return FT(x * x + x * y + y * y - 7); }, ellipse);
   EXPECT_TRUE(ellipse.is_closed());
@@ -253,17 +269,34 @@ TEST(Conic_curve, through_five_points)
   EXPECT_EQ((std::max)(parabola.source(), parabola.target()), Point_2(3, 6));
 
   // x y = 1, one branch, between the extreme points.
-  const std::array<Point_2, 5> on_hyperbola{Point_2(1, 1), Point_2(2, FT(1) / 2), Point_2(FT(1) / 3, 3), Point_2(5, FT(1) / 5), Point_2(3, FT(1) / 3)};
+  const std::array<Point_2, 5> on_hyperbola{Point_2(1, 1), Point_2(2, FT(1) / 2), Point_2(FT(1) / 3, 3),
+                                            Point_2(5, FT(1) / 5), Point_2(3, FT(1) / 3)};
   const Curve_2 hyperbola = SC::conic_curve(on_hyperbola);
   check(on_hyperbola, [](const FT& x, const FT& y) { return FT(x * y - 1); }, hyperbola);
   EXPECT_EQ((std::min)(hyperbola.source(), hyperbola.target()), on_hyperbola[2]);
   EXPECT_EQ((std::max)(hyperbola.source(), hyperbola.target()), on_hyperbola[3]);
 
-  expect_invalid([] { SC::conic_curve<Exact_cartesian>({Point_2(1, 1), Point_2(2, FT(1) / 2), Point_2(-1, -1), Point_2(4, FT(1) / 4), Point_2(-2, -FT(1) / 2)}); },
-                 "both branches");
-  expect_invalid([] { SC::conic_curve<Exact_cartesian>({Point_2(0, 0), Point_2(1, 1), Point_2(2, 2), Point_2(0, 1), Point_2(5, 1)}); }, "pair of lines");
-  expect_invalid([] { SC::conic_curve<Exact_cartesian>({Point_2(3, 4), Point_2(1, 1), Point_2(2, 2), Point_2(0, 0), Point_2(5, 5)}); }, "more than one conic");
-  expect_invalid([] { SC::conic_curve<Exact_cartesian>({Point_2(3, 4), Point_2(3, 4), Point_2(2, 2), Point_2(1, 0), Point_2(5, 5)}); }, "more than one conic");
+  expect_invalid(
+      [] {
+        SC::conic_curve<Exact_cartesian>(
+            {Point_2(1, 1), Point_2(2, FT(1) / 2), Point_2(-1, -1), Point_2(4, FT(1) / 4), Point_2(-2, -FT(1) / 2)});
+      },
+      "both branches");
+  expect_invalid(
+      [] {
+        SC::conic_curve<Exact_cartesian>({Point_2(0, 0), Point_2(1, 1), Point_2(2, 2), Point_2(0, 1), Point_2(5, 1)});
+      },
+      "pair of lines");
+  expect_invalid(
+      [] {
+        SC::conic_curve<Exact_cartesian>({Point_2(3, 4), Point_2(1, 1), Point_2(2, 2), Point_2(0, 0), Point_2(5, 5)});
+      },
+      "more than one conic");
+  expect_invalid(
+      [] {
+        SC::conic_curve<Exact_cartesian>({Point_2(3, 4), Point_2(3, 4), Point_2(2, 2), Point_2(1, 0), Point_2(5, 5)});
+      },
+      "more than one conic");
   const auto rounded = SC::conic_curve<CGAL::Epick>({CGAL::Epick::Point_2(1, 0), {0, 1}, {-1, 0}, {0, -1}, {0.6, 0.8}});
   for (int i = 0; i <= 40; ++i) {
     // 0.6 and 0.8 are not on the circle: the conic is the one through the doubles.
@@ -342,7 +375,11 @@ TEST(Curve_constructors, reject_bad_input)
   expect_invalid([] { SC::circle_curve(Point_3(0, 0, 0), Vector_3(0, 0, 1), Point_3(0, 0, 2)); }, "on the axis");
   expect_invalid([] { SC::cubic_interpolation_curve(std::vector<P>{P(0, 0)}); }, "at least 2");
   expect_invalid([] { SC::cubic_interpolation_curve(std::vector<P>{P(0, 0), P(1, 1)}, {0, 1, 2}); }, "3 where 2");
-  expect_invalid([] { SC::cubic_interpolation_curve(std::vector<P>{P(0, 0), P(1, 1), P(2, 2)}, {0, 2, 2}); }, "parameter 2");
+  expect_invalid(
+      [] {
+        SC::cubic_interpolation_curve(std::vector<P>{P(0, 0), P(1, 1), P(2, 2)}, {0, 2, 2});
+      },
+      "parameter 2");
   expect_invalid([&] { SC::cubic_interpolation_curve(std::vector<P>{P(0, 0), P(1, nan), P(2, 2)}); }, "control point");
   expect_invalid([&] { SC::conic_curve<Double_cartesian>({P(0, 0), P(1, nan), P(2, 2), P(0, 1), P(5, 1)}); }, "NaN");
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Derivatives, tangents and curvatures of curves of solutions: exact values on circles, Viviani's curve and great circles, Taylor's theorem on random curves, breaks of splines.
+// Derivatives, tangents and curvatures of curves of solutions: exact values on circles, Viviani's curve and great
+// circles, Taylor's theorem on random curves, breaks of splines.
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
@@ -30,7 +31,8 @@ const auto x = [](int i) { return Power_polynomial::variable(i); };
 
 SC::Constraint_system_d system_of(const std::vector<Power_polynomial>& equations, int dimension, int size = 3)
 {
-  SC::Constraint_system_d result(std::vector<SC::Constraint_system_d::Domain>(dimension, {Rational(-size), Rational(size)}));
+  SC::Constraint_system_d result(
+      std::vector<SC::Constraint_system_d::Domain>(dimension, {Rational(-size), Rational(size)}));
   for (const Power_polynomial& equation : equations)
     result.add(equation, SC::Relation::EQUAL);
   return result;
@@ -78,7 +80,8 @@ TEST(Curve_differentials, exact_on_a_circle)
   const auto in_doubles = SC::curve_differentials<double>(circle, box_of({Rational(6, 5), Rational(8, 5)}), 0);
   ASSERT_TRUE(in_doubles);
   EXPECT_NEAR(in_doubles->squared_curvature(), 0.25, 1e-15);
-  const auto in_intervals = SC::curve_differentials<CGAL::Interval_nt<false>>(circle, box_of({Rational(6, 5), Rational(8, 5)}), 0);
+  const auto in_intervals =
+      SC::curve_differentials<CGAL::Interval_nt<false>>(circle, box_of({Rational(6, 5), Rational(8, 5)}), 0);
   ASSERT_TRUE(in_intervals);
   expect_in(-0.5, in_intervals->signed_curvature(), 1e-13);
 }
@@ -87,7 +90,8 @@ TEST(Curve_differentials, curvature_of_Viviani)
 {
   // (1 + cos t, sin t, 2 sin(t/2)) with the curvature sqrt(13 + 3 cos t) / (3 + cos t)^(3/2)
   const auto curvature = [](double cosine) { return std::sqrt(13 + 3 * cosine) / std::pow(3 + cosine, 1.5); };
-  const auto viviani = system_of({x(0) * x(0) + x(1) * x(1) + x(2) * x(2) - 4, x(0) * x(0) - 2 * x(0) + x(1) * x(1)}, 3);
+  const auto viviani =
+      system_of({x(0) * x(0) + x(1) * x(1) + x(2) * x(2) - 4, x(0) * x(0) - 2 * x(0) + x(1) * x(1)}, 3);
   const auto set = SC::solve_curves(viviani);
   std::size_t regular = 0;
   for (const SC::Curve_vertex& vertex : set.vertices()) {
@@ -140,7 +144,8 @@ TEST(Curve_differentials, great_circles_in_space)
   }
 
   const std::vector<SC::Constraint> diagonal{u == v};
-  const auto parabola = SC::curve_differentials(make_system(diagonal), std::vector<double>{0, 0})->image(SC::Vector_expression<3>{u, v, u * v});
+  const auto parabola = SC::curve_differentials(make_system(diagonal), std::vector<double>{0, 0})
+                            ->image(SC::Vector_expression<3>{u, v, u * v});
   EXPECT_EQ(parabola.squared_curvature(), 1);   // (t, t, t^2)
 }
 
@@ -165,7 +170,8 @@ TEST(Curve_differentials, random_curves_agree_with_their_second_order_expansion)
         }
         equations.push_back(f - f(p));
       }
-      const auto at = SC::curve_differentials<Rational>(system_of(equations, n), box_of(p), round % 2 == 0 ? -1 : round % n);
+      const auto at =
+          SC::curve_differentials<Rational>(system_of(equations, n), box_of(p), round % 2 == 0 ? -1 : round % n);
       if (!at)
         continue;
       ++regular;
@@ -187,22 +193,31 @@ TEST(Curve_differentials, breaks_of_splines)
 {
   // x^2 up to 1, then its tangent
   auto system = SC::Constraint_system_d::on_box({{0, 2}, {-1, 3}});
-  system.add(SC::Spline_function(SC::Spline_term{{0}, {2}, {{Rational(0), Rational(1), Rational(2)}}, {{0, 0, 1}, {-1, 2, 0}}}) - SC::Spline_function(x(1)), SC::Relation::EQUAL);
-  const auto bend = [&](const Rational& at) { return SC::curve_differentials<Rational>(system, box_of({at, at * at}), 0)->second_derivative()[1]; };
+  system.add(SC::Spline_function(
+                 SC::Spline_term{{0}, {2}, {{Rational(0), Rational(1), Rational(2)}}, {{0, 0, 1}, {-1, 2, 0}}}) -
+                 SC::Spline_function(x(1)),
+             SC::Relation::EQUAL);
+  const auto bend = [&](const Rational& at) {
+    return SC::curve_differentials<Rational>(system, box_of({at, at * at}), 0)->second_derivative()[1];
+  };
   EXPECT_EQ(bend(Rational(99, 100)), 2);
   EXPECT_EQ(bend(1), 0);
-  EXPECT_THROW(SC::curve_differentials<SC::Mpfr_interval>(system, {{Rational(9, 10), Rational(11, 10)}, {Rational(1), Rational(1)}}), SC::Invalid_input);
+  EXPECT_THROW(SC::curve_differentials<SC::Mpfr_interval>(
+                   system, {{Rational(9, 10), Rational(11, 10)}, {Rational(1), Rational(1)}}),
+               SC::Invalid_input);
 }
 
 TEST(Curve_differentials, images_on_splines)
 {
   using K = CGAL::Simple_cartesian<CGAL::Exact_rational>;
   // (u, v, uv), with a crease in u = 1, beyond which z = 2uv - v
-  const SC::Bspline_surface_3<K> surface({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}, {2, 0, 0}, {2, 1, 3}});
+  const SC::Bspline_surface_3<K> surface({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1},
+                                         {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}, {2, 0, 0}, {2, 1, 3}});
   auto [u, v] = SC::unknowns({0, 2}, {0, 1});
   const auto on_surface = SC::Spline_map<2, 3>(surface)(u, v);
   const std::vector<SC::Constraint> diagonal{u == v}, half{u == 2 * v};
-  const auto before = SC::curve_differentials(make_system(diagonal), std::vector<double>{0.5, 0.5}, 0)->image(on_surface);
+  const auto before =
+      SC::curve_differentials(make_system(diagonal), std::vector<double>{0.5, 0.5}, 0)->image(on_surface);
   EXPECT_EQ(before.squared_curvature(), Rational(8, 27));   // of (t, t, t^2)
   const auto behind = SC::curve_differentials(make_system(half), std::vector<double>{1, 0.5}, 1)->image(on_surface);
   EXPECT_EQ(behind.first_derivative(), (std::vector<Rational>{2, 1, 3}));   // of (2t, t, 4t^2 - t)
@@ -215,7 +230,8 @@ TEST(Curve_differentials, images_on_splines)
   const auto system = make_system(equal);
   for (int i = 0; i <= 10; ++i) {
     const Rational at = begin + (end - begin) * i / 10;
-    EXPECT_EQ(SC::curve_differentials<Rational>(system, box_of({at, at}))->image(circle(t)).squared_curvature(), Rational(1, 4));
+    EXPECT_EQ(SC::curve_differentials<Rational>(system, box_of({at, at}))->image(circle(t)).squared_curvature(),
+              Rational(1, 4));
   }
 }
 

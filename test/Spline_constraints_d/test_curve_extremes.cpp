@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Turning points and extremes of curvature of curves of solutions: exact ones of circles, ellipses and Viviani's curve, as many maxima as minima on closed curves.
+// Turning points and extremes of curvature of curves of solutions: exact ones of circles, ellipses and Viviani's curve,
+// as many maxima as minima on closed curves.
 
 #include <CGAL/Spline_constraints_d/solver/curve_extremes.h>
 
@@ -20,7 +21,8 @@ namespace {
 
 std::size_t count(const SC::Curve_extremes_d& set, Kind kind)
 {
-  return static_cast<std::size_t>(std::count_if(set.extremes.begin(), set.extremes.end(), [=](const auto& extreme) { return extreme.kind == kind; }));
+  return static_cast<std::size_t>(std::count_if(set.extremes.begin(), set.extremes.end(),
+                                                [=](const auto& extreme) { return extreme.kind == kind; }));
 }
 
 // Whether a point is among them, with this kind.
@@ -88,7 +90,8 @@ TEST(Curve_extremes, vertices_of_ellipses)
   std::uniform_int_distribution<int> number(-9, 9);
   for (int round = 0; round < 5; ++round) {
     const Rational a(number(generator), 10), b(number(generator), 10), shear(10 + number(generator), 10);
-    const auto turned = SC::curvature_extremes(std::vector<SC::Constraint>{square(x - a + shear * y) + 3 * square(y - b) == 2});
+    const auto turned =
+        SC::curvature_extremes(std::vector<SC::Constraint>{square(x - a + shear * y) + 3 * square(y - b) == 2});
     expect_counts(turned, 2, 2, 0);
   }
 }
@@ -119,12 +122,14 @@ TEST(Curve_extremes, constant_quantities_are_no_extremes)
   EXPECT_EQ(count(line, Kind::UNDECIDED), line.extremes.size());
 }
 
-// Planes cut a cylinder in ellipses with the half axes 1 and sqrt(1 + a^2): most curved at (1, 0, a) and (-1, 0, -a), least at (0, 1, 0) and (0, -1, 0), up to a motion along the axis.
+// Planes cut a cylinder in ellipses with the half axes 1 and sqrt(1 + a^2): most curved at (1, 0, a) and (-1, 0, -a),
+// least at (0, 1, 0) and (0, -1, 0), up to a motion along the axis.
 TEST(Curve_extremes, ellipses_in_space)
 {
   auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-9, 9});
   for (const Rational& a : {Rational(1), Rational(1, 2), Rational(-7, 3)}) {
-    const auto set = SC::curvature_extremes(std::vector<SC::Constraint>{x * x + y * y == 1, z == a * x + Rational(1, 5)});
+    const auto set =
+        SC::curvature_extremes(std::vector<SC::Constraint>{x * x + y * y == 1, z == a * x + Rational(1, 5)});
     EXPECT_TRUE(set.summary.is_complete);
     expect_counts(set, 2, 2, 0);
     for (const auto& extreme : set.extremes) {

@@ -41,7 +41,8 @@ Curve graph(std::vector<int> coefficients)
 {
   const int degree = static_cast<int>(coefficients.size()) - 1;
   const SC::Bernstein_tensor<Exact_rational> y = SC::Bernstein_tensor<Exact_rational>::from_power_on_box(
-    {degree}, {coefficients.begin(), coefficients.end()}, std::vector<std::pair<Exact_rational, Exact_rational>>{{-1, 1}});
+      {degree}, {coefficients.begin(), coefficients.end()},
+      std::vector<std::pair<Exact_rational, Exact_rational>>{{-1, 1}});
   Points points;
   for (int i = 0; i <= degree; ++i)
     points.emplace_back(K::FT(-1) + K::FT(2 * i) / degree, K::FT(y.coefficients()[i]));
@@ -54,7 +55,8 @@ TEST(Curve_features_2, InflectionsOfGraphs)
   EXPECT_EQ(answers(SC::inflections(graph({0, 0, 0, 0, 1}))), (Answers{{Kind::STATIONARY, 0}}));
   EXPECT_TRUE(SC::inflections(graph({0, 0, 1})).features.empty());
   // y = x^4 - x^2 + x with y'' = 12 x^2 - 2.
-  EXPECT_EQ(answers(SC::inflections(graph({0, 1, -1, 0, 1}))), (Answers{{Kind::INFLECTION, -0.408248290464}, {Kind::INFLECTION, 0.408248290464}}));
+  EXPECT_EQ(answers(SC::inflections(graph({0, 1, -1, 0, 1}))),
+            (Answers{{Kind::INFLECTION, -0.408248290464}, {Kind::INFLECTION, 0.408248290464}}));
 }
 
 TEST(Curve_features_2, StraightAndSingular)
@@ -63,10 +65,12 @@ TEST(Curve_features_2, StraightAndSingular)
   ASSERT_EQ(answers(straight), (Answers{{Kind::CONSTANT, 0.5}}));
   EXPECT_TRUE(straight.features[0].is_family());
   EXPECT_EQ(straight.features[0].point_on_curve().parameter_range(), (std::pair<Exact_rational, Exact_rational>(0, 1)));
-  EXPECT_EQ(answers(SC::inflections(SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 0}}))), (Answers{{Kind::CONSTANT, 0.5}, {Kind::BREAK, 1}, {Kind::CONSTANT, 1.5}}));
+  EXPECT_EQ(answers(SC::inflections(SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 0}}))),
+            (Answers{{Kind::CONSTANT, 0.5}, {Kind::BREAK, 1}, {Kind::CONSTANT, 1.5}}));
 
   // Straight over a break without a corner: one piece.
-  EXPECT_EQ(answers(SC::inflections(SC::polyline_curve(Points{{0, 0}, {1, 1}, {3, 3}}))), (Answers{{Kind::CONSTANT, 1}}));
+  EXPECT_EQ(answers(SC::inflections(SC::polyline_curve(Points{{0, 0}, {1, 1}, {3, 3}}))),
+            (Answers{{Kind::CONSTANT, 1}}));
 
   // The cusp of (t^2, t^3).
   const Curve cusp = SC::bezier_curve(Points{{1, -1}, {K::FT(-1) / 3, 1}, {K::FT(-1) / 3, -1}, {1, 1}});
@@ -78,13 +82,16 @@ TEST(Curve_features_2, VerticesOfAnEllipse)
 {
   const Curve ellipse = SC::ellipse_curve(K::Point_2(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 2));
   const auto vertices = SC::curvature_extremes(ellipse);
-  EXPECT_EQ(answers(vertices), (Answers{{Kind::MAXIMUM, 0}, {Kind::MINIMUM, 1}, {Kind::MAXIMUM, 2}, {Kind::MINIMUM, 3}}));
+  EXPECT_EQ(answers(vertices),
+            (Answers{{Kind::MAXIMUM, 0}, {Kind::MINIMUM, 1}, {Kind::MAXIMUM, 2}, {Kind::MINIMUM, 3}}));
   EXPECT_EQ(vertices.features[1].point_on_curve().point(), K::Point_2(1, 4));
   EXPECT_TRUE(SC::inflections(ellipse).features.empty());
 
   // Parts of it, with two and three vertices inside.
-  EXPECT_EQ(answers(SC::curvature_extremes(ellipse.restricted(K::FT(1) / 2, K::FT(5) / 2))), (Answers{{Kind::MINIMUM, 1}, {Kind::MAXIMUM, 2}}));
-  EXPECT_EQ(answers(SC::curvature_extremes(ellipse.restricted(K::FT(1), K::FT(3)))), (Answers{{Kind::STATIONARY, 1}, {Kind::MAXIMUM, 2}, {Kind::STATIONARY, 3}}));
+  EXPECT_EQ(answers(SC::curvature_extremes(ellipse.restricted(K::FT(1) / 2, K::FT(5) / 2))),
+            (Answers{{Kind::MINIMUM, 1}, {Kind::MAXIMUM, 2}}));
+  EXPECT_EQ(answers(SC::curvature_extremes(ellipse.restricted(K::FT(1), K::FT(3)))),
+            (Answers{{Kind::STATIONARY, 1}, {Kind::MAXIMUM, 2}, {Kind::STATIONARY, 3}}));
 }
 
 TEST(Curve_features_2, CircleIsAFamily)
@@ -95,7 +102,8 @@ TEST(Curve_features_2, CircleIsAFamily)
   EXPECT_EQ(vertices.features[0].point_on_curve().parameter_range(), (std::pair<Exact_rational, Exact_rational>(0, 4)));
 }
 
-// Quadratic pieces have no inflection inside; a zigzag of control points makes the curvature change its sign at the knots, where it jumps.
+// Quadratic pieces have no inflection inside; a zigzag of control points makes the curvature change its sign at the
+// knots, where it jumps.
 TEST(Curve_features_2, FeaturesAtBreaks)
 {
   const Curve zigzag(2, {0, 0, 0, 1, 2, 2, 2}, Points{{0, 0}, {1, 2}, {3, -2}, {4, 0}});
@@ -126,7 +134,8 @@ TEST(Curve_features_2, Seams)
   std::vector<K::FT> period;
   for (int i = 0; i <= 8; ++i)
     period.push_back(K::FT(i));
-  const Curve star = Curve::from_periodic(2, period, Points{{0, 0}, {2, 1}, {4, 0}, {3, 2}, {4, 4}, {2, 3}, {0, 4}, {1, 2}});
+  const Curve star =
+      Curve::from_periodic(2, period, Points{{0, 0}, {2, 1}, {4, 0}, {3, 2}, {4, 4}, {2, 3}, {0, 4}, {1, 2}});
   const auto inflections = answers(SC::inflections(star));
   ASSERT_EQ(inflections.size(), 8u);
   for (int i = 0; i < 8; ++i)
@@ -143,8 +152,11 @@ TEST(Curve_features_2, ExtremePoints)
   EXPECT_EQ(answers(cubic), (Answers{{Kind::MINIMUM, -1}, {Kind::STATIONARY, 0}, {Kind::MAXIMUM, 1}}));
 
   // A plateau between corners, and a lower peak.
-  const auto plateau = SC::extreme_points(SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 1}, {3, -1}, {4, 0}, {5, -1}}), K::Vector_2(0, 2));
-  EXPECT_EQ(answers(plateau), (Answers{{Kind::MINIMUM, 0}, {Kind::MAXIMUM, 1.5}, {Kind::MINIMUM, 3}, {Kind::MAXIMUM, 4}, {Kind::MINIMUM, 5}}));
+  const auto plateau = SC::extreme_points(SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 1}, {3, -1}, {4, 0}, {5, -1}}),
+                                          K::Vector_2(0, 2));
+  EXPECT_EQ(
+      answers(plateau),
+      (Answers{{Kind::MINIMUM, 0}, {Kind::MAXIMUM, 1.5}, {Kind::MINIMUM, 3}, {Kind::MAXIMUM, 4}, {Kind::MINIMUM, 5}}));
   const std::vector<bool> is_global{false, true, true, false, true};
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_TRUE(CGAL::certainly(plateau.features[i].is_global() == is_global[i])) << i;
@@ -172,7 +184,8 @@ TEST(Curve_features_2, Ties)
   EXPECT_EQ(global(SC::extreme_points(tie.with_knot(K::FT(1) / 3), K::Vector_2(0, 1)), Kind::MAXIMUM), 3);
 
   // Two arches, mirror images of each other, with irrational maxima.
-  const Curve arches(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, Points{{0, 0}, {1, 3}, {2, 1}, {4, 0}, {6, 1}, {7, 3}, {8, 0}});
+  const Curve arches(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2},
+                     Points{{0, 0}, {1, 3}, {2, 1}, {4, 0}, {6, 1}, {7, 3}, {8, 0}});
   EXPECT_EQ(global(SC::extreme_points(arches, K::Vector_2(0, 1)), Kind::MAXIMUM), 2);
   const Curve ellipse = SC::ellipse_curve(K::Point_2(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 2));
   EXPECT_EQ(global(SC::extreme_points(ellipse, K::Vector_2(1, 3)), Kind::MAXIMUM), 1);

@@ -153,7 +153,9 @@ TEST(Curve_inequalities, random_half_planes)
       half_planes.push_back(h);
       constraints.push_back(h.a * x + h.b * y + Rational(h.c, 10) > 0);
     }
-    const auto is_kept = [&](double angle) { return std::all_of(half_planes.begin(), half_planes.end(), [&](const Half_plane& h) { return h(angle) > 0; }); };
+    const auto is_kept = [&](double angle) {
+      return std::all_of(half_planes.begin(), half_planes.end(), [&](const Half_plane& h) { return h(angle) > 0; });
+    };
     std::vector<double> zeros;
     for (const Half_plane& h : half_planes) {
       const double size = std::hypot(h.a, h.b), cosine = -0.1 * h.c / size;
@@ -178,21 +180,25 @@ TEST(Curve_inequalities, random_half_planes)
     EXPECT_EQ(ends.size(), 2 * open);
     for (const auto& end : ends) {
       const double angle = std::atan2(end[1], end[0]);
-      EXPECT_TRUE(std::any_of(zeros.begin(), zeros.end(), [&](double zero) { return std::abs(std::remainder(zero - angle, 2 * std::numbers::pi)) < 1e-13; }));
+      EXPECT_TRUE(std::any_of(zeros.begin(), zeros.end(), [&](double zero) {
+        return std::abs(std::remainder(zero - angle, 2 * std::numbers::pi)) < 1e-13;
+      }));
     }
   }
   EXPECT_GT(arcs, 30u);
   EXPECT_GT(trials, 50u);
 }
 
-// Random curves in two and three unknowns: what lies on both sides of a quadric g = 0 is what != leaves, and it is cut exactly at the solutions of f = g = 0, which the point solver finds.
+// Random curves in two and three unknowns: what lies on both sides of a quadric g = 0 is what != leaves, and it is cut
+// exactly at the solutions of f = g = 0, which the point solver finds.
 TEST(Curve_inequalities, both_sides_of_random_quadrics)
 {
   const auto cuts = [](const SC::Curve_solution_set_d& set) {
     std::size_t result = 0;
     for (const SC::Solution_curve& curve : set.curves())
       if (!curve.is_closed)
-        result += set.vertices()[curve.pieces.front().ends[0]].is_on_inequality + set.vertices()[curve.pieces.back().ends[1]].is_on_inequality;
+        result += set.vertices()[curve.pieces.front().ends[0]].is_on_inequality +
+            set.vertices()[curve.pieces.back().ends[1]].is_on_inequality;
     return result;
   };
   std::mt19937 random(8);
@@ -206,7 +212,8 @@ TEST(Curve_inequalities, both_sides_of_random_quadrics)
       for (std::size_t i = 0; i < n; ++i) {
         sum = sum + coefficient(random) * x[i];
         for (std::size_t j = i; j < n; ++j)
-          sum = sum + coefficient(random) * x[i] * x[j] + (is_cubic ? coefficient(random) : 0) * x[i] * x[j] * x[(i + j) % n];
+          sum = sum + coefficient(random) * x[i] * x[j] +
+              (is_cubic ? coefficient(random) : 0) * x[i] * x[j] * x[(i + j) % n];
       }
       return sum;
     };
@@ -222,7 +229,8 @@ TEST(Curve_inequalities, both_sides_of_random_quadrics)
       return result;
     };
     const auto zeros = SC::solve(system(g == 0));
-    const auto above = SC::solve_curves(system(g > 0)), below = SC::solve_curves(system(g < 0)), both = SC::solve_curves(system(g != 0));
+    const auto above = SC::solve_curves(system(g > 0)), below = SC::solve_curves(system(g < 0)),
+               both = SC::solve_curves(system(g != 0));
     if (!zeros.is_complete() || !above.is_complete() || !below.is_complete() || !both.is_complete())
       continue;
     ++complete;
@@ -231,7 +239,8 @@ TEST(Curve_inequalities, both_sides_of_random_quadrics)
     EXPECT_EQ(cuts(below), zeros.size()) << trial;
     EXPECT_EQ(cuts(both), 2 * zeros.size()) << trial;
     EXPECT_EQ(above.number_of_open_curves() + below.number_of_open_curves(), both.number_of_open_curves()) << trial;
-    EXPECT_EQ(above.number_of_closed_curves() + below.number_of_closed_curves(), both.number_of_closed_curves()) << trial;
+    EXPECT_EQ(above.number_of_closed_curves() + below.number_of_closed_curves(), both.number_of_closed_curves())
+        << trial;
   }
   EXPECT_GE(complete, 58u);
   EXPECT_GT(points, 20u);
@@ -242,7 +251,8 @@ TEST(Curve_inequalities, splines)
 {
   SC::Constraint_system_d system = SC::Constraint_system_d::on_box({{-2, 2}, {-2, 2}});
   const auto x = SC::Power_polynomial::variable(0), y = SC::Power_polynomial::variable(1);
-  system.add(x * x + SC::Power_polynomial(Rational(4)) * y * y - SC::Power_polynomial(Rational(1)), SC::Relation::EQUAL);
+  system.add(x * x + SC::Power_polynomial(Rational(4)) * y * y - SC::Power_polynomial(Rational(1)),
+             SC::Relation::EQUAL);
   SC::Spline_function above = y;
   above += SC::Spline_function(SC::Spline_term{{0}, {1}, {{-2, 0, 2}}, {{Rational(-1, 4), -1}, {Rational(-1, 4), 1}}});
   system.add(above, SC::Relation::GREATER);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of solutions: numbers of components, open and closed ones, where they end and cross; known curves, planted circles in 2, 3 and 4 unknowns, splines with breaks in awkward places.
+// Curves of solutions: numbers of components, open and closed ones, where they end and cross; known curves, planted
+// circles in 2, 3 and 4 unknowns, splines with breaks in awkward places.
 
 #include "curve_test_checks.h"
 
@@ -108,7 +109,8 @@ TEST(Curve_solver, product_of_Chebyshev_polynomials)
 
 TEST(Curve_solver, products_of_Chebyshev_polynomials_of_high_degree)
 {
-  // A closed curve around each extreme inside where the product is 1 (or -1), an open one around each of those on the boundary.
+  // A closed curve around each extreme inside where the product is 1 (or -1), an open one around each of those on the
+  // boundary.
   auto [x, y] = unknowns({-1, 1}, {-1, 1});
   const auto twice = [](const SC::Expression& t) { return 2 * square(t) - 1; };   // T_2(T_d) = T_2d
   const auto t8 = [&](const SC::Expression& t) { return twice(twice(twice(t))); };
@@ -120,7 +122,8 @@ TEST(Curve_solver, products_of_Chebyshev_polynomials_of_high_degree)
 TEST(Curve_solver, curves_cross_at_rational_and_irrational_points)
 {
   auto [x, y] = unknowns({-1, 1}, {-1, 1});
-  const auto set = SC::solve_curves(4 * x * x * x - 3 * x == 8 * square(square(y)) - 8 * square(y) + 1);   // T3(x) = T4(y): nodes (-1/2, 0), (1/2, +-1/sqrt 2)
+  // T3(x) = T4(y): nodes (-1/2, 0), (1/2, +-1/sqrt 2)
+  const auto set = SC::solve_curves(4 * x * x * x - 3 * x == 8 * square(square(y)) - 8 * square(y) + 1);
   check_chains(set);
   EXPECT_TRUE(set.is_complete());
   EXPECT_EQ(set.number_of_closed_curves(), 0u);
@@ -166,7 +169,8 @@ TEST(Curve_solver, lines_cross_each_other)
 TEST(Curve_solver, circles_cross_and_points_are_isolated)
 {
   auto [x, y] = unknowns({-3, 4}, {-3, 3});
-  const auto crossing = SC::solve_curves((square(x) + square(y) - 2) * (square(x - 1) + square(y) - 2) == 0);   // at (1/2, +-sqrt 7 / 2)
+  // at (1/2, +-sqrt 7 / 2)
+  const auto crossing = SC::solve_curves((square(x) + square(y) - 2) * (square(x - 1) + square(y) - 2) == 0);
   EXPECT_TRUE(crossing.is_complete());
   EXPECT_EQ(crossing.singular_points().size(), 2u);
   EXPECT_EQ(crossing.number_of_open_curves(), 4u);
@@ -194,7 +198,8 @@ TEST(Curve_solver, corners_and_contacts_with_the_domain)
   expect_curves(SC::solve_curves(square(x + 2) + square(y) == 1), 0, 0, "circle that touches a side from outside");
   EXPECT_EQ(SC::solve_curves(square(x + 2) + square(y) == 1).points().size(), 1u);
   expect_curves(SC::solve_curves(x + y == 2), 0, 0, "line through a corner");
-  expect_curves(SC::solve_curves(square(x + 1) + square(y + 1) == 4), 0, 1, "quarter of a circle from corner to corner");
+  expect_curves(SC::solve_curves(square(x + 1) + square(y + 1) == 4), 0, 1,
+                "quarter of a circle from corner to corner");
 }
 
 TEST(Curve_solver, small_loops_are_found)
@@ -208,7 +213,8 @@ TEST(Curve_solver, small_loops_are_found)
       expect_curves(SC::solve_curves(circles<SC::Expression>({circle}, x, y) == 0), 1, 0);
     }
   auto [x, y] = unknowns({-2, 2}, {-2, 2});
-  expect_curves(SC::solve_curves(circles<SC::Expression>({{0, 0, 1}, {0, 0, Rational(101, 100)}}, x, y) == 0), 2, 0, "circles that are nearly one");
+  expect_curves(SC::solve_curves(circles<SC::Expression>({{0, 0, 1}, {0, 0, Rational(101, 100)}}, x, y) == 0), 2, 0,
+                "circles that are nearly one");
 }
 
 TEST(Curve_solver, planted_circles)
@@ -217,7 +223,8 @@ TEST(Curve_solver, planted_circles)
   std::uniform_int_distribution<int> coefficient(-4, 4), radius(20, 45);
   std::size_t closed_total = 0, open_total = 0;
   for (int round = 0; round < 60; ++round) {
-    // At most one circle in each square of a 3 x 3 grid over [-1.5, 1.5]^2; those in the outer columns may reach over the left or right side at +-1.2, in one arc.
+    // At most one circle in each square of a 3 x 3 grid over [-1.5, 1.5]^2; those in the outer columns may reach over
+    // the left or right side at +-1.2, in one arc.
     std::vector<Circle> planted;
     std::size_t closed = 0, open = 0;
     for (int i = -1; i <= 1; ++i)
@@ -241,13 +248,18 @@ TEST(Curve_solver, planted_circles)
     }
     {
       const auto u = unknowns(std::vector{range, high, wide});
-      const auto surface = coefficient(generator) * u[0] * u[1] + coefficient(generator) * square(u[0]) + coefficient(generator);
-      expect_curves(SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) + (u[2] - surface) == 0, u[2] == surface), closed, open, what + " in space");
+      const auto surface =
+          coefficient(generator) * u[0] * u[1] + coefficient(generator) * square(u[0]) + coefficient(generator);
+      expect_curves(
+          SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) + (u[2] - surface) == 0, u[2] == surface),
+          closed, open, what + " in space");
     }
     if (round % 6 == 0) {
       const auto u = unknowns(std::vector{range, high, wide, wide});
       const auto surface = coefficient(generator) * u[0] * u[1] + coefficient(generator);
-      expect_curves(SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) == 0, u[2] == surface, u[3] + u[2] == u[0]), closed, open, what + " in four unknowns");
+      expect_curves(
+          SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) == 0, u[2] == surface, u[3] + u[2] == u[0]),
+          closed, open, what + " in four unknowns");
     }
   }
   EXPECT_GT(closed_total, 10u);
@@ -256,8 +268,10 @@ TEST(Curve_solver, planted_circles)
 
 TEST(Curve_solver, breaks_through_any_points_of_a_curve)
 {
-  // x^2 + y^2 = 1 as a spline whose breaks touch the circle, cross it in its extreme points, and meet in a point of it, (3/5, 4/5).
-  const std::vector<Rational> x_breaks{-2, -1, 0, Rational(3, 5), 2}, y_breaks{-2, Rational(-1, 3), Rational(4, 5), 1, 2};
+  // x^2 + y^2 = 1 as a spline whose breaks touch the circle, cross it in its extreme points, and meet in a point of it,
+  // (3/5, 4/5).
+  const std::vector<Rational> x_breaks{-2, -1, 0, Rational(3, 5), 2},
+      y_breaks{-2, Rational(-1, 3), Rational(4, 5), 1, 2};
   SC::Spline_term term{{0, 1}, {2, 2}, {x_breaks, y_breaks}, {}};
   for (std::size_t c = 0; c < 16; ++c)
     term.pieces.push_back({-1, 0, 1, 0, 0, 0, 1, 0, 0});
@@ -266,7 +280,9 @@ TEST(Curve_solver, breaks_through_any_points_of_a_curve)
   const auto set = SC::solve_curves(system);
   expect_curves(set, 1, 0);
   const auto is_vertex = [&](const Rational& x, const Rational& y) {
-    return std::any_of(set.vertices().begin(), set.vertices().end(), [&](const SC::Curve_vertex& v) { return v.box[0] == std::pair(x, x) && v.box[1] == std::pair(y, y); });
+    return std::any_of(set.vertices().begin(), set.vertices().end(), [&](const SC::Curve_vertex& v) {
+      return v.box[0] == std::pair(x, x) && v.box[1] == std::pair(y, y);
+    });
   };
   EXPECT_TRUE(is_vertex(Rational(3, 5), Rational(4, 5)));
   EXPECT_TRUE(is_vertex(0, 1));
@@ -274,7 +290,8 @@ TEST(Curve_solver, breaks_through_any_points_of_a_curve)
 
 TEST(Curve_solver, what_is_not_proved_on_a_face_is_not_forgotten)
 {
-  // The lower side is a line of solutions, from corner to corner: nothing that is said of the corners may stand for all of it.
+  // The lower side is a line of solutions, from corner to corner: nothing that is said of the corners may stand for all
+  // of it.
   auto [x, y] = unknowns({0, 1}, {0, 1});
   const auto set = SC::solve_curves(y * (square(x - Rational(1, 2)) + square(y) + 1) == 0);
   check_chains(set);
@@ -285,7 +302,8 @@ TEST(Curve_solver, what_is_not_proved_on_a_face_is_not_forgotten)
   EXPECT_TRUE(!set.curves().empty() || !set.undecided().empty());
 }
 
-// On a circle the chords at a point between the ends of a chord differ by half of the arc, wherever it is; those at a vertex of the polyline by half of both arcs.
+// On a circle the chords at a point between the ends of a chord differ by half of the arc, wherever it is; those at a
+// vertex of the polyline by half of both arcs.
 TEST(Curve_solver, polylines_turn_by_small_angles)
 {
   auto [x, y] = unknowns({-2, 2}, {-2, 2});
@@ -299,7 +317,8 @@ TEST(Curve_solver, polylines_turn_by_small_angles)
     EXPECT_GT(points.size(), few);
     EXPECT_GE(points.size(), 1 + 3.14 / angle);   // arcs of no more than twice the angle
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const double ax = points[i][0] - points[i - 1][0], ay = points[i][1] - points[i - 1][1], bx = points[i + 1][0] - points[i][0], by = points[i + 1][1] - points[i][1];
+      const double ax = points[i][0] - points[i - 1][0], ay = points[i][1] - points[i - 1][1],
+                   bx = points[i + 1][0] - points[i][0], by = points[i + 1][1] - points[i][1];
       EXPECT_LE(std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by)), 2 * angle * (1 + 1e-9));
     }
   }
@@ -310,7 +329,8 @@ TEST(Curve_solver, bad_input)
 {
   auto [x, y] = unknowns({-1, 1}, {-1, 1});
   EXPECT_THROW(SC::solve_curves(x * y == 1, x == y), SC::Invalid_input);
-  EXPECT_THROW(SC::solve_curves(SC::make_system(std::vector<SC::Constraint>{x == y}), {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_curves(SC::make_system(std::vector<SC::Constraint>{x == y}), {.tolerance = -1}),
+               SC::Invalid_input);
   auto [u, v] = unknowns({0, 0}, {-1, 1});
   EXPECT_THROW(SC::solve_curves(u == v), SC::Invalid_input);
 }

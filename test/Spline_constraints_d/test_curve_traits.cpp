@@ -38,7 +38,8 @@ template <class Traits>
 class Curve_solver_traits : public ::testing::Test
 {};
 
-using All_traits = ::testing::Types<SC::Fast_solver_traits, SC::Certified_solver_traits, SC::Interval_solver_traits, SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
+using All_traits = ::testing::Types<SC::Fast_solver_traits, SC::Certified_solver_traits, SC::Interval_solver_traits,
+                                    SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
 TYPED_TEST_SUITE(Curve_solver_traits, All_traits);
 
 } // namespace
@@ -64,7 +65,8 @@ TYPED_TEST(Curve_solver_traits, figure_eight)
 TYPED_TEST(Curve_solver_traits, domains_that_are_no_doubles)
 {
   auto [x, y] = unknowns({Rational(-1, 3), Rational(2, 3)}, {Rational(-1, 3), Rational(2, 3)});
-  expect_curves(SC::Curve_solver_d<TypeParam>()(SC::make_system(std::array{9 * x * x + 9 * y * y == 2})), 0, 1);   // through (1/3, 1/3), it ends at (-1/3, 1/3) and (1/3, -1/3)
+  // through (1/3, 1/3), it ends at (-1/3, 1/3) and (1/3, -1/3)
+  expect_curves(SC::Curve_solver_d<TypeParam>()(SC::make_system(std::array{9 * x * x + 9 * y * y == 2})), 0, 1);
 }
 
 TEST(Curve_solver, is_stopped_by_a_visitor)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of solutions that lie in faces of the domain: alone, where others meet, touch or end in them, in two and three unknowns, on splines, cut by inequalities; and what is not proved there.
+// Curves of solutions that lie in faces of the domain: alone, where others meet, touch or end in them, in two and three
+// unknowns, on splines, cut by inequalities; and what is not proved there.
 
 #include "curve_test_checks.h"
 
@@ -23,7 +24,8 @@ using SC::unknowns;
 const Rational half(1, 2), quarter(1, 4);
 
 // Numbers of closed and open curves, and of branches that end in each singular point, in increasing order.
-void expect_all(const SC::Curve_solution_set_d& set, std::size_t closed, std::size_t open, const std::vector<std::size_t>& branches, const std::string& what = "")
+void expect_all(const SC::Curve_solution_set_d& set, std::size_t closed, std::size_t open,
+                const std::vector<std::size_t>& branches, const std::string& what = "")
 {
   check_chains(set);
   EXPECT_TRUE(set.is_complete()) << what;
@@ -56,20 +58,25 @@ TEST(Curves_on_faces, other_curves_meet_them)
   ASSERT_EQ(set.singular_points().size(), 1u);
   expect_point(set.vertices()[set.singular_points()[0]].box, {0, quarter});
   expect_all(SC::solve_curves(x * (x - y) * (y + half) == 0), 0, 5, {3, 3});
-  expect_all(SC::solve_curves(x * (2 * square(y) - 1 + x) == 0), 0, 4, {3, 3}, "at irrational points, the ends of one curve");
+  expect_all(SC::solve_curves(x * (2 * square(y) - 1 + x) == 0), 0, 4, {3, 3},
+             "at irrational points, the ends of one curve");
   expect_all(SC::solve_curves(x * (x - square(y - quarter)) == 0), 0, 4, {4}, "touches from inside");
   expect_all(SC::solve_curves(x * (x + square(y - quarter)) == 0), 0, 2, {2}, "touches from outside");
   expect_all(SC::solve_curves(x * (y - 1 + x) == 0), 0, 2, {2}, "in the corner (0,1)");
-  expect_all(SC::solve_curves(x * (y + x - 2) * (y - x) == 0), 0, 3, {1, 3}, "the other line touches the domain in the corner (1,1), where one ends");
+  expect_all(SC::solve_curves(x * (y + x - 2) * (y - x) == 0), 0, 3, {1, 3},
+             "the other line touches the domain in the corner (1,1), where one ends");
 }
 
 TEST(Curves_on_faces, in_space)
 {
   auto [x, y, z] = unknowns({-1, 1}, {-1, 1}, {0, 2});
   expect_all(SC::solve_curves(z == 0, square(x) + square(y) + square(z) == half), 1, 0, {});
-  expect_all(SC::solve_curves(z * (x + y + z - 1) == 0, square(x) + square(y) + square(z) == Rational(5, 8)), 0, 3, {3, 3}, "an arc over a circle");
-  expect_all(SC::solve_curves(z * (x + y + z - 1) == 0, square(x) + square(y) + square(z) == half), 0, 2, {4}, "a circle touches another one");
-  expect_all(SC::solve_curves(z * (x + y + z - 3) == 0, square(x) + square(y) == Rational(5, 4)), 0, 5, {}, "four arcs, and one above");
+  expect_all(SC::solve_curves(z * (x + y + z - 1) == 0, square(x) + square(y) + square(z) == Rational(5, 8)), 0, 3,
+             {3, 3}, "an arc over a circle");
+  expect_all(SC::solve_curves(z * (x + y + z - 1) == 0, square(x) + square(y) + square(z) == half), 0, 2, {4},
+             "a circle touches another one");
+  expect_all(SC::solve_curves(z * (x + y + z - 3) == 0, square(x) + square(y) == Rational(5, 4)), 0, 5, {},
+             "four arcs, and one above");
   expect_all(SC::solve_curves(z == 0, square(x) == square(y)), 0, 4, {4}, "lines that cross in the face");
 }
 
@@ -81,11 +88,14 @@ TEST(Curves_on_faces, random_circles)
   for (int round = 0; round < 20; ++round) {
     auto [x, y, z] = unknowns({-1, 1}, {-1, 1}, {-2, 1});
     const Rational r(radius(generator), 100), s(radius(generator), 100);
-    const SC::Expression circles = (square(x - half) + square(y) - Rational(r * r)) * (square(x + half) + square(y) - Rational(s * s));
-    const SC::Expression other = 5 + square(x) + coefficient(generator) * y + coefficient(generator) * Rational(1, 8) * z;
+    const SC::Expression circles =
+        (square(x - half) + square(y) - Rational(r * r)) * (square(x + half) + square(y) - Rational(s * s));
+    const SC::Expression other =
+        5 + square(x) + coefficient(generator) * y + coefficient(generator) * Rational(1, 8) * z;
     const bool is_upper = round % 2 == 0;
     const SC::Expression face = is_upper ? SC::Expression(1 - z) : SC::Expression(z + 2);
-    expect_all(SC::solve_curves(face * other == 0, circles + face * coefficient(generator) * (x + y * z) == 0), 2, 0, {}, std::to_string(round));
+    expect_all(SC::solve_curves(face * other == 0, circles + face * coefficient(generator) * (x + y * z) == 0), 2, 0,
+               {}, std::to_string(round));
   }
 }
 
@@ -121,7 +131,8 @@ TEST(Curves_on_faces, inequalities)
 TEST(Curves_on_faces, polylines)
 {
   auto [x, y, z] = unknowns({-1, 1}, {-1, 1}, {0, 2});
-  const std::vector<SC::Constraint> constraints{z * (x + y + z - 1) == 0, square(x) + square(y) + square(z) == Rational(5, 8)};
+  const std::vector<SC::Constraint> constraints{z * (x + y + z - 1) == 0,
+                                                square(x) + square(y) + square(z) == Rational(5, 8)};
   const SC::Constraint_system_d system = make_system(constraints);
   const auto set = SC::solve_curves(system);
   std::size_t in_face = 0;
@@ -155,7 +166,8 @@ TEST(Curves_on_faces, without_a_factor)
 TEST(Curves_on_faces, surfaces_are_undecided)
 {
   auto [x, y, z] = unknowns({0, 1}, {0, 1}, {0, 1});
-  for (const auto& set : {SC::solve_curves(z * (x - y) == 0, z * (x + y - 1) == 0), SC::solve_curves(x == y, SC::Expression(0) * z == 0)}) {
+  for (const auto& set : {SC::solve_curves(z * (x - y) == 0, z * (x + y - 1) == 0),
+                          SC::solve_curves(x == y, SC::Expression(0) * z == 0)}) {
     EXPECT_FALSE(set.is_complete());
     ASSERT_FALSE(set.undecided().empty());
     EXPECT_EQ(set.undecided()[0].reason, SC::Undecided_reason::CONTINUUM);
@@ -165,7 +177,9 @@ TEST(Curves_on_faces, surfaces_are_undecided)
 // The only point that the inequality leaves is on two breaks, the plane through the second unknown's found first.
 TEST(Curves_on_faces, points_on_two_planes)
 {
-  SC::Spline_term line{{0, 1}, {1, 1}, {{-1, 0, 1}, {-1, Rational(-1, 2), 0, 1}}, std::vector<std::vector<Rational>>(6, {0, 1, -1, 0})};   // y - x
+  // y - x
+  SC::Spline_term line{
+      {0, 1}, {1, 1}, {{-1, 0, 1}, {-1, Rational(-1, 2), 0, 1}}, std::vector<std::vector<Rational>>(6, {0, 1, -1, 0})};
   SC::Constraint_system_d system({{-1, 1}, {-1, 1}});
   system.add(SC::Spline_function(line), SC::Relation::EQUAL);
   auto [x, y] = unknowns({-1, 1}, {-1, 1});

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of two surfaces through poles, edges of a surface that are one point: closed curves through both poles of a sphere, singular points at poles and at the apex of a cone, rigid motions.
+// Curves of two surfaces through poles, edges of a surface that are one point: closed curves through both poles of a
+// sphere, singular points at poles and at the apex of a cone, rigid motions.
 
 #include "surface_test_names.h"
 
@@ -49,7 +50,8 @@ double length_of(const SC::Surface_intersection<K>& set, const SC::Intersection_
   return result;
 }
 
-const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 5), cone = SC::cone_surface<K>(Point(0, 0, 3), Vector(0, 0, -1), Point(2, 0, 0));
+const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 5),
+              cone = SC::cone_surface<K>(Point(0, 0, 3), Vector(0, 0, -1), Point(2, 0, 0));
 
 } // namespace curves_through_poles
 
@@ -81,7 +83,8 @@ TEST(Curves_through_poles, sphere_and_implicit_surfaces)
   expect_counts(sphere, K::Sphere_3(Point(0, 0, 3), 4), {0, 0, 1});
   expect_counts(sphere, SC::Implicit_surface_3(square(x - 1) + y * y == 1), {2, 0, 0});
   expect_counts(sphere, SC::Implicit_surface_3((x + y * 2) * (x * 3 - y) == 0), {0, 4, 2});
-  expect_counts(sphere, SC::Implicit_surface_3(x * x + square(z - 5) * 3 == y * y), {0, 2, 1});   // a cone, four branches at the apex
+  // a cone, four branches at the apex
+  expect_counts(sphere, SC::Implicit_surface_3(x * x + square(z - 5) * 3 == y * y), {0, 2, 1});
   expect_counts(sphere, SC::Implicit_surface_3(square(x * 3 - y * 4) + square(z * 5) == 625), {1, 0, 0, 0, 1});
 }
 
@@ -105,8 +108,11 @@ TEST(Curves_through_poles, quarter_of_a_sphere)
 // Two parametric surfaces: a board through both poles, along the seam, that touches at the pole, and that ends there.
 TEST(Curves_through_poles, sphere_and_boards)
 {
-  const auto board = [](const Point& a, const Point& b, const Point& c, const Point& d) { return Surface({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Point>{a, b, c, d}); };
-  const auto circle = expect_counts(sphere, board(Point(-28, 21, -7), Point(-28, 21, 7), Point(28, -21, -7), Point(28, -21, 7)), {1, 0, 0});
+  const auto board = [](const Point& a, const Point& b, const Point& c, const Point& d) {
+    return Surface({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Point>{a, b, c, d});
+  };
+  const auto circle = expect_counts(
+      sphere, board(Point(-28, 21, -7), Point(-28, 21, 7), Point(28, -21, -7), Point(28, -21, 7)), {1, 0, 0});
   ASSERT_EQ(circle.curves().size(), 1u);
   EXPECT_NEAR(length_of(circle, circle.curves()[0]), 10 * M_PI, 1e-2);
   expect_counts(sphere, board(Point(-8, 0, -8), Point(8, 0, -8), Point(-8, 0, 8), Point(8, 0, 8)), {1, 0, 0});
@@ -126,7 +132,8 @@ TEST(Curves_through_poles, spheres)
 {
   const auto circle = expect_counts(sphere, SC::sphere_surface<K>(Point(3, 1, 5), Point(4, 1, 8)), {1, 0, 0});
   ASSERT_EQ(circle.curves().size(), 1u);
-  EXPECT_NEAR(length_of(circle, circle.curves()[0]), 2 * M_PI * std::sqrt(25 - 25.0 * 25 / 35), 1e-2);   // in the plane 3 x + y + 5 z = 25
+  // in the plane 3 x + y + 5 z = 25
+  EXPECT_NEAR(length_of(circle, circle.curves()[0]), 2 * M_PI * std::sqrt(25 - 25.0 * 25 / 35), 1e-2);
 }
 
 TEST(Curves_through_poles, rigid_motions_change_nothing)
@@ -134,9 +141,11 @@ TEST(Curves_through_poles, rigid_motions_change_nothing)
   std::mt19937 generator(5);
   std::uniform_int_distribution<int> integer(-4, 4);
   for (int round = 0; round < 6; ++round) {
-    const Rational a(5), b(integer(generator)), c(integer(generator)), d(integer(generator)), n(a * a + b * b + c * c + d * d);
-    const Motion turn(a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c), 2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b), 2 * (b * d - a * c),
-                      2 * (c * d + a * b), a * a - b * b - c * c + d * d, n);
+    const Rational a(5), b(integer(generator)), c(integer(generator)), d(integer(generator)),
+        n(a * a + b * b + c * c + d * d);
+    const Motion turn(a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c), 2 * (b * c + a * d),
+                      a * a - b * b + c * c - d * d, 2 * (c * d - a * b), 2 * (b * d - a * c), 2 * (c * d + a * b),
+                      a * a - b * b - c * c + d * d, n);
     const auto moved = [&](const Surface& surface) { return surface.transformed(turn); };
     for (const auto& plane : {K::Plane_3(3, 4, 0, 0), K::Plane_3(1, 2, 2, -10)})
       expect_counts(moved(sphere), plane.transform(turn), {1, 0, 0});

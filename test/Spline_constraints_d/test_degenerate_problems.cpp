@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Square systems with solutions that are not regular: nothing is lost, nothing is certified that is not, and rational ones come as clusters.
+// Square systems with solutions that are not regular: nothing is lost, nothing is certified that is not, and rational
+// ones come as clusters.
 
 #include "solver_test_checks.h"
 
@@ -28,7 +29,8 @@ struct Expected_cluster
 
 // Exactly these clusters and certified solutions, and nothing else.
 template <class Traits>
-void check_clusters(const System& system, const std::vector<Expected_cluster>& clusters, const std::vector<Point>& regular = {})
+void check_clusters(const System& system, const std::vector<Expected_cluster>& clusters,
+                    const std::vector<Point>& regular = {})
 {
   const auto solutions = solve_with<Traits>(system);
   EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
@@ -65,18 +67,21 @@ TYPED_TEST(Degenerate_problems, OneUnknown)
 TYPED_TEST(Degenerate_problems, TangentEllipses)   // problem 4
 {
   const double h = 2 * std::sqrt(2) / 3;
-  check_clusters<TypeParam>(with_equalities(cube(2, -3, 3), {x * x / 4 + y * y - 1, square(x - 1) + y * y - 1}), {{{2, 0}, 2}},
+  check_clusters<TypeParam>(with_equalities(cube(2, -3, 3), {x * x / 4 + y * y - 1, square(x - 1) + y * y - 1}),
+                            {{{2, 0}, 2}},
                             {{fraction(2, 3), Coordinate::near(h)}, {fraction(2, 3), Coordinate::near(-h)}});
 }
 
 TYPED_TEST(Degenerate_problems, CircleAndHyperbola)   // problem 5
 {
-  check_clusters<TypeParam>(with_equalities(cube(2, -2, 2), {x * x + y * y - 2, x * y - 1}), {{{1, 1}, 2}, {{-1, -1}, 2}});
+  check_clusters<TypeParam>(with_equalities(cube(2, -2, 2), {x * x + y * y - 2, x * y - 1}),
+                            {{{1, 1}, 2}, {{-1, -1}, 2}});
 }
 
 TYPED_TEST(Degenerate_problems, OriginAlone)   // problem 6
 {
-  check_clusters<TypeParam>(with_equalities(cube(2, -2, 3), {29 * pow(x, 3) / 16 - 2 * x * y, y - x * x}), {{{0, 0}, 3}});
+  check_clusters<TypeParam>(with_equalities(cube(2, -2, 3), {29 * pow(x, 3) / 16 - 2 * x * y, y - x * x}),
+                            {{{0, 0}, 3}});
   check_clusters<TypeParam>(with_equalities(cube(2, -1, 2), {x * x - y * y, x * y}), {{{0, 0}, 4}});
 }
 
@@ -95,7 +100,8 @@ TEST(Degenerate_contacts, HighOrder)
   for (int k = 2; k <= 8; ++k) {
     SCOPED_TRACE(k);
     const Polynomial f = y - x * x, g = (2 + x) * f + pow(3 * x - 1, k);
-    check_clusters<SC::Certified_solver_traits>(with_equalities(cube(2, -1, 2), {f + g, f - 2 * g}), {{{fraction(1, 3), fraction(1, 9)}, k}});
+    check_clusters<SC::Certified_solver_traits>(with_equalities(cube(2, -1, 2), {f + g, f - 2 * g}),
+                                                {{{fraction(1, 3), fraction(1, 9)}, k}});
   }
   const Polynomial touching = (z - x * x * x) + pow(3 * x - 1, 3) + (y - x * x) * x;
   check_clusters<SC::Certified_solver_traits>(with_equalities(cube(3, -1, 2), {y - x * x, z - x * y, touching}),
@@ -123,21 +129,28 @@ TEST(Degenerate_contacts, OverdeterminedAndHigherCorank)
   const Polynomial a = 3 * x - 1, b = 2 * y - 1, c = 5 * z - 2;
   const Point point{fraction(1, 3), fraction(1, 2)};
   check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a, b * b, a * b}), {{point, 3}});
-  check_clusters<Traits>(with_equalities(cube(2, 0, 2), {(a - b * b) * (x - 1), (a * a + b * b) * (y - x), a * b * (x + y - 2)}), {{point, 2}}, {{1, 1}});
-  check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a - b * b * b, a * b + b * b * b}), {{point, 5}}, {{0, 1}});
-  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b + c, a * b + c * c, c + a * a * b}), {{{point[0], point[1], fraction(2, 5)}, 4}});
-  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b, a * b + c * c, c * a + 2 * b * b}), {{{point[0], point[1], fraction(2, 5)}, 8}});
+  check_clusters<Traits>(
+      with_equalities(cube(2, 0, 2), {(a - b * b) * (x - 1), (a * a + b * b) * (y - x), a * b * (x + y - 2)}),
+      {{point, 2}}, {{1, 1}});
+  check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a - b * b * b, a * b + b * b * b}), {{point, 5}},
+                         {{0, 1}});
+  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b + c, a * b + c * c, c + a * a * b}),
+                         {{{point[0], point[1], fraction(2, 5)}, 4}});
+  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b, a * b + c * c, c * a + 2 * b * b}),
+                         {{{point[0], point[1], fraction(2, 5)}, 8}});
 }
 
 // Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
 TYPED_TEST(Degenerate_problems, DoubleTangentLines)
 {
   const Polynomial length = 1 + x * x + y * y;
-  check_clusters<TypeParam>(with_equalities(cube(2, -2, 3), {x * y, x * x * y * y + x * x + y * y - square(length) / 4}),
-                            {{{0, 1}, 2}, {{0, -1}, 2}, {{1, 0}, 2}, {{-1, 0}, 2}});
+  check_clusters<TypeParam>(
+      with_equalities(cube(2, -2, 3), {x * y, x * x * y * y + x * x + y * y - square(length) / 4}),
+      {{{0, 1}, 2}, {{0, -1}, 2}, {{1, 0}, 2}, {{-1, 0}, 2}});
 }
 
-// All six for unit directions, each of which is there with its opposite: irrational. They are proved on the precision ladder, which only doubles climb; without it, it is not decided how many there are, but none is lost.
+// All six for unit directions, each of which is there with its opposite: irrational. They are proved on the precision
+// ladder, which only doubles climb; without it, it is not decided how many there are, but none is lost.
 TYPED_TEST(Degenerate_problems, IrrationalDoubleLines)
 {
   const double h = std::sqrt(0.5);
@@ -148,8 +161,9 @@ TYPED_TEST(Degenerate_problems, IrrationalDoubleLines)
       known.push_back({Coordinate::near(a), 0, Coordinate::near(b)});
       known.push_back({Coordinate::near(a), Coordinate::near(b), 0});
     }
-  const System system = with_equalities(cube(3, -1, 1), {x * y * z, x * x * y * y + y * y * z * z + z * z * x * x - fraction(1, 4),
-                                                         x * x + y * y + z * z - 1});
+  const System system = with_equalities(
+      cube(3, -1, 1),
+      {x * y * z, x * x * y * y + y * y * z * z + z * z * x * x - fraction(1, 4), x * x + y * y + z * z - 1});
   if constexpr (std::is_same_v<TypeParam, SC::Certified_solver_traits>) {
     std::vector<Expected_cluster> clusters;
     for (const Point& point : known)
@@ -173,8 +187,11 @@ TYPED_TEST(Degenerate_problems, IrrationalDoubleLines)
 TYPED_TEST(Degenerate_problems, PiecesOfOneCurve)
 {
   const System system = curve_intersection(
-    {{0, 2}, {fraction(-1, 2), 1}, {fraction(-1, 4), fraction(3, 4)}, {fraction(-3, 32), fraction(53, 64)}},
-    {{fraction(-3, 32), fraction(53, 64)}, {fraction(1, 16), fraction(29, 32)}, {fraction(1, 8), fraction(21, 16)}, {fraction(-3, 4), fraction(13, 8)}});
+      {{0, 2}, {fraction(-1, 2), 1}, {fraction(-1, 4), fraction(3, 4)}, {fraction(-3, 32), fraction(53, 64)}},
+      {{fraction(-3, 32), fraction(53, 64)},
+       {fraction(1, 16), fraction(29, 32)},
+       {fraction(1, 8), fraction(21, 16)},
+       {fraction(-3, 4), fraction(13, 8)}});
   const double third = std::sqrt(5) / 3;
   const auto solutions = solve_with<TypeParam>(system);
   expect_nothing_lost({{1, 0}, {Coordinate::near(1 - third), Coordinate::near(third)}}, solutions);

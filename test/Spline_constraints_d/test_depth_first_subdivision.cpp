@@ -41,7 +41,8 @@ struct Box
   double area() const { return (upper[0] - lower[0]) * (upper[1] - lower[1]); }
 };
 
-// Splits boxes along the axes in turns until they are thin, looks twice at those of one half, and puts aside what is left after a number of looks.
+// Splits boxes along the axes in turns until they are thin, looks twice at those of one half, and puts aside what is
+// left after a number of looks.
 struct Halving
 {
   struct State

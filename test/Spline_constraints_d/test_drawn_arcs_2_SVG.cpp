@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of circular arcs as drawings have them: with irrational centers, and with ends or other curves so near to the circle that disks in it nearly touch all of it.
+// Voronoi diagrams of circular arcs as drawings have them: with irrational centers, and with ends or other curves so
+// near to the circle that disks in it nearly touch all of it.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -66,7 +67,8 @@ TEST(DrawnArcs, OpenArcsAboveAHalfCircle)
     }
 }
 
-// What is as far from a circle as from a chord is on a parabola around the center; where the chord is short, all disks but those next to it nearly touch all of the circle.
+// What is as far from a circle as from a chord is on a parabola around the center; where the chord is short, all disks
+// but those next to it nearly touch all of the circle.
 TEST(DrawnArcs, ArcsClosedByShortChords)
 {
   constexpr double radius = 40;
@@ -90,7 +92,8 @@ TEST(DrawnArcs, ArcsClosedByShortChords)
     }
 }
 
-// The arcs join with an angle of 0.3 degrees, and cross each other 0.2 from there: what is between both is 2.5e-4 wide, as far into one of the circles, and turned by so little that contacts run along all of that.
+// The arcs join with an angle of 0.3 degrees, and cross each other 0.2 from there: what is between both is 2.5e-4 wide,
+// as far into one of the circles, and turned by so little that contacts run along all of that.
 TEST(DrawnArcs, NearlyTangentCircles)
 {
   const auto curves = drawn("M89.67 37.68 A40.35 40.35 0 0 1 43 93.64 A58.8 58.8 0 1 1 1.15 98.7");
@@ -102,8 +105,10 @@ TEST(DrawnArcs, NearlyTangentCircles)
 
 TEST(DrawnArcs, PathsOfArcsAndSegments)
 {
-  for (const char* path : {"M50 30 A20 20 0 1 0 55 30 L60 20", "M50 30 A20 20 0 1 0 55 30 M40 60 L60 65", "M20 20 A30 30 0 1 1 60 20 A27.5 27.5 0 1 0 20 20", "M50 50 L80 45 A30 30 0 1 1 45 78.5 Z",
-                           "M30 20 l15 20 a10.01 10.01 0 0 1 -16 12 l-15 -20", "M10 10 A25 25 0 0 1 40 20 A31 31 0 1 0 70 25"}) {
+  for (const char* path :
+       {"M50 30 A20 20 0 1 0 55 30 L60 20", "M50 30 A20 20 0 1 0 55 30 M40 60 L60 65",
+        "M20 20 A30 30 0 1 1 60 20 A27.5 27.5 0 1 0 20 20", "M50 50 L80 45 A30 30 0 1 1 45 78.5 Z",
+        "M30 20 l15 20 a10.01 10.01 0 0 1 -16 12 l-15 -20", "M10 10 A25 25 0 0 1 40 20 A31 31 0 1 0 70 25"}) {
     SCOPED_TRACE(path);
     const auto curves = drawn(path);
     const auto diagram = SC::voronoi_diagram(curves);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of arcs that end in a vertex of their curve, where the derivative of the curvature is zero, as half a parabola does, or next to one: alone, in corners, and where two of them join.
+// Voronoi diagrams of arcs that end in a vertex of their curve, where the derivative of the curvature is zero, as half
+// a parabola does, or next to one: alone, in corners, and where two of them join.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/powers_of_zeros.h>
@@ -34,7 +35,11 @@ void expect_valid(const Diagram& diagram, const Curves& curves)
 // The number of vertices in which an edge ends that have a radius and are at a point.
 std::size_t tips(const Diagram& diagram, const P& p, double radius)
 {
-  return static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && v.edges.size() == 1 && distance(v.point, p) < 1e-9 && std::abs(v.radius - radius) < 1e-9; }));
+  return static_cast<std::size_t>(
+      std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+        return !v.is_at_infinity && v.edges.size() == 1 && distance(v.point, p) < 1e-9 &&
+            std::abs(v.radius - radius) < 1e-9;
+      }));
 }
 
 // The disk that touches (t, t^2) and the vertex of the parabola has the center (-t^3, (1 + 3 t^2) / 2).
@@ -66,7 +71,9 @@ TEST(EndsInVertices, HalfParabola)
 
 const K::Aff_transformation_2 rotated_and_scaled(1.1, -0.3, 3.1, 0.3, 1.1, 2.7);
 
-// y = h x / 2 + (1 - h) x^2 / 8 has its vertex just behind the end of the arc, or for h < 0 before it, where x = 2 |h| / (1 + |h|): then there is a tip in the center of curvature, and the edge from there goes over from the arc to its end.
+// y = h x / 2 + (1 - h) x^2 / 8 has its vertex just behind the end of the arc, or for h < 0 before it, where x = 2 |h|
+// / (1 + |h|): then there is a tip in the center of curvature, and the edge from there goes over from the arc to its
+// end.
 TEST(EndsInVertices, VerticesNextToEnds)
 {
   const auto arc = [](double h) { return bezier({P(0, 0), P(2, h), P(4, 2)}); };
@@ -77,18 +84,24 @@ TEST(EndsInVertices, VerticesNextToEnds)
       const Diagram diagram = SC::voronoi_diagram(Curves{curve});
       expect_valid(diagram, {curve});
       EXPECT_EQ(diagram.edges().size(), is_inside ? 3U : 2U) << "h = " << h;
-      EXPECT_EQ(tips(diagram, is_inside ? P(2 * h / (1 + h), (4 - h * h / 2) / (1 + h)) : P(0, 4), is_inside ? 4 / (1 + h) : 4), digits > 9 || is_inside ? 1U : 0U) << "h = " << h;
+      EXPECT_EQ(tips(diagram, is_inside ? P(2 * h / (1 + h), (4 - h * h / 2) / (1 + h)) : P(0, 4),
+                     is_inside ? 4 / (1 + h) : 4),
+                digits > 9 || is_inside ? 1U : 0U)
+          << "h = " << h;
       expect_valid(SC::voronoi_diagram(Curves{rotated}), {rotated});
     }
   }
 }
 
-// Two arcs that leave a point with directions that differ by a tiny angle: each of them is hidden from the other side of the other one.
+// Two arcs that leave a point with directions that differ by a tiny angle: each of them is hidden from the other side
+// of the other one.
 TEST(EndsInVertices, ThinCorners)
 {
   for (int digits = 4; digits <= 15; ++digits) {
     const double height = std::pow(10., -digits);
-    const Curves curves{bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, height), P(4, 1)})}, rotated{curves[0].transformed(rotated_and_scaled), bezier({P(3.1, 2.7), P(5.3 - 0.3 * height, 3.3 + 1.1 * height), P(7.2, 5)})};
+    const Curves curves{bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, height), P(4, 1)})},
+        rotated{curves[0].transformed(rotated_and_scaled),
+                bezier({P(3.1, 2.7), P(5.3 - 0.3 * height, 3.3 + 1.1 * height), P(7.2, 5)})};
     for (const Curves& corner : {curves, rotated}) {
       const Diagram diagram = SC::voronoi_diagram(corner);
       expect_valid(diagram, corner);
@@ -127,7 +140,8 @@ TEST(EndsInVertices, SegmentsAtTheVertex)
   }
 }
 
-// The axis of an ellipse of half axes 2 and 1 ends in (3/2, 0). So does that of an egg of two halves, the other one with half axes 2 and 3/2: the curvature is greatest where they join.
+// The axis of an ellipse of half axes 2 and 1 ends in (3/2, 0). So does that of an egg of two halves, the other one
+// with half axes 2 and 3/2: the curvature is greatest where they join.
 TEST(EndsInVertices, EllipsesAndEggs)
 {
   const Curves half{quarter_ellipse(2, 1), quarter_ellipse(-2, 1)};
@@ -149,7 +163,8 @@ TEST(EndsInVertices, EllipsesAndEggs)
 TEST(EndsInVertices, CircleAtTheVertex)
 {
   for (const double radius : {0.25, 1.5}) {
-    const Curves curves{quarter_ellipse(2, 1), SC::bezier_curve<K>({P(2, 0), P(2, -radius), P(2 - radius, -radius)}, {1, 1, 2})};
+    const Curves curves{quarter_ellipse(2, 1),
+                        SC::bezier_curve<K>({P(2, 0), P(2, -radius), P(2 - radius, -radius)}, {1, 1, 2})};
     const Diagram diagram = SC::voronoi_diagram(curves);
     expect_valid(diagram, curves);
     const double least = (std::min)(radius, 0.5);
@@ -166,7 +181,8 @@ TEST(EndsInVertices, HalvesOfSymmetricCubics)
     const double x = number(random), z = number(random), y = number(random), c = number(random), s = number(random);
     const auto at = [&](double u, double v) { return P(c * u - s * v, s * u + c * v); };
     // (0,0), (-x,y), (z+x,y), (z,0), halved
-    const Curves curves{bezier({at(0, 0), at(-x / 2, y / 2), at((z - 2 * x) / 4 + x / 4, 0.75 * y), at(z / 2, 0.75 * y)})};
+    const Curves curves{
+        bezier({at(0, 0), at(-x / 2, y / 2), at((z - 2 * x) / 4 + x / 4, 0.75 * y), at(z / 2, 0.75 * y)})};
     const Diagram diagram = SC::voronoi_diagram(curves);
     EXPECT_TRUE(diagram.is_complete()) << x << ' ' << z << ' ' << y;
     expect_euler(diagram);
@@ -174,13 +190,16 @@ TEST(EndsInVertices, HalvesOfSymmetricCubics)
   }
 }
 
-// Only one edge of the Newton polygon of 16 a^5 - 2 a b (a + b) - 2 b^5 has ends of different signs: there 8 a^3 is nearly b.
+// Only one edge of the Newton polygon of 16 a^5 - 2 a b (a + b) - 2 b^5 has ends of different signs: there 8 a^3 is
+// nearly b.
 TEST(EndsInVertices, PowersOfZeros)
 {
   const auto a = SC::Power_polynomial::variable(0), b = SC::Power_polynomial::variable(1);
   const auto times = [](int factor, const SC::Power_polynomial& p) { return SC::Power_polynomial(factor) * p; };
   using Powers = std::pair<int, int>;
-  EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(times(16, pow(a, 5)) - times(2, a * b * (a + b)) - times(2, pow(b, 5))), Powers(1, 3));
+  EXPECT_EQ(
+      SC::internal::Voronoi::powers_of_zeros(times(16, pow(a, 5)) - times(2, a * b * (a + b)) - times(2, pow(b, 5))),
+      Powers(1, 3));
   EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(a - pow(b, 3)), Powers(3, 1));
   EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(a * pow(b, 2) - pow(a, 2) * b), Powers(1, 1));
   EXPECT_FALSE(SC::internal::Voronoi::powers_of_zeros(a + pow(b, 3)).has_value());

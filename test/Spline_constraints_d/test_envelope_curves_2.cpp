@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Envelopes of a curve that moves along another one: circles have circles, and every point has parallel tangents in the same direction.
+// Envelopes of a curve that moves along another one: circles have circles, and every point has parallel tangents in the
+// same direction.
 
 #include "pair_locus_test_tools.h"
 
@@ -38,7 +39,8 @@ std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, b
 TEST(Envelope_curves_2, parabolas)
 {
   // y = x^2 and y = 2 x^2: the same slope at x2 = x1 / 2, the sum of the points is (3t, 6t^2), t in [-1/2, 1/2].
-  const Curve one = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}}), two = SC::bezier_curve(std::vector<Point>{{-1, 2}, {0, -2}, {1, 2}});
+  const Curve one = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}}),
+              two = SC::bezier_curve(std::vector<Point>{{-1, 2}, {0, -2}, {1, 2}});
   const Locus locus = SC::envelope_curves(one, two);
   EXPECT_TRUE(locus.is_complete()) << locus;
   ASSERT_EQ(locus.curves().size(), 1u);
@@ -53,8 +55,10 @@ TEST(Envelope_curves_2, parabolas)
 
 TEST(Envelope_curves_2, circles)
 {
-  const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 4)), small = SC::to_bspline_curve(K::Circle_2(Point(5, 1), 1));
-  const Locus sum = SC::envelope_curves(large, small), both = SC::envelope_curves(large, small, SC::Tangent_directions::ANY);
+  const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 4)),
+              small = SC::to_bspline_curve(K::Circle_2(Point(5, 1), 1));
+  const Locus sum = SC::envelope_curves(large, small),
+              both = SC::envelope_curves(large, small, SC::Tangent_directions::ANY);
   for (const Locus* locus : {&sum, &both}) {
     EXPECT_TRUE(locus->is_complete()) << *locus;
     EXPECT_EQ(locus->number_of_open_curves(), 0u);
@@ -76,8 +80,10 @@ TEST(Envelope_curves_2, random_cubics)
   std::mt19937 random(5);
   std::size_t curves = 0;
   for (int trial = 0; trial < 10; ++trial) {
-    const Curve c1 = SC::bezier_curve(random_points(random, 8)), c2 = SC::bezier_curve(random_points(random, 8)), c3 = c2.reversed();
-    const Locus same = SC::envelope_curves(c1, c2), opposite = SC::envelope_curves(c1, c3), any = SC::envelope_curves(c1, c2, SC::Tangent_directions::ANY);
+    const Curve c1 = SC::bezier_curve(random_points(random, 8)), c2 = SC::bezier_curve(random_points(random, 8)),
+                c3 = c2.reversed();
+    const Locus same = SC::envelope_curves(c1, c2), opposite = SC::envelope_curves(c1, c3),
+                any = SC::envelope_curves(c1, c2, SC::Tangent_directions::ANY);
     for (const Locus* locus : {&same, &opposite, &any})
       EXPECT_TRUE(locus->is_complete()) << *locus;
     EXPECT_EQ(any.curves().size(), same.curves().size() + opposite.curves().size());

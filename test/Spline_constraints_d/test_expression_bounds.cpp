@@ -55,17 +55,21 @@ TEST(Expression_bounds, HoldValues)
     for (auto& list : coefficients)
       for (int i = 0; i < 6; ++i)
         list.push_back(1 + number(9));
-    const auto spline = [&](int i) { return SC::Bspline_function<Exact_rational>({2}, {{0, 0, 0, 1, 2, 3, 4, 4, 4}}, coefficients[i]); };
+    const auto spline = [&](int i) {
+      return SC::Bspline_function<Exact_rational>({2}, {{0, 0, 0, 1, 2, 3, 4, 4, 4}}, coefficients[i]);
+    };
     const SC::Spline_map<1, 2> map({spline(0), spline(1)}, spline(2));
     const auto [u, t] = SC::unknowns({0, 4}, {-1, 1});
     const SC::Expression formula = map(u)[0] * t - square(map(u)[1]) / (t + 3);
     const Exact_rational a = number(80) / 20, b = number(40) / 20 - 1;
-    const std::vector<Range> box{{a, std::min(Exact_rational(4), Exact_rational(a + number(100) / 50))}, {b, std::min(Exact_rational(1), Exact_rational(b + number(10) / 50))}};
+    const std::vector<Range> box{{a, std::min(Exact_rational(4), Exact_rational(a + number(100) / 50))},
+                                 {b, std::min(Exact_rational(1), Exact_rational(b + number(10) / 50))}};
     const auto range = SC::bounds(formula, box);
     ASSERT_TRUE(range);
     for (int i = 0; i <= 10; ++i)
       for (int j = 0; j <= 3; ++j) {
-        const std::array<Exact_rational, 2> at{Exact_rational(box[0].first + (box[0].second - box[0].first) * i / 10), Exact_rational(box[1].first + (box[1].second - box[1].first) * j / 3)};
+        const std::array<Exact_rational, 2> at{Exact_rational(box[0].first + (box[0].second - box[0].first) * i / 10),
+                                               Exact_rational(box[1].first + (box[1].second - box[1].first) * j / 3)};
         const Exact_rational value = formula(at);
         EXPECT_TRUE(range->first <= value && value <= range->second);
       }

@@ -112,7 +112,8 @@ TEST(Expression, points_of_curves_are_exact)
     EXPECT_GT(inner(tangent(t), tangent(t)), Rational(0));
   }
   // The identity holds for the expanded function as well, whose terms are all zero.
-  const SC::Spline_function zero = (squared_norm(p - Vector_expression(circle.x, circle.y)) == circle.radius * circle.radius).spline_function();
+  const SC::Spline_function zero =
+      (squared_norm(p - Vector_expression(circle.x, circle.y)) == circle.radius * circle.radius).spline_function();
   ASSERT_EQ(zero.terms().size(), 1u);
   EXPECT_EQ(zero.terms()[0].pieces, std::vector<std::vector<Rational>>{{Rational(0)}});
 }
@@ -121,7 +122,8 @@ TEST(Expression, derivatives_are_those_of_the_splines)
 {
   std::mt19937 random(2);
   const auto t = knots({{0, 0, 0, 0, 1, 2, 2, 3, 3, 3, 3}});
-  const Spline x = random_spline(random, {3}, t), y = random_spline(random, {3}, t), w = random_spline(random, {3}, t, true);
+  const Spline x = random_spline(random, {3}, t), y = random_spline(random, {3}, t),
+               w = random_spline(random, {3}, t, true);
   const Spline_map<1, 2> c({x, y}, w), first = derivative(c);
   for (int i = 0; i < 20; ++i) {
     const std::vector<Rational> at{ratio(static_cast<int>(random() % 300), 100)};
@@ -131,7 +133,9 @@ TEST(Expression, derivatives_are_those_of_the_splines)
     // x'' = (X'' - 2 x' W' - x W'') / W
     const Rational x2 = (x.hessian(at)[0] - 2 * x1 * W.gradient[0] - X.value / W.value * w.hessian(at)[0]) / W.value;
     if (at[0] < 1) {   // beyond, the second derivative jumps at the double knot
-      EXPECT_EQ(derivative(derivative(Spline_map<1, 2>({x.restricted(0, 0, 1), y.restricted(0, 0, 1)}, w.restricted(0, 0, 1))))(at)[0], x2);
+      EXPECT_EQ(derivative(derivative(
+                    Spline_map<1, 2>({x.restricted(0, 0, 1), y.restricted(0, 0, 1)}, w.restricted(0, 0, 1))))(at)[0],
+                x2);
     }
   }
 }
@@ -140,7 +144,8 @@ TEST(Expression, kinks_are_refused)
 {
   std::mt19937 random(3);
   const auto t = knots({{0, 0, 0, 1, 1, 2, 2, 2}});
-  const Spline x({2}, t, {Rational(0), Rational(1), Rational(2), Rational(2), Rational(3)}), y({2}, t, {Rational(0), Rational(0), Rational(0), Rational(5), Rational(1)});
+  const Spline x({2}, t, {Rational(0), Rational(1), Rational(2), Rational(2), Rational(3)}),
+      y({2}, t, {Rational(0), Rational(0), Rational(0), Rational(5), Rational(1)});
   const Spline_map<1, 2> kinked({x, y});
   try {
     derivative(kinked);
@@ -163,18 +168,25 @@ TEST(Expression, kinks_are_refused)
 TEST(Expression, expansion_agrees_with_evaluation)
 {
   std::mt19937 random(4);
-  const auto a_knots = knots({{0, 0, 0, 0, 1, 2, 2, 2, 2}}), b_knots = knots({{0, 0, 0, 1, 3, 3, 3}}), c_knots = knots({{0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 2, 2, 2, 2}});
+  const auto a_knots = knots({{0, 0, 0, 0, 1, 2, 2, 2, 2}}), b_knots = knots({{0, 0, 0, 1, 3, 3, 3}}),
+             c_knots = knots({{0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 2, 2, 2, 2}});
   for (int repeat = 0; repeat < 4; ++repeat) {
-    const Spline_map<1, 2> a({random_spline(random, {3}, a_knots), random_spline(random, {3}, a_knots)}, random_spline(random, {3}, a_knots, true));
+    const Spline_map<1, 2> a({random_spline(random, {3}, a_knots), random_spline(random, {3}, a_knots)},
+                             random_spline(random, {3}, a_knots, true));
     const Spline_map<1, 2> b({random_spline(random, {2}, b_knots), random_spline(random, {2}, b_knots)});
-    const Spline_map<2, 2> s({random_spline(random, {2, 3}, c_knots), random_spline(random, {2, 3}, c_knots)}, random_spline(random, {2, 3}, c_knots, true));
+    const Spline_map<2, 2> s({random_spline(random, {2, 3}, c_knots), random_spline(random, {2, 3}, c_knots)},
+                             random_spline(random, {2, 3}, c_knots, true));
     auto [q, u, p, v, x] = SC::unknowns({0, 2}, {0, 2}, {0, 1}, {0, 3}, {-1, 1});
-    const Vector_expression<2> A = a(u), B = b(v), S = s(p, q), moving(x, 1 - x * x);   // the axes of s in the other order
+    // the axes of s in the other order
+    const Vector_expression<2> A = a(u), B = b(v), S = s(p, q), moving(x, 1 - x * x);
     const std::vector<Expression> formulas{
-      dot(A - B, derivative(a)(u)), squared_norm(A - B) - squared_norm(A - moving), cross(S - A, derivative(b)(v)) + x,
-      dot(S - B, derivative(s, 1)(p, q)), A[0] + 3 * B[1] + S[0] - x * x * x, pow(A[0] - B[0], 3), midpoint(A, S)[1] * x - B[0]};
+        dot(A - B, derivative(a)(u)),       squared_norm(A - B) - squared_norm(A - moving),
+        cross(S - A, derivative(b)(v)) + x, dot(S - B, derivative(s, 1)(p, q)),
+        A[0] + 3 * B[1] + S[0] - x * x * x, pow(A[0] - B[0], 3),
+        midpoint(A, S)[1] * x - B[0]};
     for (const Expression& formula : formulas) {
-      const SC::Spline_function equation = (formula == 0).spline_function(), inequality = (formula > ratio(1, 7)).spline_function();
+      const SC::Spline_function equation = (formula == 0).spline_function(),
+                                inequality = (formula > ratio(1, 7)).spline_function();
       const Expression times_denominator = Expression((formula == 0).function, {}, u.symbols());
       Proportional expanded, scaled;
       for (int i = 0; i < 12; ++i) {
@@ -188,7 +200,8 @@ TEST(Expression, expansion_agrees_with_evaluation)
   }
 }
 
-// A formula of some leaves, and its value at a point by the operations it is made of; nothing where something is divided by zero.
+// A formula of some leaves, and its value at a point by the operations it is made of; nothing where something is
+// divided by zero.
 class Random_formula
 {
   std::mt19937& m_random;
@@ -196,8 +209,10 @@ class Random_formula
   const std::vector<std::vector<Rational>>& m_values;   // of the leaves, for each point
 
 public:
-  Random_formula(std::mt19937& random, const std::vector<Expression>& leaves, const std::vector<std::vector<Rational>>& values)
-    : m_random(random), m_leaves(leaves), m_values(values) {}
+  Random_formula(std::mt19937& random, const std::vector<Expression>& leaves,
+                 const std::vector<std::vector<Rational>>& values)
+    : m_random(random), m_leaves(leaves), m_values(values)
+  {}
 
   std::pair<Expression, std::vector<std::optional<Rational>>> operator()(int depth)
   {
@@ -217,7 +232,10 @@ public:
         values.push_back(std::nullopt);
       else {
         const Rational &x = *a_values[i], &y = *b_values[i];
-        values.push_back(operation < 2 ? Rational(x + y) : operation < 4 ? Rational(x - y) : is_quotient ? Rational(x / y) : Rational(x * y));
+        values.push_back(operation < 2       ? Rational(x + y)
+                             : operation < 4 ? Rational(x - y)
+                             : is_quotient   ? Rational(x / y)
+                                             : Rational(x * y));
       }
     return {operation < 2 ? a + b : operation < 4 ? a - b : is_quotient ? a / b : a * b, values};
   }
@@ -227,10 +245,14 @@ TEST(Expression, random_formulas)
 {
   std::mt19937 random(13);
   const auto a_knots = knots({{0, 0, 0, 1, 2, 2, 2}}), b_knots = knots({{0, 0, 1, 1}, {0, 0, 1, 2, 2}});
-  const Spline_map<1, 2> a({random_spline(random, {2}, a_knots), random_spline(random, {2}, a_knots)}, random_spline(random, {2}, a_knots, true)), b = bezier_curve({{1, 0}, {0, 2}, {3, 3}});
-  const Spline_map<2, 2> s({random_spline(random, {1, 1}, b_knots), random_spline(random, {1, 1}, b_knots)}, random_spline(random, {1, 1}, b_knots, true));
+  const Spline_map<1, 2> a({random_spline(random, {2}, a_knots), random_spline(random, {2}, a_knots)},
+                           random_spline(random, {2}, a_knots, true)),
+      b = bezier_curve({{1, 0}, {0, 2}, {3, 3}});
+  const Spline_map<2, 2> s({random_spline(random, {1, 1}, b_knots), random_spline(random, {1, 1}, b_knots)},
+                           random_spline(random, {1, 1}, b_knots, true));
   auto [u, v, w, x] = SC::unknowns({0, 2}, {0, 1}, {0, 2}, {-1, 1});
-  const std::vector<Expression> leaves{a(u)[0], a(u)[1], b(v)[0], b(v)[1], s(v, w)[0], s(v, w)[1], a(w)[0], x, u, x + 1, 3, Expression(ratio(-1, 2))};
+  const std::vector<Expression> leaves{a(u)[0], a(u)[1], b(v)[0], b(v)[1], s(v, w)[0], s(v, w)[1],
+                                       a(w)[0], x,       u,       x + 1,   3,          Expression(ratio(-1, 2))};
   std::vector<std::vector<Rational>> points, values;
   for (int i = 0; i < 8; ++i) {
     points.push_back(random_point(random, *u.domains()));
@@ -275,7 +297,8 @@ TEST(Expression, sums_stay_apart_and_parts_join)
 
 TEST(Expression, common_weights_cancel)
 {
-  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(2)}.map(), d = Circle{Rational(5), Rational(1), Rational(1)}.map();
+  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(2)}.map(),
+                         d = Circle{Rational(5), Rational(1), Rational(1)}.map();
   auto [u, v] = SC::parameters(c, d);
   // (x1 w2 - x2 w1) / (w1 w2): the weights are not squared.
   const SC::Spline_function difference = (c(u)[0] == d(v)[0]).spline_function();
@@ -325,8 +348,10 @@ TEST(Expression, formulas_are_differentiated)
 {
   std::mt19937 random(12);
   const auto t = knots({{0, 0, 0, 0, 1, 2, 2, 2, 2}});
-  const Spline_map<1, 2> c({random_spline(random, {3}, t), random_spline(random, {3}, t)}, random_spline(random, {3}, t, true));
-  const Spline_map<2, 2> s({random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}})), random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}}))});
+  const Spline_map<1, 2> c({random_spline(random, {3}, t), random_spline(random, {3}, t)},
+                           random_spline(random, {3}, t, true));
+  const Spline_map<2, 2> s({random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}})),
+                            random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}}))});
   auto [u, v, x] = SC::unknowns({0, 2}, {0, 1}, {1, 2});
   const auto domains = u.domains();
   const auto vanishes = [&](const Expression& formula) {
@@ -350,7 +375,8 @@ TEST(Expression, formulas_are_differentiated)
   EXPECT_EQ(derivative(pow(x, 3) * u, x).polynomial(), (3 * x * x * u).polynomial());
   auto [w] = SC::unknowns({0, 4});
   EXPECT_THROW(derivative(x, w), Invalid_input);
-  EXPECT_THROW(derivative(Circle{Rational(0), Rational(0), Rational(1)}.map()(w)[0], w), Invalid_input);   // x' and w' jump
+  // x' and w' jump
+  EXPECT_THROW(derivative(Circle{Rational(0), Rational(0), Rational(1)}.map()(w)[0], w), Invalid_input);
 }
 
 TEST(Expression, unknowns_with_one_value)
@@ -366,7 +392,8 @@ TEST(Expression, unknowns_with_one_value)
 TEST(Linear_elimination, lines_meet_in_their_point)
 {
   std::mt19937 random(6);
-  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(2)}.map(), d = bezier_curve({{5, 0}, {4, 2}, {7, 3}});
+  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(2)}.map(),
+                         d = bezier_curve({{5, 0}, {4, 2}, {7, 3}});
   auto [u, v] = SC::parameters(c, d);
   const Vector_expression<2> p = meet(normal_line(c, u), normal_line(d, v));
   const Constraint constraint = p[0] == 1;
@@ -375,7 +402,8 @@ TEST(Linear_elimination, lines_meet_in_their_point)
   int met = 0;
   for (int i = 0; i < 30; ++i) {
     const std::vector<Rational> point = random_point(random, *u.domains());
-    const Point_2 C = at(c, point[0]), D = at(d, point[1]), dC = at(derivative(c), point[0]), dD = at(derivative(d), point[1]);
+    const Point_2 C = at(c, point[0]), D = at(d, point[1]), dC = at(derivative(c), point[0]),
+                  dD = at(derivative(d), point[1]);
     if (dC[0] * dD[1] == dC[1] * dD[0])
       continue;
     EXPECT_EQ(inner(minus(p(point), C), dC), Rational(0));
@@ -388,20 +416,24 @@ TEST(Linear_elimination, lines_meet_in_their_point)
 TEST(Linear_elimination, equations_are_solved)
 {
   std::mt19937 random(7);
-  const Spline_map<1, 2> c1 = Circle{Rational(0), Rational(0), Rational(1)}.map(), c2 = Circle{Rational(5), Rational(0), Rational(2)}.map(),
+  const Spline_map<1, 2> c1 = Circle{Rational(0), Rational(0), Rational(1)}.map(),
+                         c2 = Circle{Rational(5), Rational(0), Rational(2)}.map(),
                          c3 = Circle{Rational(1), Rational(6), Rational(1)}.map();
   auto [u, v, w] = SC::parameters(c1, c2, c3);
   const auto p = SC::unknowns_without_range<2>(u);
-  const auto center = SC::solve_linear({squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w))}, p);
+  const auto center = SC::solve_linear(
+      {squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w))}, p);
   const auto same = meet(equidistant_hyperplane(c1(u), c2(v)), equidistant_hyperplane(c1(u), c3(w)));
   for (int i = 0; i < 20; ++i) {
     const std::vector<Rational> point = random_point(random, *u.domains());
-    const Point_2 P = center(point), a = minus(P, at(c1, point[0])), b = minus(P, at(c2, point[1])), c = minus(P, at(c3, point[2]));
+    const Point_2 P = center(point), a = minus(P, at(c1, point[0])), b = minus(P, at(c2, point[1])),
+                  c = minus(P, at(c3, point[2]));
     EXPECT_EQ(inner(a, a), inner(b, b));
     EXPECT_EQ(inner(a, a), inner(c, c));
     EXPECT_EQ(same(point), P);
   }
-  // The weights that numerators and determinant share are gone: the determinant of the homogeneous coordinates is trilinear in the circles.
+  // The weights that numerators and determinant share are gone: the determinant of the homogeneous coordinates is
+  // trilinear in the circles.
   const Constraint constraint = center[0] == 0;
   ASSERT_EQ(constraint.conditions.size(), 1u);
   EXPECT_EQ(constraint.condition_functions()[0].terms()[0].degrees, (std::vector<int>{2, 2, 2}));
@@ -473,8 +505,10 @@ TEST(Exact_division, factors_are_removed)
     point[1] = point[0];   // the limit on the diagonal is the derivative
     EXPECT_EQ(quotient(point), derivative(c)(u)(point));
   }
-  EXPECT_EQ(SC::divided_exactly(pow(u, 3) - pow(v, 3), 2 * v - 2 * u).polynomial(), (-(u * u + u * v + v * v) / 2).polynomial());
-  EXPECT_EQ(SC::divided_exactly((u * u - v * v) / (u + 3), u - v)(std::vector<Rational>{ratio(1, 2), ratio(1, 4)}), ratio(3, 14));
+  EXPECT_EQ(SC::divided_exactly(pow(u, 3) - pow(v, 3), 2 * v - 2 * u).polynomial(),
+            (-(u * u + u * v + v * v) / 2).polynomial());
+  EXPECT_EQ(SC::divided_exactly((u * u - v * v) / (u + 3), u - v)(std::vector<Rational>{ratio(1, 2), ratio(1, 4)}),
+            ratio(3, 14));
   EXPECT_THROW(SC::divided_exactly(chord[0], u - v, 2), Invalid_input);
   EXPECT_THROW(SC::divided_exactly(chord[0] + 1, u - v), Invalid_input);
   EXPECT_THROW(SC::divided_exactly(u * u + v, u - v), Invalid_input);
@@ -496,15 +530,18 @@ TEST(Exact_division, breaks_are_respected)
   const std::vector<Rational> ends{Rational(1), Rational(3)};
   EXPECT_EQ(SC::divided_exactly(half(p) - half(q), p - q)(ends), (Point_2{Rational(0), Rational(-1)}));
   // A factor of every piece, on both sides of a break: (t - 1)(2 - t) for t < 1, and t - 1 beyond.
-  const Spline_map<1, 2> kinked({Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(-2), ratio(-1, 2), Rational(0), ratio(1, 2), Rational(1)}),
-                                 Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1)})});
+  const Spline_map<1, 2> kinked({Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}),
+                                        {Rational(-2), ratio(-1, 2), Rational(0), ratio(1, 2), Rational(1)}),
+                                 Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}),
+                                        {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1)})});
   auto [t] = SC::parameters(kinked);
   const Expression slope = SC::divided_exactly(kinked(t)[0], t - 1);
   EXPECT_EQ(slope(std::vector<Rational>{ratio(1, 2)}), ratio(3, 2));
   EXPECT_EQ(slope(std::vector<Rational>{ratio(3, 2)}), Rational(1));
   EXPECT_EQ(SC::divided_exactly(kinked(t)[1], t - 1)(std::vector<Rational>{Rational(0)}), Rational(-1));
   // Dividing |t - 1| would leave a jump.
-  const Spline_map<1, 2> folded({Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(1), Rational(0), Rational(1)}), Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(0), Rational(0), Rational(1)})});
+  const Spline_map<1, 2> folded({Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(1), Rational(0), Rational(1)}),
+                                 Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(0), Rational(0), Rational(1)})});
   auto [s] = SC::parameters(folded);
   EXPECT_THROW(SC::divided_exactly(folded(s)[0], s - 1), Invalid_input);
 }
@@ -513,7 +550,8 @@ TEST(Spline_map, surfaces_and_their_normals)
 {
   std::mt19937 random(8);
   const auto t = knots({{0, 0, 0, 1, 2, 2, 2}, {0, 0, 1, 1}});
-  const Spline x = random_spline(random, {2, 1}, t), y = random_spline(random, {2, 1}, t), z = random_spline(random, {2, 1}, t), w = random_spline(random, {2, 1}, t, true);
+  const Spline x = random_spline(random, {2, 1}, t), y = random_spline(random, {2, 1}, t),
+               z = random_spline(random, {2, 1}, t), w = random_spline(random, {2, 1}, t, true);
   const Spline_map<2, 3> s({x, y, z}, w);
   auto [u, v] = SC::parameters(s);
   const Vector_expression<3> n = normal(s, u, v);
@@ -524,7 +562,8 @@ TEST(Spline_map, surfaces_and_their_normals)
     EXPECT_EQ(N[0] * S_u[0] + N[1] * S_u[1] + N[2] * S_u[2], Rational(0));
     EXPECT_EQ(N[0] * S_v[0] + N[1] * S_v[1] + N[2] * S_v[2], Rational(0));
   }
-  EXPECT_EQ((determinant(derivative(s, 0)(u, v), n, derivative(s, 1)(u, v)) == dot(n, n)).function.total_degree(), (dot(n, n) == 0).function.total_degree());
+  EXPECT_EQ((determinant(derivative(s, 0)(u, v), n, derivative(s, 1)(u, v)) == dot(n, n)).function.total_degree(),
+            (dot(n, n) == 0).function.total_degree());
 }
 
 TEST(Spline_map, bad_input_is_refused)

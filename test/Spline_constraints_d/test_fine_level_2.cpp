@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
+// The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams
+// that doubles cannot decide.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -60,14 +61,21 @@ public:
   friend Least_number operator-(Least_number x, const Least_number& y) { return x -= y; }
   friend Least_number operator*(Least_number x, const Least_number& y) { return x *= y; }
   friend Least_number operator/(Least_number x, const Least_number& y) { return x /= y; }
-  friend Least_number hull(const Least_number& x, const Least_number& y) { return {SC::internal::hull(x.m_x, y.m_x), 0}; }
-  friend Least_number common_part(const Least_number& x, const Least_number& y) { return {SC::internal::Common::common_part(x.m_x, y.m_x), 0}; }
+  friend Least_number hull(const Least_number& x, const Least_number& y)
+  {
+    return {SC::internal::hull(x.m_x, y.m_x), 0};
+  }
+  friend Least_number common_part(const Least_number& x, const Least_number& y)
+  {
+    return {SC::internal::Common::common_part(x.m_x, y.m_x), 0};
+  }
 };
 
 namespace CGAL {
 
 template <>
-class Algebraic_structure_traits<Least_number> : public Algebraic_structure_traits_base<Least_number, Field_with_sqrt_tag>
+class Algebraic_structure_traits<Least_number>
+  : public Algebraic_structure_traits_base<Least_number, Field_with_sqrt_tag>
 {
 public:
   struct Square
@@ -81,13 +89,17 @@ public:
   {
     using argument_type = Least_number;
     using result_type = Least_number;
-    Least_number operator()(const Least_number& x) const { return {std::sqrt(x.inf()) * (1 - 0x1p-50), std::sqrt(x.sup()) * (1 + 0x1p-50)}; }
+    Least_number operator()(const Least_number& x) const
+    {
+      return {std::sqrt(x.inf()) * (1 - 0x1p-50), std::sqrt(x.sup()) * (1 + 0x1p-50)};
+    }
   };
 };
 
 } // namespace CGAL
 
-static_assert(SC::internal::Common::Enclosing_number<Least_number> && SC::internal::Common::Enclosing_number<Fine_interval>);
+static_assert(SC::internal::Common::Enclosing_number<Least_number> &&
+              SC::internal::Common::Enclosing_number<Fine_interval>);
 template class SC::internal::Voronoi::Basic_disk_curvature<Least_number>;
 template class SC::internal::Voronoi::Basic_disk_reach<Least_number>;
 template class SC::internal::Voronoi::Basic_nearest_sites<Least_number>;
@@ -102,7 +114,9 @@ SC::internal::Common::Homogeneous_piece random_piece(std::mt19937& random, bool 
     c[1].push_back(w * coordinate(random) / 7);
     c[2].push_back(w);
   }
-  return {{0, 1}, {SC::Bernstein_tensor<Exact_rational>({3}, c[0]), SC::Bernstein_tensor<Exact_rational>({3}, c[1]), SC::Bernstein_tensor<Exact_rational>({3}, c[2])}};
+  return {{0, 1},
+          {SC::Bernstein_tensor<Exact_rational>({3}, c[0]), SC::Bernstein_tensor<Exact_rational>({3}, c[1]),
+           SC::Bernstein_tensor<Exact_rational>({3}, c[2])}};
 }
 
 // Whether a number is enclosed, up to an error relative to some size: the distance is computed on the fine level.
@@ -134,7 +148,9 @@ TEST(FineLevel, NumbersEncloseExactOnes)
 TEST(FineLevel, NumbersThatAreNotBoundedEncloseAll)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Fine_interval& x : {Fine_interval(nan), Fine_interval(nan, 1), Fine_interval(2, 1), Fine_interval(infinity), Fine_interval(1) / Fine_interval(-1, 1), Fine_interval(-infinity, infinity) - Fine_interval(-infinity, infinity)}) {
+  for (const Fine_interval& x : {Fine_interval(nan), Fine_interval(nan, 1), Fine_interval(2, 1),
+                                 Fine_interval(infinity), Fine_interval(1) / Fine_interval(-1, 1),
+                                 Fine_interval(-infinity, infinity) - Fine_interval(-infinity, infinity)}) {
     EXPECT_EQ(x.inf(), -infinity);
     EXPECT_EQ(x.sup(), infinity);
     EXPECT_EQ(SC::internal::Common::certain_sign(x), 0);
@@ -172,17 +188,22 @@ TEST(FineLevel, EnclosuresOfArcs)
   }
 }
 
-// Four cubics that are nearly an ellipse, with control points rounded: they join nearly smoothly, and their disks touch all of them nearly.
+// Four cubics that are nearly an ellipse, with control points rounded: they join nearly smoothly, and their disks touch
+// all of them nearly.
 Curves rounded_ellipse(double angle, double ratio, double unit)
 {
   constexpr double k = 0.552285;
   const auto rounded = [&](double x) { return std::round(x / unit) * unit; };
-  const auto at = [&](double x, double y) { return P(rounded(std::cos(angle) * x - std::sin(angle) * ratio * y), rounded(std::sin(angle) * x + std::cos(angle) * ratio * y)); };
+  const auto at = [&](double x, double y) {
+    return P(rounded(std::cos(angle) * x - std::sin(angle) * ratio * y),
+             rounded(std::sin(angle) * x + std::cos(angle) * ratio * y));
+  };
   Curves result;
   double x = 1, y = 0;
   for (int i = 0; i < 4; ++i) {
     const double next_x = -y, next_y = x;
-    result.push_back(bezier({at(x, y), at(x + k * next_x, y + k * next_y), at(next_x + k * x, next_y + k * y), at(next_x, next_y)}));
+    result.push_back(
+        bezier({at(x, y), at(x + k * next_x, y + k * next_y), at(next_x + k * x, next_y + k * y), at(next_x, next_y)}));
     x = next_x;
     y = next_y;
   }
@@ -200,7 +221,8 @@ TEST(FineLevel, RoundedEllipse)
   expect_empty_disks(diagram, curves, 0.05, 20);
 }
 
-// Envelope arcs of elements, of each fourth one, follow each other, up to ranges that hold an event, or are said to be unresolved.
+// Envelope arcs of elements, of each fourth one, follow each other, up to ranges that hold an event, or are said to be
+// unresolved.
 void expect_nothing_left_out(const Curves& curves)
 {
   using SC::internal::Voronoi::Disk_event;
@@ -238,36 +260,49 @@ TEST(FineLevel, SweepsLeaveNothingOut)
   expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60));
 }
 
-// Over random parts of the elements of cubics, disks that touch a segment or a circle, from both sides: their curvature is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over parts hold those of points.
+// Over random parts of the elements of cubics, disks that touch a segment or a circle, from both sides: their curvature
+// is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over
+// parts hold those of points.
 template <SC::internal::Common::Enclosing_number Interval>
 void expect_expansions_of_tangent_disks()
 {
-  const Curves curves{SC::bezier_curve(std::vector{P(0, 0), P(8, 0)}), SC::circle_curve(P(4, 5), 2), SC::bezier_curve(std::vector{P(1, 1), P(3, 3), P(5, -1), P(7, 2)}), SC::bezier_curve(std::vector{P(3, 5), P(4, 6), P(5, 4), P(5, 5)})};
+  const Curves curves{SC::bezier_curve(std::vector{P(0, 0), P(8, 0)}), SC::circle_curve(P(4, 5), 2),
+                      SC::bezier_curve(std::vector{P(1, 1), P(3, 3), P(5, -1), P(7, 2)}),
+                      SC::bezier_curve(std::vector{P(3, 5), P(4, 6), P(5, 4), P(5, 5)})};
   const SC::Upward_rounding_guard guard;
-  const SC::internal::Voronoi::Basic_site_graph_2<Interval> graph(*SC::internal::Voronoi::site_graph(curves, std::vector<P>()));
+  const SC::internal::Voronoi::Basic_site_graph_2<Interval> graph(
+      *SC::internal::Voronoi::site_graph(curves, std::vector<P>()));
   const SC::internal::Voronoi::Basic_disk_curvature<Interval> curvature(graph);
   const auto meet = [](const Interval& x, const Interval& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
   std::mt19937 random(1);
   std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
   for (int i = 0; i < 2000; ++i) {
     const std::size_t f = random() % graph.elements().size(), arc = random() % graph.arcs().size();
-    const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)), begin = std::uniform_real_distribution<double>(0, 1 - width)(random);
+    const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)),
+                 begin = std::uniform_real_distribution<double>(0, 1 - width)(random);
     const auto part_over = [&](const Range& range) { return curvature.part(f, range); };
-    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc}); };
+    const auto disks_over = [&](const Range& range) {
+      return tangent_disks(graph, curvature, part_over(range), {SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc});
+    };
     const Range range{begin, begin + width};
     const auto disks = disks_over(range);
     if (graph.elements()[f].is_normal_cone || graph.elements()[f].object == arc || !disks)
       continue;
     const Interval shift = SC::internal::Common::interval_of<Interval>(range) - Interval(range.middle());
     const double u = range.begin + std::uniform_real_distribution<double>(0, 1)(random) * width, step = 1e-4 * width;
-    const auto there = disks_over({u, u}), before = disks_over({u - step, u - step}), behind = disks_over({u + step, u + step});
+    const auto there = disks_over({u, u}), before = disks_over({u - step, u - step}),
+               behind = disks_over({u + step, u + step});
     ASSERT_TRUE(there && before && behind);
     EXPECT_TRUE(meet(there->value(), disks->value()) && meet(there->value(), disks->expansion().value(shift)));
-    EXPECT_TRUE(meet(there->expansion().slope, disks->expansion().derivative(shift)) && meet(there->expansion().second_derivative, disks->expansion().second_derivative));
-    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc}, {0, 1}});
+    EXPECT_TRUE(meet(there->expansion().slope, disks->expansion().derivative(shift)) &&
+                meet(there->expansion().second_derivative, disks->expansion().second_derivative));
+    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}),
+                                            {{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc}, {0, 1}});
     EXPECT_TRUE(meet(greatest.curvature, there->value()));
     EXPECT_LT(there->value().sup() - there->value().inf(), 1e-9 * there->value().sup());
-    const double quotient = (behind->value() - before->value()).sup() / (2 * step), rounding = (there->value().sup() - there->value().inf()) / step, size = std::abs(disks->expansion().slope.inf()) + std::abs(disks->expansion().slope.sup());
+    const double quotient = (behind->value() - before->value()).sup() / (2 * step),
+                 rounding = (there->value().sup() - there->value().inf()) / step,
+                 size = std::abs(disks->expansion().slope.inf()) + std::abs(disks->expansion().slope.sup());
     EXPECT_NEAR(quotient, there->expansion().slope.sup(), 1e-3 * size + 4 * rounding);
     ++found[graph.arcs()[arc].is_straight() ? 0 : 1];
   }
@@ -286,10 +321,12 @@ Curves thin_corner(double height)
 {
   const P corner(3.1, 2.7);
   const K::Vector_2 along(1.1, 0.3), up(-0.3, 1.1);
-  return {bezier({corner, corner + 4 * along}), bezier({corner, corner + 2 * along + height * up, corner + 4 * along + up})};
+  return {bezier({corner, corner + 4 * along}),
+          bezier({corner, corner + 2 * along + height * up, corner + 4 * along + up})};
 }
 
-// Next to the corner doubles know no upper bound of the curvature: disks are those of numbers of higher precision, and no larger than one through the other curve.
+// Next to the corner doubles know no upper bound of the curvature: disks are those of numbers of higher precision, and
+// no larger than one through the other curve.
 TEST(FineLevel, DisksInAThinCorner)
 {
   for (const double height : {1e-16, 3e-16, 1e-15}) {
@@ -299,15 +336,25 @@ TEST(FineLevel, DisksInAThinCorner)
     const SC::internal::Voronoi::Disk_curvature curvature(*graph);
     const SC::internal::Voronoi::Envelope_arc_disks disks(*graph, curvature, fine_level);
     const auto& elements = graph->elements();
-    const auto left = static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(), [](const auto& element) { return !element.is_normal_cone && !element.is_reversed && element.object == 0; }) - elements.begin());
+    const auto left = static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(),
+                                                            [](const auto& element) {
+                                                              return !element.is_normal_cone && !element.is_reversed &&
+                                                                  element.object == 0;
+                                                            }) -
+                                               elements.begin());
     ASSERT_LT(left, elements.size());
     const double u = 0x1p-50;
-    const SC::internal::Voronoi::Located_footpoint footpoint{{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, 1}, {0, 4 * u}};
+    const SC::internal::Voronoi::Located_footpoint footpoint{{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, 1},
+                                                             {0, 4 * u}};
     const SC::internal::Voronoi::Envelope_arc envelope_arc{footpoint.footpoint, {0, 1}, {}, {{{0, 1}, footpoint}}};
-    ASSERT_FALSE(std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), footpoint).curvature.sup()));
+    ASSERT_FALSE(
+        std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), footpoint).curvature.sup()));
 
-    const Exact_pair x = graph->exact_point_at(elements[left], u), y = graph->arcs()[1].at(u), n = graph->exact_normal(elements[left], u), chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
-    const double through_other = CGAL::to_double(Exact_rational(2 * SC::internal::exact_dot(n, chord) / SC::internal::exact_dot(chord, chord)));
+    const Exact_pair x = graph->exact_point_at(elements[left], u), y = graph->arcs()[1].at(u),
+                     n = graph->exact_normal(elements[left], u),
+                     chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
+    const double through_other =
+        CGAL::to_double(Exact_rational(2 * SC::internal::exact_dot(n, chord) / SC::internal::exact_dot(chord, chord)));
     const auto disk = disks.estimated(left, envelope_arc, u);
     EXPECT_GT(disk.curvature.inf(), through_other * (1 - 1e-9)) << "height " << height;
     EXPECT_TRUE(std::isfinite(disk.curvature.sup()));
@@ -315,11 +362,14 @@ TEST(FineLevel, DisksInAThinCorner)
   }
 }
 
-// Samples of edges whose radius no number tells say so, and have disks that touch the first site; the others touch both sites. The least disks are empty.
+// Samples of edges whose radius no number tells say so, and have disks that touch the first site; the others touch both
+// sites. The least disks are empty.
 TEST(FineLevel, RadiiThatAreNotKnown)
 {
   const P joint(1. / 3, 0.3);
-  const Curves curves{bezier({joint, P(8, 0.7)}), bezier({joint, P(1. / 3 - 5 + 1e-13, 0.3 - 5 * (0.4 / (8 - 1. / 3))), P(-6, 1)})};   // a segment, and a curve that goes on with a kink of rounding errors
+  // a segment, and a curve that goes on with a kink of rounding errors
+  const Curves curves{bezier({joint, P(8, 0.7)}),
+                      bezier({joint, P(1. / 3 - 5 + 1e-13, 0.3 - 5 * (0.4 / (8 - 1. / 3))), P(-6, 1)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_FALSE(diagram.is_complete());
   std::vector<P> points;
@@ -330,7 +380,8 @@ TEST(FineLevel, RadiiThatAreNotKnown)
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
       const auto& [low, high] = sample.radius_bounds;
-      EXPECT_TRUE(low <= sample.radius * (1 + 1e-14) && sample.radius * (1 - 1e-14) <= high) << sample.radius << " between " << low << " and " << high;
+      EXPECT_TRUE(low <= sample.radius * (1 + 1e-14) && sample.radius * (1 - 1e-14) <= high)
+          << sample.radius << " between " << low << " and " << high;
       const double allowed = 1e-8 * (1 + sample.radius);
       const bool is_known = high - low < allowed;
       ++(is_known ? known : unknown);
@@ -355,7 +406,8 @@ void expect_bounds_of_two_maxima()
 {
   const Interval a = Interval(1) / Interval(3), b = Interval(2) / Interval(3);
   const auto at = [&](const SC::internal::Common::Range& range) {
-    const Interval v = SC::internal::Common::interval_of<Interval>(range), p = (v - a) * (v - b), dp = Interval(2) * v - a - b;
+    const Interval v = SC::internal::Common::interval_of<Interval>(range), p = (v - a) * (v - b),
+                   dp = Interval(2) * v - a - b;
     SC::internal::Voronoi::Basic_curvature_bounds<Interval> k;
     k.value = Interval(1) - Interval(8) * CGAL::square(v - a) * CGAL::square(v - b);
     k.dv = Interval(-16) * p * dp;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The level above doubles of trimmed offsets: curves that are nearly twice the distance apart, or nearly parallel at it. What differs is far below the rounding errors of doubles; the ends of arcs are known in closed form.
+// The level above doubles of trimmed offsets: curves that are nearly twice the distance apart, or nearly parallel at
+// it. What differs is far below the rounding errors of doubles; the ends of arcs are known in closed form.
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -30,11 +31,14 @@ Exact_rational power_of_half(int exponent)
 }
 
 // y = height + bend (x - center)^2 for x from begin to end.
-SC::Bspline_curve_2<K> parabola(const Exact_rational& begin, const Exact_rational& end, const Exact_rational& center, const Exact_rational& height, const Exact_rational& bend)
+SC::Bspline_curve_2<K> parabola(const Exact_rational& begin, const Exact_rational& end, const Exact_rational& center,
+                                const Exact_rational& height, const Exact_rational& bend)
 {
   const auto y = [&](const Exact_rational& x) { return Exact_rational(height + bend * (x - center) * (x - center)); };
   const Exact_rational middle = (begin + end) / 2;
-  return SC::bezier_curve(std::vector<P>{P(begin, y(begin)), P(middle, Exact_rational(y(begin) + 2 * bend * (begin - center) * (middle - begin))), P(end, y(end))});
+  return SC::bezier_curve(std::vector<P>{
+      P(begin, y(begin)), P(middle, Exact_rational(y(begin) + 2 * bend * (begin - center) * (middle - begin))),
+      P(end, y(end))});
 }
 
 SC::Bspline_curve_2<K> segment(const P& p, const P& q) { return SC::bezier_curve(std::vector<P>{p, q}); }
@@ -42,7 +46,8 @@ SC::Bspline_curve_2<K> segment(const P& p, const P& q) { return SC::bezier_curve
 std::size_t number_of_components(const Offset& offset)
 {
   EXPECT_TRUE(offset.is_complete());
-  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return !boundary.is_hole; }));
+  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                                [](const auto& boundary) { return !boundary.is_hole; }));
 }
 
 // The parameters where arcs of a curve begin or end inside of it, in order.
@@ -58,12 +63,17 @@ std::vector<double> cuts(const Offset& offset, std::size_t curve)
   return result;
 }
 
-// Two parabolas y = a +- (1 + gap + x^2 / 4) that do not touch: disks in the middle are free, or, with a negative gap, covered between two crossings. There the center is on the axis: with the slope x/2, 1 + gap + x^2 / 4 = 1 / sqrt(1 + x^2 / 4).
+// Two parabolas y = a +- (1 + gap + x^2 / 4) that do not touch: disks in the middle are free, or, with a negative gap,
+// covered between two crossings. There the center is on the axis: with the slope x/2, 1 + gap + x^2 / 4 = 1 / sqrt(1 +
+// x^2 / 4).
 TEST(FineOffsets, GapBetweenParabolas)
 {
   for (const int exponent : {40, 52, 60, 80}) {
     const Exact_rational gap = power_of_half(exponent), center(Exact_rational(1) / 7);
-    const auto parabolas = [&](const Exact_rational& g) { return Curves{parabola(-1, 2, center, Exact_rational(-1 - g), Exact_rational(-1) / 4), parabola(-2, 2, center, Exact_rational(1 + g), Exact_rational(1) / 4)}; };
+    const auto parabolas = [&](const Exact_rational& g) {
+      return Curves{parabola(-1, 2, center, Exact_rational(-1 - g), Exact_rational(-1) / 4),
+                    parabola(-2, 2, center, Exact_rational(1 + g), Exact_rational(1) / 4)};
+    };
     const Offset apart = SC::trimmed_offset(parabolas(gap), 1), together = SC::trimmed_offset(parabolas(-gap), 1);
     EXPECT_EQ(number_of_components(apart), 2U) << exponent;
     EXPECT_EQ(apart.arcs().size(), 8U);
@@ -85,23 +95,29 @@ TEST(FineOffsets, SegmentsThatAreNearlyParallel)
 {
   for (const int exponent : {40, 60, 80}) {
     const Exact_rational rise = power_of_half(exponent);
-    const Offset offset = SC::trimmed_offset(Curves{segment(P(0, 0), P(3, 0)), segment(P(0, Exact_rational(2 - rise)), P(3, Exact_rational(2 + 2 * rise)))}, 1);
+    const Offset offset = SC::trimmed_offset(
+        Curves{segment(P(0, 0), P(3, 0)), segment(P(0, Exact_rational(2 - rise)), P(3, Exact_rational(2 + 2 * rise)))},
+        1);
     EXPECT_EQ(number_of_components(offset), 1U) << exponent;
     EXPECT_EQ(offset.arcs().size(), 8U);
     for (const std::size_t curve : {0U, 1U}) {
       const std::vector<double> ends = cuts(offset, curve);
       ASSERT_EQ(ends.size(), 1U);
-      EXPECT_NEAR(ends[0], 1.0 / 3, 1e-12 + std::exp2(exponent - 100));   // contacts are told by doubles, and distances by twice their bits
+      // contacts are told by doubles, and distances by twice their bits
+      EXPECT_NEAR(ends[0], 1.0 / 3, 1e-12 + std::exp2(exponent - 100));
     }
   }
 }
 
-// A point that is nearly twice the distance away from a segment: the centers of disks that touch both are at sqrt(1 - (1 - gap)^2) from its foot.
+// A point that is nearly twice the distance away from a segment: the centers of disks that touch both are at sqrt(1 -
+// (1 - gap)^2) from its foot.
 TEST(FineOffsets, PointOppositeToSegment)
 {
   for (const int exponent : {52, 60, 80}) {
     const Exact_rational gap = power_of_half(exponent), foot(Exact_rational(8) / 7);
-    const auto offset = [&](const Exact_rational& g) { return SC::trimmed_offset(Curves{segment(P(0, 0), P(3, 0))}, 1, {P(foot, Exact_rational(2 + g))}); };
+    const auto offset = [&](const Exact_rational& g) {
+      return SC::trimmed_offset(Curves{segment(P(0, 0), P(3, 0))}, 1, {P(foot, Exact_rational(2 + g))});
+    };
     EXPECT_EQ(number_of_components(offset(gap)), 2U) << exponent;
     const Offset together = offset(-gap);
     EXPECT_EQ(number_of_components(together), 1U) << exponent;

@@ -26,11 +26,15 @@ Exact_rational exact(Unsigned_fixed_point x)
 {
   Exact_rational result(0);
   for (int shift = 96; shift >= 0; shift -= 32)
-    result = result * Exact_rational(4294967296.0) + Exact_rational(static_cast<double>(static_cast<std::uint32_t>(x >> shift)));
+    result = result * Exact_rational(4294967296.0) +
+        Exact_rational(static_cast<double>(static_cast<std::uint32_t>(x >> shift)));
   return result;
 }
 
-Exact_rational exact(Fixed_point x) { return x < 0 ? Exact_rational(-exact(SC::internal::magnitude(x))) : exact(static_cast<Unsigned_fixed_point>(x)); }
+Exact_rational exact(Fixed_point x)
+{
+  return x < 0 ? Exact_rational(-exact(SC::internal::magnitude(x))) : exact(static_cast<Unsigned_fixed_point>(x));
+}
 
 Exact_rational power_of_two(long exponent) { return SC::internal::power_of_two(exponent); }
 
@@ -38,7 +42,8 @@ Exact_rational power_of_two(long exponent) { return SC::internal::power_of_two(e
 double random_factor(Engine& engine)
 {
   const double x = static_cast<double>(engine() >> 11) * 0x1p-53;
-  return engine() % 3 == 0 ? std::ldexp(std::nearbyint(std::ldexp(x, 5)), -5) : std::ldexp(x, -static_cast<int>(engine() % 20));
+  return engine() % 3 == 0 ? std::ldexp(std::nearbyint(std::ldexp(x, 5)), -5)
+                           : std::ldexp(x, -static_cast<int>(engine() % 20));
 }
 
 TEST(Fixed_point, ProductsAreOffBySixUnits)
@@ -47,8 +52,11 @@ TEST(Fixed_point, ProductsAreOffBySixUnits)
   for (int i = 0; i < 20000; ++i) {
     const Unsigned_fixed_point bits = Unsigned_fixed_point(engine()) << 64 | engine();
     const Fixed_point value = static_cast<Fixed_point>(bits) >> (2 + engine() % 80);
-    const Unsigned_fixed_point factor = i % 5 == 0 ? SC::internal::fixed_point_one : (Unsigned_fixed_point(engine()) << 64 | engine()) >> (1 + engine() % 70);
-    const Exact_rational difference = exact(value) * exact(factor) * power_of_two(-127) - exact(SC::internal::multiplied(value, factor));
+    const Unsigned_fixed_point factor = i % 5 == 0
+        ? SC::internal::fixed_point_one
+        : (Unsigned_fixed_point(engine()) << 64 | engine()) >> (1 + engine() % 70);
+    const Exact_rational difference =
+        exact(value) * exact(factor) * power_of_two(-127) - exact(SC::internal::multiplied(value, factor));
     ASSERT_TRUE(0 <= difference && difference < 6) << difference;
     const double rounded = SC::internal::approximate(value);
     const Exact_rational error = Exact_rational(rounded) - exact(value);
@@ -59,20 +67,23 @@ TEST(Fixed_point, ProductsAreOffBySixUnits)
 TEST(Fixed_point, ParametersAreOffByLessThanAUnit)
 {
   Engine engine(2);
-  for (const auto& [lower, upper] : {std::pair(0.0, 1.0), std::pair(-1.0, 1.0), std::pair(-2.0, 2.0), std::pair(0.1, 0.7), std::pair(3.0, 3.5), std::pair(-1e-30, 1.0), std::pair(-1e8, 1e8),
-                                     std::pair(1e-20, 3e-20), std::pair(5.0, 5.0 + 0x1p-40)}) {
+  for (const auto& [lower, upper] :
+       {std::pair(0.0, 1.0), std::pair(-1.0, 1.0), std::pair(-2.0, 2.0), std::pair(0.1, 0.7), std::pair(3.0, 3.5),
+        std::pair(-1e-30, 1.0), std::pair(-1e8, 1e8), std::pair(1e-20, 3e-20), std::pair(5.0, 5.0 + 0x1p-40)}) {
     const SC::internal::Fixed_point_range range(lower, upper);
     EXPECT_TRUE(range(lower) == 0 && range(upper) == SC::internal::fixed_point_one);
     for (int i = 0; i < 500; ++i) {
       const double x = (std::min)((std::max)(lower + random_factor(engine) * (upper - lower), lower), upper);
-      const Exact_rational t = (Exact_rational(x) - Exact_rational(lower)) / (Exact_rational(upper) - Exact_rational(lower));
+      const Exact_rational t =
+          (Exact_rational(x) - Exact_rational(lower)) / (Exact_rational(upper) - Exact_rational(lower));
       ASSERT_TRUE(abs(t * power_of_two(127) - exact(range(x))) < 1) << lower << ' ' << upper << ' ' << x;
     }
   }
 }
 
 // A function with one term per set of unknowns.
-SC::Spline_function random_function(Engine& engine, const std::vector<std::vector<int>>& variables, int degree, bool has_breaks)
+SC::Spline_function random_function(Engine& engine, const std::vector<std::vector<int>>& variables, int degree,
+                                    bool has_breaks)
 {
   SC::Spline_function result;
   for (const std::vector<int>& own : variables) {
@@ -90,7 +101,8 @@ SC::Spline_function random_function(Engine& engine, const std::vector<std::vecto
     for (std::size_t c = 0; c < cells; ++c) {
       auto& piece = term.pieces.emplace_back();
       for (std::size_t i = 0; i < term.piece_size(); ++i)
-        piece.push_back(Exact_rational(static_cast<double>(engine() % 2001) - 1000) / Exact_rational(static_cast<double>(1 + engine() % 7)));
+        piece.push_back(Exact_rational(static_cast<double>(engine() % 2001) - 1000) /
+                        Exact_rational(static_cast<double>(1 + engine() % 7)));
     }
     result += SC::Spline_function(std::move(term));
   }
@@ -103,15 +115,18 @@ struct Coefficients
   std::vector<long> scale;
 };
 
-Coefficients coefficients(SC::internal::Exact_source& source, const SC::internal::Cell& cell, const std::vector<double>& lower, const std::vector<double>& upper)
+Coefficients coefficients(SC::internal::Exact_source& source, const SC::internal::Cell& cell,
+                          const std::vector<double>& lower, const std::vector<double>& upper)
 {
   Coefficients result{std::vector<double>(source.layout().size), std::vector<double>(source.layout().errors), {}};
-  source.bernstein_coefficients(cell, std::span<const double>(lower), std::span<const double>(upper), result.values.data(), result.errors.data(), result.scale);
+  source.bernstein_coefficients(cell, std::span<const double>(lower), std::span<const double>(upper),
+                                result.values.data(), result.errors.data(), result.scale);
   return result;
 }
 
 // The sum over the blocks of a function is what counts: constants move between them.
-Exact_rational value_at_first_corner(const SC::internal::System_layout& layout, const Coefficients& c, int f, bool is_error)
+Exact_rational value_at_first_corner(const SC::internal::System_layout& layout, const Coefficients& c, int f,
+                                     bool is_error)
 {
   Exact_rational sum(0);
   for (const SC::internal::Block& block : layout.blocks)
@@ -127,7 +142,9 @@ TEST(Fixed_point, CoefficientsAndValuesKeepTheirBounds)
   int compared = 0, rebuilt = 0, evaluated = 0;
   for (int round = 0; round < 60; ++round) {
     const bool has_breaks = round % 3 == 2;
-    SC::Constraint_system_d system({{Exact_rational(-2), Exact_rational(2)}, {Exact_rational(0), Exact_rational(1)}, {Exact_rational(1), Exact_rational(4)}});
+    SC::Constraint_system_d system({{Exact_rational(-2), Exact_rational(2)},
+                                    {Exact_rational(0), Exact_rational(1)},
+                                    {Exact_rational(1), Exact_rational(4)}});
     const std::vector<std::vector<std::vector<int>>> shapes = {{{0, 1, 2}}, {{0, 1}, {2}}, {{0}, {1}, {2}}};
     for (int f = 0; f < 3; ++f)
       system.add(random_function(engine, shapes[(round + f) % 3], 4, has_breaks), SC::Relation::EQUAL);
@@ -146,14 +163,17 @@ TEST(Fixed_point, CoefficientsAndValuesKeepTheirBounds)
         upper.push_back((std::min)(home_upper[j], lower[j] + (std::max)(0x1p-40, random_factor(engine))));
         point.push_back(lower[j]);
       }
-      const Coefficients expected = coefficients(source, cell, lower, upper), found = coefficients(fixed, cell, lower, upper);
+      const Coefficients expected = coefficients(source, cell, lower, upper),
+                         found = coefficients(fixed, cell, lower, upper);
       rebuilt += expected.values != found.values;
       std::vector<SC::internal::Exact_source::Value> exact_values, values;
       source.evaluate(cell, std::span<const double>(point), exact_values);
       fixed.evaluate_closely(cell, std::span<const double>(point), values);
       for (int f = 0; f < 3; ++f) {
-        const Exact_rational difference = value_at_first_corner(layout, expected, f, false) - value_at_first_corner(layout, found, f, false);
-        const Exact_rational bound = value_at_first_corner(layout, expected, f, true) + value_at_first_corner(layout, found, f, true);
+        const Exact_rational difference =
+            value_at_first_corner(layout, expected, f, false) - value_at_first_corner(layout, found, f, false);
+        const Exact_rational bound =
+            value_at_first_corner(layout, expected, f, true) + value_at_first_corner(layout, found, f, true);
         ASSERT_TRUE(abs(difference) <= bound) << round << ' ' << trial << ' ' << f;
         ASSERT_TRUE(bound <= power_of_two(found.scale[f] - 40));
         // Differences of neighbours within a block stay, whatever moves between blocks.
@@ -163,10 +183,15 @@ TEST(Fixed_point, CoefficientsAndValuesKeepTheirBounds)
               for (std::size_t k = 1; k < block.points; ++k) {
                 const auto step = [&](const Coefficients& c) -> Exact_rational {
                   const double* values_of_block = c.values.data() + block.offset + m;
-                  return (Exact_rational(values_of_block[k * block.functions.size()]) - Exact_rational(values_of_block[0])) * power_of_two(c.scale[f]);
+                  return (Exact_rational(values_of_block[k * block.functions.size()]) -
+                          Exact_rational(values_of_block[0])) *
+                      power_of_two(c.scale[f]);
                 };
-                const auto error = [&](const Coefficients& c) -> Exact_rational { return 2 * Exact_rational(c.errors[block.first_error + m]) * power_of_two(c.scale[f]); };
-                ASSERT_TRUE(abs(step(expected) - step(found)) <= error(expected) + error(found)) << round << ' ' << trial << ' ' << f << ' ' << k;
+                const auto error = [&](const Coefficients& c) -> Exact_rational {
+                  return 2 * Exact_rational(c.errors[block.first_error + m]) * power_of_two(c.scale[f]);
+                };
+                ASSERT_TRUE(abs(step(expected) - step(found)) <= error(expected) + error(found))
+                    << round << ' ' << trial << ' ' << f << ' ' << k;
                 ++compared;
               }
         const Exact_rational truth = Exact_rational(exact_values[f].mantissa) * power_of_two(exact_values[f].exponent);

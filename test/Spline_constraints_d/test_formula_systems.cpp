@@ -53,18 +53,25 @@ void expect_solutions(const std::vector<Constraint>& constraints, const std::vec
   }
   for (const Point& point : points) {
     EXPECT_TRUE(SC::satisfies(system, point));
-    EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(), [&](const auto& solution) { return holds(solution, point); }), 1);
+    EXPECT_EQ(
+        std::count_if(solutions.begin(), solutions.end(), [&](const auto& solution) { return holds(solution, point); }),
+        1);
   }
 }
 
 // Seed 000, section 3.2: circles that touch three circles. These have equal radii, and the centers (0,0), (6,0), (0,8).
 TEST(Formula_systems, all_circles_of_Apollonius)
 {
-  const std::array<Circle, 3> circles{Circle{Rational(0), Rational(0), Rational(1)}, Circle{Rational(6), Rational(0), Rational(1)}, Circle{Rational(0), Rational(8), Rational(1)}};
+  const std::array<Circle, 3> circles{Circle{Rational(0), Rational(0), Rational(1)},
+                                      Circle{Rational(6), Rational(0), Rational(1)},
+                                      Circle{Rational(0), Rational(8), Rational(1)}};
   const Spline_map<1, 2> c1 = circles[0].map(), c2 = circles[1].map(), c3 = circles[2].map();
   auto [u, v, w] = SC::parameters(c1, c2, c3);
-  const Vector_expression<2> p = meet(equidistant_hyperplane(c1(u), c2(v)), equidistant_hyperplane(c1(u), c3(w)));   // equations 12 and 13
-  const std::vector<Constraint> constraints{dot(p - c1(u), derivative(c1)(u)) == 0, dot(p - c2(v), derivative(c2)(v)) == 0, dot(p - c3(w), derivative(c3)(w)) == 0};
+  // equations 12 and 13
+  const Vector_expression<2> p = meet(equidistant_hyperplane(c1(u), c2(v)), equidistant_hyperplane(c1(u), c3(w)));
+  const std::vector<Constraint> constraints{dot(p - c1(u), derivative(c1)(u)) == 0,
+                                            dot(p - c2(v), derivative(c2)(v)) == 0,
+                                            dot(p - c3(w), derivative(c3)(w)) == 0};
   for (const Constraint& constraint : constraints) {
     EXPECT_EQ(constraint.conditions, constraints[0].conditions);
     EXPECT_EQ(constraint.conditions.size(), 1u);
@@ -85,16 +92,21 @@ TEST(Formula_systems, all_circles_of_Apollonius)
     for (int i = 0; i < 3; ++i) {
       const Spline_map<1, 2>& c = i == 0 ? c1 : i == 1 ? c2 : c3;
       const auto contact = c(Point{at[i]});
-      is_outside.push_back((center[0] - contact[0]) * (contact[0] - circles[i].x) + (center[1] - contact[1]) * (contact[1] - circles[i].y) > 0);
+      is_outside.push_back((center[0] - contact[0]) * (contact[0] - circles[i].x) +
+                               (center[1] - contact[1]) * (contact[1] - circles[i].y) >
+                           0);
     }
     sides.insert(is_outside);
   }
   EXPECT_EQ(sides.size(), 8u);
   // The two around the center (3,4), with the radii 4 and 6.
-  for (const Point& contact : {Point{ratio(1, 2), ratio(3, 2), ratio(7, 2)}, Point{ratio(5, 2), ratio(7, 2), ratio(3, 2)}}) {
+  for (const Point& contact :
+       {Point{ratio(1, 2), ratio(3, 2), ratio(7, 2)}, Point{ratio(5, 2), ratio(7, 2), ratio(3, 2)}}) {
     EXPECT_EQ(p(contact), (std::array<Rational, 2>{Rational(3), Rational(4)}));
     EXPECT_TRUE(SC::satisfies(system, contact));
-    EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(), [&](const auto& solution) { return holds(solution, contact); }), 1);
+    EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(),
+                            [&](const auto& solution) { return holds(solution, contact); }),
+              1);
   }
 }
 
@@ -105,8 +117,10 @@ TEST(Formula_systems, circles_of_Apollonius_with_unknown_centers)
     const Spline_map<1, 2> c1 = circles[0].map(), c2 = circles[1].map(), c3 = circles[2].map();
     auto [x, y, u, v, w] = SC::unknowns({-20, 20}, {-20, 20}, {0, 4}, {0, 4}, {0, 4});
     const Vector_expression p(x, y);
-    const auto system = SC::make_system(std::vector<Constraint>{squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w)),
-                                                                dot(p - c1(u), derivative(c1)(u)) == 0, dot(p - c2(v), derivative(c2)(v)) == 0, dot(p - c3(w), derivative(c3)(w)) == 0});
+    const auto system = SC::make_system(std::vector<Constraint>{
+        squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w)),
+        dot(p - c1(u), derivative(c1)(u)) == 0, dot(p - c2(v), derivative(c2)(v)) == 0,
+        dot(p - c3(w), derivative(c3)(w)) == 0});
     const auto solutions = SC::solve(system);
     EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
     for (const auto& solution : solutions) {
@@ -115,8 +129,12 @@ TEST(Formula_systems, circles_of_Apollonius_with_unknown_centers)
     }
     return solutions.size();
   };
-  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(1)}, Circle{Rational(6), Rational(0), Rational(1)}, Circle{Rational(0), Rational(8), Rational(1)}}), 8u);
-  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(2)}, Circle{Rational(3), Rational(0), Rational(2)}, Circle{Rational(0), ratio(7, 2), Rational(2)}}), 4u);
+  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(1)}, Circle{Rational(6), Rational(0), Rational(1)},
+                   Circle{Rational(0), Rational(8), Rational(1)}}),
+            8u);
+  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(2)}, Circle{Rational(3), Rational(0), Rational(2)},
+                   Circle{Rational(0), ratio(7, 2), Rational(2)}}),
+            4u);
 }
 
 // Seed 001, equations 20 to 22.
@@ -128,23 +146,28 @@ Constraint bisector(const Spline_map<1, 2>& c1, const Spline_map<1, 2>& c2, cons
 
 TEST(Formula_systems, bisector_of_lines)
 {
-  const Spline_map<1, 2> x_axis = polynomial_curve({0, 1}, {0, 0}, -5, 5), y_axis = polynomial_curve({0, 0}, {0, 1}, -5, 5);
+  const Spline_map<1, 2> x_axis = polynomial_curve({0, 1}, {0, 0}, -5, 5),
+                         y_axis = polynomial_curve({0, 0}, {0, 1}, -5, 5);
   auto [u, v] = SC::parameters(x_axis, y_axis);
   const Constraint constraint = bisector(x_axis, y_axis, u, v);
   EXPECT_TRUE(constraint.conditions.empty());   // the normals are parallel nowhere: the determinant is constant
   std::mt19937 random(11);
   for (int i = 0; i < 10; ++i) {
     const Point point = random_point(random, *u.domains());
-    EXPECT_EQ(value(constraint.spline_function(), point), point[0] * point[0] - point[1] * point[1]);   // half of this, in integers
+    // half of this, in integers
+    EXPECT_EQ(value(constraint.spline_function(), point), point[0] * point[0] - point[1] * point[1]);
   }
 }
 
 TEST(Formula_systems, bisector_of_circles)
 {
-  const Spline_map<1, 2> c1 = Circle{Rational(0), Rational(0), Rational(1)}.map(), c2 = Circle{Rational(6), Rational(0), Rational(2)}.map();
+  const Spline_map<1, 2> c1 = Circle{Rational(0), Rational(0), Rational(1)}.map(),
+                         c2 = Circle{Rational(6), Rational(0), Rational(2)}.map();
   auto [u, v] = SC::parameters(c1, c2);
-  // On the normal of c1 with the direction (3,4)/5, the points at equal distance are 175/46 and 45/2 away from the origin.
-  expect_solutions({bisector(c1, c2, u, v), u == ratio(1, 2)}, {{ratio(1, 2), ratio(23, 14)}, {ratio(1, 2), ratio(8, 3)}});
+  // On the normal of c1 with the direction (3,4)/5, the points at equal distance are 175/46 and 45/2 away from the
+  // origin.
+  expect_solutions({bisector(c1, c2, u, v), u == ratio(1, 2)},
+                   {{ratio(1, 2), ratio(23, 14)}, {ratio(1, 2), ratio(8, 3)}});
 }
 
 TEST(Formula_systems, self_bisector_of_a_parabola)
@@ -169,29 +192,35 @@ TEST(Formula_systems, self_intersection)
 // Seed 000, section 3.1: the pedal triangle of a triangle with the sides 13, 14 and 15 is its only ray-trap.
 TEST(Formula_systems, ray_trap_of_a_triangle)
 {
-  const std::array<Spline_map<1, 2>, 3> sides{bezier_curve({{0, 0}, {14, 0}}), bezier_curve({{14, 0}, {5, 12}}), bezier_curve({{5, 12}, {0, 0}})};
+  const std::array<Spline_map<1, 2>, 3> sides{bezier_curve({{0, 0}, {14, 0}}), bezier_curve({{14, 0}, {5, 12}}),
+                                              bezier_curve({{5, 12}, {0, 0}})};
   const auto t = SC::unknowns(3, {0.125, 0.875});   // without the corners, where a trap of two points may end
   std::vector<Constraint> constraints;
   for (int i = 0; i < 3; ++i) {
     const int before = (i + 2) % 3, after = (i + 1) % 3;
-    const Vector_expression<2> n = normal(sides[i], t[i]), in = sides[before](t[before]) - sides[i](t[i]), out = sides[after](t[after]) - sides[i](t[i]);
-    constraints.push_back(square(dot(in, n)) * squared_norm(out) == square(dot(out, n)) * squared_norm(in));   // equation 6, squared
+    const Vector_expression<2> n = normal(sides[i], t[i]), in = sides[before](t[before]) - sides[i](t[i]),
+                               out = sides[after](t[after]) - sides[i](t[i]);
+    // equation 6, squared
+    constraints.push_back(square(dot(in, n)) * squared_norm(out) == square(dot(out, n)) * squared_norm(in));
     constraints.push_back(dot(in, n) > 0);
     constraints.push_back(dot(out, n) > 0);
   }
   expect_solutions(constraints, {{ratio(5, 14), ratio(14, 25), ratio(99, 169)}});
 }
 
-// Of three circles (Figure 2): the triangles whose perimeter is stationary. The perimeter is a function on a torus of dimension three, so there are at least 8 if it is not degenerate.
+// Of three circles (Figure 2): the triangles whose perimeter is stationary. The perimeter is a function on a torus of
+// dimension three, so there are at least 8 if it is not degenerate.
 TEST(Formula_systems, ray_traps_of_circles)
 {
-  const std::array<Spline_map<1, 2>, 3> circles{Circle{Rational(0), Rational(0), Rational(1)}.map(), Circle{Rational(5), Rational(0), Rational(2)}.map(),
+  const std::array<Spline_map<1, 2>, 3> circles{Circle{Rational(0), Rational(0), Rational(1)}.map(),
+                                                Circle{Rational(5), Rational(0), Rational(2)}.map(),
                                                 Circle{Rational(1), Rational(6), Rational(1)}.map()};
   const auto t = SC::parameters(circles[0], circles[1], circles[2]);
   std::vector<Constraint> constraints;
   for (int i = 0; i < 3; ++i) {
     const int before = (i + 2) % 3, after = (i + 1) % 3;
-    const Vector_expression<2> n = normal(circles[i], t[i]), in = circles[before](t[before]) - circles[i](t[i]), out = circles[after](t[after]) - circles[i](t[i]);
+    const Vector_expression<2> n = normal(circles[i], t[i]), in = circles[before](t[before]) - circles[i](t[i]),
+                               out = circles[after](t[after]) - circles[i](t[i]);
     constraints.push_back(square(dot(in, n)) * squared_norm(out) == square(dot(out, n)) * squared_norm(in));
     constraints.push_back(dot(in, n) * dot(out, n) > 0);   // reflected, not passed on
   }

@@ -47,7 +47,8 @@ TEST(From_bspline, gives_segments_and_polygons_back)
   // Its ends have the parameters 2 and 4: thirds, no doubles.
   const SC::Bspline_curve_2<I> floating(2, {0, 1, 2, 4, 5, 6}, {{0, 0}, {0.5, 1}, {1, 2}});
   EXPECT_FALSE(SC::to_segment(floating));
-  EXPECT_EQ(SC::to_segment(SC::Bspline_curve_2<K>(floating)), K::Segment_2(K::Point_2(K::FT(1) / 6, K::FT(1) / 3), K::Point_2(K::FT(5) / 6, K::FT(5) / 3)));
+  EXPECT_EQ(SC::to_segment(SC::Bspline_curve_2<K>(floating)),
+            K::Segment_2(K::Point_2(K::FT(1) / 6, K::FT(1) / 3), K::Point_2(K::FT(5) / 6, K::FT(5) / 3)));
 }
 
 TEST(From_bspline, gives_triangles_rectangles_and_lines_back)
@@ -144,7 +145,8 @@ TEST(From_bspline, gives_planes_and_spheres_back)
   ASSERT_TRUE(found);
   EXPECT_TRUE(*found == plane || found->opposite() == plane);
   EXPECT_FALSE(SC::to_sphere(patch));
-  const auto saddle = SC::bilinear_surface<E>(E::Point_3(0, 0, 0), E::Point_3(1, 0, 0), E::Point_3(0, 1, 0), E::Point_3(1, 1, 1));
+  const auto saddle =
+      SC::bilinear_surface<E>(E::Point_3(0, 0, 0), E::Point_3(1, 0, 0), E::Point_3(0, 1, 0), E::Point_3(1, 1, 1));
   EXPECT_FALSE(SC::to_plane(saddle));
   EXPECT_FALSE(SC::to_sphere(saddle));
 }

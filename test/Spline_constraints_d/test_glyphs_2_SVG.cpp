@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Planar operations on the outlines of real glyphs: areas in closed form, Euler's formula of medial axes, offsets against Minkowski sums with a disk, hulls between those of points that CGAL makes.
+// Planar operations on the outlines of real glyphs: areas in closed form, Euler's formula of medial axes, offsets
+// against Minkowski sums with a disk, hulls between those of points that CGAL makes.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
@@ -29,7 +30,10 @@ using Curves = std::vector<SC::Bspline_curve_2<K>>;
 using Polygon = CGAL::Polygon_2<K>;
 
 // The outlines of "Rag&8", eleven of them, or of "Rg&", six.
-Curves glyphs(const std::string& font) { return SC::IO::read_SVG_curves<K>("../../examples/Spline_constraints_d/data/glyphs/" + font + ".svg"); }
+Curves glyphs(const std::string& font)
+{
+  return SC::IO::read_SVG_curves<K>("../../examples/Spline_constraints_d/data/glyphs/" + font + ".svg");
+}
 
 Curves letter_g()
 {
@@ -84,11 +88,13 @@ TEST(Glyphs, AreasAndMedialAxes)
     const auto axis = SC::medial_axis(region);
     EXPECT_TRUE(axis.is_complete());
     EXPECT_EQ(axis.number_of_regions(), outlines);
-    EXPECT_EQ(axis.vertices().size() + holes, axis.edges().size() + (outlines - holes));   // as many cycles as holes, in as many trees as glyphs
+    // as many cycles as holes, in as many trees as glyphs
+    EXPECT_EQ(axis.vertices().size() + holes, axis.edges().size() + (outlines - holes));
   }
 }
 
-// The grown region, which is the sum with a disk, made by different code; and the shrunk one. The hole of the letter and its strokes remain.
+// The grown region, which is the sum with a disk, made by different code; and the shrunk one. The hole of the letter
+// and its strokes remain.
 TEST(Glyphs, OffsetsAndSumsWithADisk)
 {
   const auto region = SC::planar_region(letter_g());
@@ -100,7 +106,8 @@ TEST(Glyphs, OffsetsAndSumsWithADisk)
   const auto polygons = grown.polygons_with_holes(0.05);
   ASSERT_EQ(polygons.size(), 1U);
   EXPECT_EQ(polygons[0].number_of_holes(), 1U);
-  EXPECT_NEAR(area(polygons), area(sum.polygons_with_holes(0.05)), 1000);   // within 0.05 along less than 10,000 units, twice
+  // within 0.05 along less than 10,000 units, twice
+  EXPECT_NEAR(area(polygons), area(sum.polygons_with_holes(0.05)), 1000);
   EXPECT_GT(area(polygons), exact + 100000);
   const auto inner = shrunk.polygons_with_holes(0.05);
   ASSERT_EQ(inner.size(), 1U);

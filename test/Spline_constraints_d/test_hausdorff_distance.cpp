@@ -40,7 +40,8 @@ void expect_within(const SC::Hausdorff_distance<K, d>& distance, double expected
 
 TEST(Hausdorff_distance, Segments)
 {
-  const Curve a = SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)), b = SC::segment_curve(K::Point_2(1, 1), K::Point_2(9, 1));
+  const Curve a = SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)),
+              b = SC::segment_curve(K::Point_2(1, 1), K::Point_2(9, 1));
   expect_within(SC::one_sided_hausdorff_distance(a, b, 1e-9), std::sqrt(2.0), 1e-9);
   const auto distance = SC::hausdorff_distance(a, b, 1e-9);
   expect_within(distance, std::sqrt(26.0), 1e-9);
@@ -53,10 +54,16 @@ TEST(Hausdorff_distance, Segments)
 TEST(Hausdorff_distance, Circles)
 {
   const Curve circle = SC::circle_curve(K::Point_2(0, 0), K::FT(2));
-  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(0, 0), K::FT(3)), 1e-4), 1, 1e-4);   // everywhere
-  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-8), 1 + std::sqrt(2.0), 1e-8);
-  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-300), 1 + std::sqrt(2.0), 1e-12);   // as far as doubles go
-  expect_within(SC::hausdorff_distance(SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(3, 0), K::FT(2)), 1e-8), 4, 1e-8);
+  // everywhere
+  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(0, 0), K::FT(3)), 1e-4), 1, 1e-4);
+  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-8), 1 + std::sqrt(2.0),
+                1e-8);
+  // as far as doubles go
+  expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-300),
+                1 + std::sqrt(2.0), 1e-12);
+  expect_within(SC::hausdorff_distance(SC::circle_curve(K::Point_2(0, 0), K::FT(1)),
+                                       SC::circle_curve(K::Point_2(3, 0), K::FT(2)), 1e-8),
+                4, 1e-8);
 }
 
 // Curves that are the same, in parts or with other parameters, and one that is nearly the same.
@@ -65,13 +72,15 @@ TEST(Hausdorff_distance, Coincident)
   const Curve arc = SC::circle_curve(K::Point_2(0, 0), K::FT(2)).restricted(0, 1);
   expect_within(SC::hausdorff_distance(arc, arc.reversed(), 1e-5), 0, 1e-5);
   expect_within(SC::one_sided_hausdorff_distance(arc.restricted(K::FT(1) / 3, K::FT(1) / 2), arc, 1e-5), 0, 1e-5);
-  const Curve cubic = SC::bezier_curve(Points{{0, 0}, {1, 2}, {3, -2}, {4, 0}}), moved = cubic.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, K::Vector_2(0, K::FT(1) / 1024)));
+  const Curve cubic = SC::bezier_curve(Points{{0, 0}, {1, 2}, {3, -2}, {4, 0}}),
+              moved = cubic.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, K::Vector_2(0, K::FT(1) / 1024)));
   const auto near = SC::hausdorff_distance(cubic, moved, 1e-7);
   EXPECT_LE(near.distance_range().second, 1.0 / 1024 + 1e-7);
   EXPECT_GT(near.distance_range().first, 0.5 / 1024);
 }
 
-// The largest distance of a point of a polyline from segments is at a vertex, or where two segments are equally far: sampled densely, it is a lower bound.
+// The largest distance of a point of a polyline from segments is at a vertex, or where two segments are equally far:
+// sampled densely, it is a lower bound.
 double sampled(const Curve& a, const Curve& b, int steps)
 {
   const auto points = [&](const Curve& curve) {
@@ -108,7 +117,8 @@ TEST(Hausdorff_distance, AgainstSamples)
   for (int round = 0; round < 6; ++round) {
     const bool is_polygonal = round % 2 == 0;
     const Points p = points(4), q = points(4);
-    const Curve a = is_polygonal ? SC::polyline_curve(p) : SC::bezier_curve(p), b = is_polygonal ? SC::polyline_curve(q) : SC::bezier_curve(q);
+    const Curve a = is_polygonal ? SC::polyline_curve(p) : SC::bezier_curve(p),
+                b = is_polygonal ? SC::polyline_curve(q) : SC::bezier_curve(q);
     constexpr int steps = 300;
     const double expected = sampled(a, b, steps), error = 60.0 / steps;   // |A'|, |B'| <= 90 over the domain
     const auto distance = SC::one_sided_hausdorff_distance(a, b, 1e-7);
@@ -116,17 +126,20 @@ TEST(Hausdorff_distance, AgainstSamples)
     EXPECT_NEAR(distance.distance_range().first, expected, error) << round;
     const auto both = SC::hausdorff_distance(a, b, 1e-7), swapped = SC::hausdorff_distance(b, a, 1e-7);
     EXPECT_GE(both.distance_range().second, distance.distance_range().first);
-    EXPECT_TRUE(both.distance_range().first <= swapped.distance_range().second && swapped.distance_range().first <= both.distance_range().second);
+    EXPECT_TRUE(both.distance_range().first <= swapped.distance_range().second &&
+                swapped.distance_range().first <= both.distance_range().second);
     // The point that is reported is that far from the samples.
     const std::size_t far = both.curve();
-    EXPECT_GE(std::sqrt(CGAL::to_double(CGAL::squared_distance(both.point(far), both.point(1 - far)))), both.distance_range().first - 1e-7);
+    EXPECT_GE(std::sqrt(CGAL::to_double(CGAL::squared_distance(both.point(far), both.point(1 - far)))),
+              both.distance_range().first - 1e-7);
   }
 }
 
 // The farthest point of the segment is equally far from two corners.
 TEST(Hausdorff_distance, EquidistantPoint)
 {
-  const Curve segment = SC::segment_curve(K::Point_2(-5, 0), K::Point_2(5, 0)), tent = SC::polyline_curve(Points{{-5, 0}, {-3, 0}, {0, 50}, {3, 0}, {5, 0}});
+  const Curve segment = SC::segment_curve(K::Point_2(-5, 0), K::Point_2(5, 0)),
+              tent = SC::polyline_curve(Points{{-5, 0}, {-3, 0}, {0, 50}, {3, 0}, {5, 0}});
   const auto distance = SC::one_sided_hausdorff_distance(segment, tent, 1e-9);
   expect_within(distance, 150 / std::sqrt(2509.0), 1e-9);   // of (0,0) from the line 50 x + 3 y = 150
   EXPECT_NEAR(CGAL::to_double(distance.parameter(0)), 0.5, 1e-6);
@@ -134,13 +147,15 @@ TEST(Hausdorff_distance, EquidistantPoint)
 
 TEST(Hausdorff_distance, SegmentsInSpace)
 {
-  const auto a = SC::segment_curve(K::Point_3(0, 0, 0), K::Point_3(4, 0, 0)), b = SC::segment_curve(K::Point_3(1, 1, 1), K::Point_3(9, 1, 1));
+  const auto a = SC::segment_curve(K::Point_3(0, 0, 0), K::Point_3(4, 0, 0)),
+             b = SC::segment_curve(K::Point_3(1, 1, 1), K::Point_3(9, 1, 1));
   expect_within(SC::one_sided_hausdorff_distance(a, b, 1e-9), std::sqrt(3.0), 1e-9);
   const auto distance = SC::hausdorff_distance(a, b, 1e-9);
   expect_within(distance, std::sqrt(27.0), 1e-9);
   EXPECT_EQ(distance.curve(), 1u);
   EXPECT_NEAR(CGAL::to_double(distance.point(1).x()), 9, 1e-8);
-  const auto skew = SC::segment_curve(K::Point_3(2, -5, 3), K::Point_3(2, 5, 3));   // their common perpendicular is at x = 2
+  // their common perpendicular is at x = 2
+  const auto skew = SC::segment_curve(K::Point_3(2, -5, 3), K::Point_3(2, 5, 3));
   expect_within(SC::one_sided_hausdorff_distance(a, skew, 1e-9), std::sqrt(13.0), 1e-9);
   expect_within(SC::hausdorff_distance(a, skew, 1e-9), std::sqrt(34.0), 1e-9);
 }
@@ -148,12 +163,15 @@ TEST(Hausdorff_distance, SegmentsInSpace)
 TEST(Hausdorff_distance, CirclesInSpace)
 {
   const K::Vector_3 up(0, 0, 1);
-  const auto circle = [&](int height, int radius) { return SC::circle_curve(K::Point_3(0, 0, height), up, K::Point_3(radius, 0, height)); };
+  const auto circle = [&](int height, int radius) {
+    return SC::circle_curve(K::Point_3(0, 0, height), up, K::Point_3(radius, 0, height));
+  };
   expect_within(SC::hausdorff_distance(circle(0, 2), circle(3, 2), 1e-3), 3, 1e-3);   // everywhere
   expect_within(SC::hausdorff_distance(circle(0, 2), circle(4, 5), 1e-3), 5, 1e-3);
   const auto axis = SC::segment_curve(K::Point_3(0, 0, -4), K::Point_3(0, 0, 4));
   expect_within(SC::one_sided_hausdorff_distance(circle(0, 3), axis, 1e-3), 3, 1e-3);
-  expect_within(SC::one_sided_hausdorff_distance(axis, circle(0, 3), 1e-3), 5, 1e-3);   // its ends have all points of the circle as nearest ones
+  // its ends have all points of the circle as nearest ones
+  expect_within(SC::one_sided_hausdorff_distance(axis, circle(0, 3), 1e-3), 5, 1e-3);
   // Linked circles: all points of both are at the distance 2 from the other one.
   const auto linked = SC::circle_curve(K::Point_3(2, 0, 0), K::Vector_3(0, 1, 0), K::Point_3(4, 0, 0));
   expect_within(SC::hausdorff_distance(linked, circle(0, 2), 1e-3), 2, 1e-3);
@@ -166,9 +184,12 @@ TEST(Hausdorff_distance, RotatedPlanes)
   const auto number = [&](int range) { return static_cast<int>(random() % (2 * range + 1)) - range; };
   for (int round = 0; round < 6; ++round) {
     // Of the quaternion q, with columns of length 1.
-    const K::FT q0(number(5)), q1(number(5)), q2(number(5)), q3(1 + number(2) * 2), n = q0 * q0 + q1 * q1 + q2 * q2 + q3 * q3;
-    const K::Vector_3 e(K::FT((q0 * q0 + q1 * q1 - q2 * q2 - q3 * q3) / n), K::FT(2 * (q1 * q2 + q0 * q3) / n), K::FT(2 * (q1 * q3 - q0 * q2) / n));
-    const K::Vector_3 f(K::FT(2 * (q1 * q2 - q0 * q3) / n), K::FT((q0 * q0 - q1 * q1 + q2 * q2 - q3 * q3) / n), K::FT(2 * (q2 * q3 + q0 * q1) / n));
+    const K::FT q0(number(5)), q1(number(5)), q2(number(5)), q3(1 + number(2) * 2),
+        n = q0 * q0 + q1 * q1 + q2 * q2 + q3 * q3;
+    const K::Vector_3 e(K::FT((q0 * q0 + q1 * q1 - q2 * q2 - q3 * q3) / n), K::FT(2 * (q1 * q2 + q0 * q3) / n),
+                        K::FT(2 * (q1 * q3 - q0 * q2) / n));
+    const K::Vector_3 f(K::FT(2 * (q1 * q2 - q0 * q3) / n), K::FT((q0 * q0 - q1 * q1 + q2 * q2 - q3 * q3) / n),
+                        K::FT(2 * (q2 * q3 + q0 * q1) / n));
     ASSERT_TRUE(e * e == 1 && f * f == 1 && e * f == 0);
     std::array<Points, 2> flat;
     std::array<Points_3, 2> embedded;
@@ -180,11 +201,15 @@ TEST(Hausdorff_distance, RotatedPlanes)
         embedded[i].push_back(K::Point_3(1, -2, 3) + K::FT(x) * e + K::FT(y) * f);
         weights[i].push_back(1 + round % 2 * k);
       }
-    const auto in_plane = SC::hausdorff_distance(SC::bezier_curve(flat[0], weights[0]), SC::bezier_curve(flat[1], weights[1]), 1e-7);
-    const auto in_space = SC::hausdorff_distance(SC::bezier_curve(embedded[0], weights[0]), SC::bezier_curve(embedded[1], weights[1]), 1e-7);
+    const auto in_plane =
+        SC::hausdorff_distance(SC::bezier_curve(flat[0], weights[0]), SC::bezier_curve(flat[1], weights[1]), 1e-7);
+    const auto in_space = SC::hausdorff_distance(SC::bezier_curve(embedded[0], weights[0]),
+                                                 SC::bezier_curve(embedded[1], weights[1]), 1e-7);
     EXPECT_GT(in_plane.distance_range().first, 0);
     EXPECT_LE(in_space.distance_range().second - in_space.distance_range().first, 1e-7 * (1 + 1e-9));
-    EXPECT_TRUE(in_plane.distance_range().first <= in_space.distance_range().second && in_space.distance_range().first <= in_plane.distance_range().second) << round;
+    EXPECT_TRUE(in_plane.distance_range().first <= in_space.distance_range().second &&
+                in_space.distance_range().first <= in_plane.distance_range().second)
+        << round;
     EXPECT_EQ(in_plane.curve(), in_space.curve()) << round;
   }
 }

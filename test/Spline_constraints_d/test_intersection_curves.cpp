@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of intersection of two surfaces: known sections of quadrics and tori, height fields, contacts, seams, small loops, rigid motions, random height fields against an independent count.
+// Curves of intersection of two surfaces: known sections of quadrics and tori, height fields, contacts, seams, small
+// loops, rigid motions, random height fields against an independent count.
 
 #include "surface_test_names.h"
 
@@ -24,7 +25,9 @@ using Intersection = SC::Surface_intersection<K>;
 static_assert(!SC::internal::Intersections::Surface_pair<K::Plane_3, K::Plane_3>);
 static_assert(!SC::internal::Intersections::Surface_pair<K::Plane_3, CGAL::Simple_cartesian<double>::Sphere_3>);
 static_assert(SC::internal::Intersections::Surface_pair<K::Plane_3, SC::Implicit_surface_3>);
-static_assert(std::same_as<decltype(SC::intersection_curves(std::declval<SC::Implicit_surface_3>(), std::declval<K::Plane_3>())), Intersection>);
+static_assert(
+    std::same_as<decltype(SC::intersection_curves(std::declval<SC::Implicit_surface_3>(), std::declval<K::Plane_3>())),
+                 Intersection>);
 
 namespace {
 
@@ -34,7 +37,9 @@ double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::to_doub
 double error_on(const Surface& surface, const SC::Intersection_sample<K>& sample, std::size_t index)
 {
   const auto& [u, v] = sample.parameters[index];
-  const auto within = [&](double t, int axis) { return (std::min)((std::max)(Rational(t), surface.domain(axis).first), surface.domain(axis).second); };
+  const auto within = [&](double t, int axis) {
+    return (std::min)((std::max)(Rational(t), surface.domain(axis).first), surface.domain(axis).second);
+  };
   return distance(sample.point, surface(within(u, 0), within(v, 1)));
 }
 
@@ -54,7 +59,8 @@ double error_on(const SC::Implicit_surface_3& surface, const SC::Intersection_sa
   return std::abs(CGAL::to_double(surface(std::array{p.x(), p.y(), p.z()})));
 }
 
-// What holds of every answer: samples are on both surfaces, arcs follow each other, closed curves return to their begin, open ones end at special points.
+// What holds of every answer: samples are on both surfaces, arcs follow each other, closed curves return to their
+// begin, open ones end at special points.
 template <class A, class B>
 void check_curves(const A& a, const B& b, const Intersection& set)
 {
@@ -83,7 +89,8 @@ void check_curves(const A& a, const B& b, const Intersection& set)
 }
 
 template <class A, class B>
-Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size_t open, std::size_t singular = 0, const std::string& what = "")
+Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size_t open, std::size_t singular = 0,
+                           const std::string& what = "")
 {
   Intersection set = SC::intersection_curves(a, b);
   EXPECT_TRUE(set.is_complete()) << what;
@@ -142,7 +149,8 @@ int rough_plane(int i, int j) { return 19 + rough[i][j]; }
 K::Aff_transformation_3 motion(int k)
 {
   const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
-  const K::Aff_transformation_3 about_z(c, -s, 0, 1, s, c, 0, -2, 0, 0, 1, Rational(1, 3)), about_x(1, 0, 0, 0, 0, c, -s, 0, 0, s, c, k);
+  const K::Aff_transformation_3 about_z(c, -s, 0, 1, s, c, 0, -2, 0, 0, 1, Rational(1, 3)),
+      about_x(1, 0, 0, 0, 0, c, -s, 0, 0, s, c, k);
   return about_x * about_z;
 }
 
@@ -151,7 +159,8 @@ const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1);
 // Around the axis through (c, 0) along z; its seam is in no plane of symmetry.
 Surface upright_cylinder(const Rational& c, const Rational& half_height = 3)
 {
-  return SC::cylinder_surface<K>(Point(c, 0, -half_height), Vector(0, 0, 2 * half_height), Point(c + Rational(3, 5), Rational(4, 5), -half_height));
+  return SC::cylinder_surface<K>(Point(c, 0, -half_height), Vector(0, 0, 2 * half_height),
+                                 Point(c + Rational(3, 5), Rational(4, 5), -half_height));
 }
 
 } // namespace
@@ -169,7 +178,8 @@ TEST(Intersection_curves, plane_and_sphere)
   expect_circle(expect_curves(surface, plane, 1, 0), 0, radius);
   expect_curves(K::Plane_3(1, 2, 2, -10), sphere, 0, 0);
   expect_curves(sphere, K::Sphere_3(Point(7, 0, 0), 9), 0, 0);
-  expect_circle(expect_curves(sphere, K::Sphere_3(Point(1, 2, 2), 12), 1, 0), 0, std::sqrt(8.0));   // in the plane at distance 1
+  // in the plane at distance 1
+  expect_circle(expect_curves(sphere, K::Sphere_3(Point(1, 2, 2), 12), 1, 0), 0, std::sqrt(8.0));
 
   for (const K::Plane_3& touching : {K::Plane_3(2, 1, 2, -9), K::Plane_3(-2, 2, 1, -9)}) {
     const Intersection contact = expect_curves(surface, touching, 0, 0, 1);
@@ -222,7 +232,9 @@ TEST(Intersection_curves, sphere_and_cylinder)
 TEST(Intersection_curves, two_cylinders)
 {
   const Surface first = upright_cylinder(0, 2);
-  const auto lying = [](const Point& source) { return SC::cylinder_surface<K>(Point(-2, 0, 0), Vector(4, 0, 0), source); };
+  const auto lying = [](const Point& source) {
+    return SC::cylinder_surface<K>(Point(-2, 0, 0), Vector(4, 0, 0), source);
+  };
   expect_curves(first, lying(Point(-2, Rational(3, 10), Rational(4, 10))), 2, 0);
   const Intersection ellipses = expect_curves(first, lying(Point(-2, Rational(5, 13), Rational(12, 13))), 0, 4, 2);
   for (const auto& crossing : ellipses.singular_points())
@@ -268,7 +280,9 @@ TEST(Intersection_curves, height_fields)
   expect_curves(height_field(3, hump), K::Plane_3(0, 0, 1, -19), 1, 3);
   // The second one with other parameters, beyond the first one, and in pieces.
   expect_curves(a, b.transposed().reversed(0), 1, 3);
-  expect_curves(a, Surface({3, 3}, {2, 2, 2, 2, 6, 6, 6, 6}, {-1, -1, -1, -1, 0, 0, 0, 0}, b.control_points()).with_knot(0, 3), 1, 3);
+  expect_curves(
+      a, Surface({3, 3}, {2, 2, 2, 2, 6, 6, 6, 6}, {-1, -1, -1, -1, 0, 0, 0, 0}, b.control_points()).with_knot(0, 3), 1,
+      3);
   const Surface plane = SC::bilinear_surface<K>(Point(-1, -2, 19), Point(-1, 5, 19), Point(4, -2, 19), Point(4, 5, 19));
   expect_curves(height_field(3, hump), plane, 1, 3);
   expect_curves(plane, height_field(3, hump), 1, 3);
@@ -283,7 +297,8 @@ TEST(Intersection_curves, cones_triangles_and_touching_spheres)
   const Surface cone = SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(1, 0, 2));
   expect_curves(cone, K::Plane_3(1, 2, -1, 1), 0, 1);
   expect_curves(cone, K::Sphere_3(Point(0, 0, 1), Rational(1, 2)), 2, 0);
-  const K::Triangle_3 first(Point(0, 0, 0), Point(4, 0, 1), Point(0, 4, 0)), second(Point(1, 1, -1), Point(1, 1, 3), Point(2, 3, 1));
+  const K::Triangle_3 first(Point(0, 0, 0), Point(4, 0, 1), Point(0, 4, 0)),
+      second(Point(1, 1, -1), Point(1, 1, 3), Point(2, 3, 1));
   const Intersection segment = SC::intersection_curves(first, second);
   EXPECT_TRUE(segment.is_complete());
   ASSERT_EQ(segment.number_of_open_curves(), 1u);
@@ -291,15 +306,19 @@ TEST(Intersection_curves, cones_triangles_and_touching_spheres)
   for (const int side : {0, 1})
     EXPECT_EQ(segment.end(segment.curves()[0], side).kind(), SC::Intersection_kind::END_POINT);
   const K::Sphere_3 sphere(Point(0, 0, 0), 9);
-  for (const K::Sphere_3& other : {K::Sphere_3(Point(4, 2, 4), 9), K::Sphere_3(Point(2, 1, 2), 36)})   // from outside, around it
+  // from outside, around it
+  for (const K::Sphere_3& other : {K::Sphere_3(Point(4, 2, 4), 9), K::Sphere_3(Point(2, 1, 2), 36)})
     EXPECT_LT(distance(expect_curves(sphere, other, 0, 0, 1).singular_points()[0].point(), Point(0, 0, 0)), 3 + 1e-10);
 }
 
 TEST(Intersection_curves, small_loops)
 {
   // z = (u - 1/3)^2 + (v - 2/7)^2 as a biquadratic patch, and a plane just above its lowest point.
-  const auto part = [](const Rational& c, int i) { return i == 0 ? Rational(c * c) : i == 1 ? Rational(c * c - c) : Rational((1 - c) * (1 - c)); };
-  const Surface bowl = height_field(2, [&](int i, int j) { return Rational(part(Rational(1, 3), i) + part(Rational(2, 7), j)); });
+  const auto part = [](const Rational& c, int i) {
+    return i == 0 ? Rational(c * c) : i == 1 ? Rational(c * c - c) : Rational((1 - c) * (1 - c));
+  };
+  const Surface bowl =
+      height_field(2, [&](int i, int j) { return Rational(part(Rational(1, 3), i) + part(Rational(2, 7), j)); });
   for (const Rational& radius : {Rational(1, 200), Rational(1, 2000)})
     expect_curves(bowl, K::Plane_3(0, 0, 1, -radius * radius), 1, 0);
 }
@@ -314,18 +333,22 @@ TEST(Intersection_curves, random_height_fields)
       first[i / 4][i % 4] = height(generator);
       second[i / 4][i % 4] = height(generator);
     }
-    const Surface a = height_field(3, [&](int i, int j) { return first[i][j]; }), b = height_field(3, [&](int i, int j) { return second[i][j]; });
+    const Surface a = height_field(3, [&](int i, int j) { return first[i][j]; }),
+                  b = height_field(3, [&](int i, int j) { return second[i][j]; });
     const Intersection set = SC::intersection_curves(a, b);
     ASSERT_TRUE(set.is_complete());
     check_curves(a, b, set);
     // Each curve divides the square, so there is one curve less than regions of one sign. These are counted on a grid.
     constexpr int n = 192;
     std::vector<int> sign, region;
-    const auto bernstein = [](int i, double t) { return (i % 3 == 0 ? 1 : 3) * std::pow(t, i) * std::pow(1 - t, 3 - i); };
+    const auto bernstein = [](int i, double t) {
+      return (i % 3 == 0 ? 1 : 3) * std::pow(t, i) * std::pow(1 - t, 3 - i);
+    };
     for (int k = 0; k < n * n; ++k) {
       double sum = 0;
       for (int i = 0; i < 16; ++i)
-        sum += (first[i / 4][i % 4] - second[i / 4][i % 4]) * bernstein(i / 4, (k / n) / (n - 1.0)) * bernstein(i % 4, (k % n) / (n - 1.0));
+        sum += (first[i / 4][i % 4] - second[i / 4][i % 4]) * bernstein(i / 4, (k / n) / (n - 1.0)) *
+            bernstein(i % 4, (k % n) / (n - 1.0));
       sign.push_back(sum > 0 ? 1 : -1);
     }
     region.assign(n * n, -1);
@@ -338,7 +361,8 @@ TEST(Intersection_curves, random_height_fields)
       while (!front.empty()) {
         const int k = front.back();
         front.pop_back();
-        for (const auto& [next, is_inside] : {std::pair(k - n, k >= n), std::pair(k + n, k + n < n * n), std::pair(k - 1, k % n > 0), std::pair(k + 1, k % n < n - 1)})
+        for (const auto& [next, is_inside] : {std::pair(k - n, k >= n), std::pair(k + n, k + n < n * n),
+                                              std::pair(k - 1, k % n > 0), std::pair(k + 1, k % n < n - 1)})
           if (is_inside && region[next] < 0 && sign[next] == sign[start]) {
             region[next] = region[start];
             front.push_back(next);
@@ -348,7 +372,8 @@ TEST(Intersection_curves, random_height_fields)
     EXPECT_EQ(set.curves().size() + 1, regions) << round;
     int ends = 0;
     for (int k = 0; k + 1 < n; ++k)
-      for (const auto& [i, j] : {std::pair(k, k + 1), std::pair((n - 1) * n + k, (n - 1) * n + k + 1), std::pair(k * n, (k + 1) * n), std::pair(k * n + n - 1, (k + 1) * n + n - 1)})
+      for (const auto& [i, j] : {std::pair(k, k + 1), std::pair((n - 1) * n + k, (n - 1) * n + k + 1),
+                                 std::pair(k * n, (k + 1) * n), std::pair(k * n + n - 1, (k + 1) * n + n - 1)})
         ends += sign[i] != sign[j];
     EXPECT_EQ(2 * set.number_of_open_curves(), static_cast<std::size_t>(ends)) << round;
   }
@@ -364,7 +389,8 @@ TEST(Intersection_curves, implicit_surfaces)
   const Intersection both = expect_curves(upright_cylinder(Rational(1, 2)), dome, 1, 0);
   EXPECT_EQ(both.solutions().vertices()[0].box.size(), 5u);
   auto [u, v, w] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
-  const auto implicit = SC::intersection_curves(SC::Implicit_surface_3(u * u + v * v + w * w == 4), SC::Implicit_surface_3(square(u - 1) + v * v == 1));
+  const auto implicit = SC::intersection_curves(SC::Implicit_surface_3(u * u + v * v + w * w == 4),
+                                                SC::Implicit_surface_3(square(u - 1) + v * v == 1));
   EXPECT_TRUE(implicit.is_complete());
   EXPECT_EQ(implicit.singular_points().size(), 1u);
   EXPECT_EQ(implicit.curves().size(), 2u);
@@ -387,7 +413,8 @@ TEST(Intersection_curves, contact_along_a_curve)
 // z = x y meets the plane z = 0 in two edges, and the plane x = 0 in one.
 TEST(Intersection_curves, curves_along_edges)
 {
-  const Surface saddle({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Point>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}});
+  const Surface saddle({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
+                       std::vector<Point>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}});
   const Intersection axes = SC::intersection_curves(saddle, K::Plane_3(0, 0, 1, 0));
   EXPECT_TRUE(axes.is_complete());
   EXPECT_EQ(axes.number_of_open_curves(), 2u);
@@ -409,14 +436,16 @@ TEST(Intersection_curves, what_is_not_proved_is_undecided)
   ASSERT_FALSE(same.undecided().empty());
   EXPECT_EQ(same.undecided()[0].kind(), SC::Intersection_kind::UNDECIDED);
   auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
-  const SC::Implicit_surface_3 cone(z * z == x * y), other(z * z == x * x + x);   // they touch along the axis of y, and have a hyperbola in common, one branch of which crosses it
+  // they touch along the axis of y, and have a hyperbola in common, one branch of which crosses it
+  const SC::Implicit_surface_3 cone(z * z == x * y), other(z * z == x * x + x);
   const auto along_line = SC::intersection_curves(cone, other);
   EXPECT_TRUE(along_line.is_complete());
   EXPECT_EQ(along_line.number_of_contact_curves(), 2u);
   EXPECT_EQ(along_line.number_of_open_curves(), 5u);
   ASSERT_EQ(along_line.singular_points().size(), 1u);
   EXPECT_NEAR(along_line.singular_points()[0].point().y(), 1, 1e-12);
-  const auto along_circle = SC::intersection_curves(SC::Implicit_surface_3(x * x + y * y == 1), K::Sphere_3(Point(0, 0, 0), 1));
+  const auto along_circle =
+      SC::intersection_curves(SC::Implicit_surface_3(x * x + y * y == 1), K::Sphere_3(Point(0, 0, 0), 1));
   EXPECT_TRUE(along_circle.is_complete());
   EXPECT_EQ(along_circle.number_of_contact_curves(), 1u);
 }

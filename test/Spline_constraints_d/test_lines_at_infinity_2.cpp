@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of curves with lines that touch several of them at once, in ends, in joints, and elsewhere: edges go to infinity there. And of arcs that begin with curvature zero.
+// Voronoi diagrams of curves with lines that touch several of them at once, in ends, in joints, and elsewhere: edges go
+// to infinity there. And of arcs that begin with curvature zero.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -12,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Complete diagrams with some number of edges that go to infinity: one for each segment between curves on the boundary of their convex hull.
+// Complete diagrams with some number of edges that go to infinity: one for each segment between curves on the boundary
+// of their convex hull.
 void expect_far_edges(const Curves& curves, std::size_t number, const std::vector<P>& points = {})
 {
   const Diagram diagram = SC::voronoi_diagram(curves, points);
@@ -25,7 +27,10 @@ void expect_far_edges(const Curves& curves, std::size_t number, const std::vecto
   EXPECT_EQ(far, number);
 }
 
-Curve half_parabola(const P& vertex, double side) { return bezier({vertex, P(vertex.x() + side / 2, vertex.y()), P(vertex.x() + side, vertex.y() - 1)}); }
+Curve half_parabola(const P& vertex, double side)
+{
+  return bezier({vertex, P(vertex.x() + side / 2, vertex.y()), P(vertex.x() + side, vertex.y() - 1)});
+}
 
 // The tangent in an end passes through the end of a segment, or of an arc whose tangent it is, too.
 TEST(LinesAtInfinity, TangentsInEnds)
@@ -34,7 +39,8 @@ TEST(LinesAtInfinity, TangentsInEnds)
   expect_far_edges({half_parabola(P(0, 0), 1), bezier({P(-2, 0), P(-3, -3)})}, 2);
   expect_far_edges({half_parabola(P(0, 0), 1), half_parabola(P(-1, 0), -1)}, 2);
   expect_far_edges({half_parabola(P(0, 0), 1), half_parabola(P(3, 0), 1)}, 3);
-  expect_far_edges({bezier({P(12, 16), P(-13, -9), P(12, 16), P(-6, -8)}), bezier({P(-9, -12), P(-3, -4), P(2, 11)})}, 4);
+  expect_far_edges({bezier({P(12, 16), P(-13, -9), P(12, 16), P(-6, -8)}), bezier({P(-9, -12), P(-3, -4), P(2, 11)})},
+                   4);
 }
 
 // The half-plane above the axis touches an end, or a point, and two halves of a parabola where these join.
@@ -47,12 +53,15 @@ TEST(LinesAtInfinity, TangentsInJoints)
   expect_far_edges(curves, 3);
 }
 
-// The half-plane right of a line touches an end, and two curves where these touch each other: two ellipses, one in the other, and chains, of which one is behind the other.
+// The half-plane right of a line touches an end, and two curves where these touch each other: two ellipses, one in the
+// other, and chains, of which one is behind the other.
 TEST(LinesAtInfinity, TangentsWhereCurvesTouch)
 {
   const auto ellipse = [](double height) { return SC::ellipse_curve(P(5, 2), {1, 0}, {0, height}); };
   expect_far_edges({ellipse(3), ellipse(2), bezier({P(6, 8), P(5, 10)})}, 2);
-  const auto chain = [](const P& first, double length, const P& last) { return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {first, P(8, 4 - length), P(8, 4), P(8, 4 + length), last}); };
+  const auto chain = [](const P& first, double length, const P& last) {
+    return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {first, P(8, 4 - length), P(8, 4), P(8, 4 + length), last});
+  };
   const Curves chains{chain(P(5, 4), 1, P(5, 6)), chain(P(4, 8), 2, P(7, 7))};
   expect_far_edges({chains[0], chains[1], bezier({P(8, 0), P(6, 6)})}, 4);
   expect_far_edges(chains, 4, {P(8, 9)});
@@ -68,8 +77,10 @@ TEST(LinesAtInfinity, TangentsOfCurvesThatCross)
 Curves rounded_box(double x)
 {
   const auto corner = [](const P& from, const P& to, const P& by) { return bezier({from, by, to}); };
-  return {bezier({P(x + 0.5, 0), P(x + 1.5, 0)}), corner(P(x + 1.5, 0), P(x + 2, 0.5), P(x + 2, 0)), bezier({P(x + 2, 0.5), P(x + 2, 1.5)}), corner(P(x + 2, 1.5), P(x + 1.5, 2), P(x + 2, 2)),
-          bezier({P(x + 1.5, 2), P(x + 0.5, 2)}), corner(P(x + 0.5, 2), P(x, 1.5), P(x, 2)), bezier({P(x, 1.5), P(x, 0.5)}), corner(P(x, 0.5), P(x + 0.5, 0), P(x, 0))};
+  return {bezier({P(x + 0.5, 0), P(x + 1.5, 0)}), corner(P(x + 1.5, 0), P(x + 2, 0.5), P(x + 2, 0)),
+          bezier({P(x + 2, 0.5), P(x + 2, 1.5)}), corner(P(x + 2, 1.5), P(x + 1.5, 2), P(x + 2, 2)),
+          bezier({P(x + 1.5, 2), P(x + 0.5, 2)}), corner(P(x + 0.5, 2), P(x, 1.5), P(x, 2)),
+          bezier({P(x, 1.5), P(x, 0.5)}),         corner(P(x, 0.5), P(x + 0.5, 0), P(x, 0))};
 }
 
 // Turned, and five times as large.
@@ -123,5 +134,6 @@ TEST(LinesAtInfinity, FlatEnds)
 {
   expect_far_edges({bezier({P(0, 0), P(1, 0), P(2, 0), P(3, 1)})}, 1);
   expect_far_edges({bezier({P(1, 2), P(0, -2), P(0, -2), P(-2, -2)}), bezier({P(-2, -2), P(-3, -2), P(-2, 1)})}, 1);
-  expect_far_edges({bezier({P(-1, -1), P(0, 2), P(-2, 1), P(0, 2)}), bezier({P(-1, -1), P(2, 0), P(1, -2), P(2, 0)})}, 3);
+  expect_far_edges({bezier({P(-1, -1), P(0, 2), P(-2, 1), P(0, 2)}), bezier({P(-1, -1), P(2, 0), P(1, -2), P(2, 0)})},
+                   3);
 }

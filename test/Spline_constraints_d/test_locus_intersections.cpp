@@ -29,7 +29,8 @@ using Kind = SC::Intersection_kind;
 using K = CGAL::Simple_cartesian<Exact_rational>;
 using Range = std::pair<Exact_rational, Exact_rational>;
 
-const Power_polynomial x = Power_polynomial::variable(0), y = Power_polynomial::variable(1), z = Power_polynomial::variable(2);
+const Power_polynomial x = Power_polynomial::variable(0), y = Power_polynomial::variable(1),
+                       z = Power_polynomial::variable(2);
 const SC::Implicit_curve_2::Box wide{{{-9, 9}, {-9, 9}}};
 const SC::Implicit_surface_3::Box wide_in_space{{{-9, 9}, {-9, 9}, {-9, 9}}};
 
@@ -68,8 +69,10 @@ TEST(Locus_intersections, ImplicitCurves)
   EXPECT_EQ(points_of(both, Kind::TRANSVERSAL), (Points{{0.666666667, -0.942809042}, {0.666666667, 0.942809042}}));
   EXPECT_EQ(points_of(both, Kind::TANGENT), (Points{{2, 0}}));
   EXPECT_EQ(both[2].multiplicity(), 2);
-  // In boxes that meet in x <= 2/3: what is on the boundary belongs to them. In boxes that do not meet there is nothing.
-  const SC::Implicit_curve_2 part(circle.polynomial(), {{{-1, Exact_rational(2) / 3}, {0, 9}}}), apart(circle.polynomial(), {{{10, 11}, {0, 9}}});
+  // In boxes that meet in x <= 2/3: what is on the boundary belongs to them. In boxes that do not meet there is
+  // nothing.
+  const SC::Implicit_curve_2 part(circle.polynomial(), {{{-1, Exact_rational(2) / 3}, {0, 9}}}),
+      apart(circle.polynomial(), {{{10, 11}, {0, 9}}});
   EXPECT_EQ(points_of(SC::intersections(ellipse, part), Kind::TRANSVERSAL), (Points{{0.666666667, 0.942809042}}));
   expect_complete(SC::intersections(ellipse, apart), 0);
 }
@@ -102,20 +105,25 @@ TEST(Locus_intersections, CurveAndImplicitCurve)
   const auto overlap = SC::intersections(circle, same);
   EXPECT_TRUE(overlap.is_complete());
   ASSERT_EQ(overlap.count(Kind::OVERLAP), 1u);
-  const auto& upper = *std::find_if(overlap.begin(), overlap.end(), [](const auto& answer) { return answer.kind() == Kind::OVERLAP; });
+  const auto& upper =
+      *std::find_if(overlap.begin(), overlap.end(), [](const auto& answer) { return answer.kind() == Kind::OVERLAP; });
   EXPECT_EQ(upper.parameter_range(0), Range(0, 2));
 }
 
 TEST(Locus_intersections, EndsOfCurves)
 {
   const SC::Implicit_curve_2 hyperbola(x * y - 1, {{{0, 9}, {0, 9}}});
-  const auto at_end = SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2)), hyperbola);
+  const auto at_end =
+      SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2)), hyperbola);
   expect_complete(at_end, 1);
   EXPECT_EQ(at_end[0].kind(), Kind::END_POINT);
   EXPECT_EQ(at_end[0].parameter_range(0), Range(1, 1));
   const Exact_rational little = Exact_rational(1) / Exact_rational(1e40);
-  expect_complete(SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2 - little)), hyperbola), 0);
-  const auto beyond = SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2 + little)), hyperbola);
+  expect_complete(
+      SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2 - little)), hyperbola),
+      0);
+  const auto beyond =
+      SC::intersections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, Exact_rational(1) / 2 + little)), hyperbola);
   expect_complete(beyond, 1);
   EXPECT_EQ(beyond[0].kind(), Kind::TRANSVERSAL);
 }
@@ -125,7 +133,9 @@ TEST(Locus_intersections, LinesAndTorus)
 {
   const SC::Implicit_surface_3 torus(pow(x * x + y * y + z * z + 3, 2) - 16 * (x * x + y * y), wide_in_space);
   const auto along = [&](int px, int py, int pz, int vx, int vy, int vz) {
-    return SC::intersections(SC::segment_curve(K::Point_3(px - 8 * vx, py - 8 * vy, pz - 8 * vz), K::Point_3(px + 7 * vx, py + 7 * vy, pz + 7 * vz)), torus);
+    return SC::intersections(SC::segment_curve(K::Point_3(px - 8 * vx, py - 8 * vy, pz - 8 * vz),
+                                               K::Point_3(px + 7 * vx, py + 7 * vy, pz + 7 * vz)),
+                             torus);
   };
   const auto through = along(0, 0, 0, 1, 0, 0);
   expect_complete(through, 4);
@@ -149,14 +159,17 @@ TEST(Locus_intersections, LinesAndTorus)
 
 TEST(Locus_intersections, ThreeImplicitSurfaces)
 {
-  const SC::Implicit_surface_3 sphere = SC::to_implicit(K::Sphere_3(K::Point_3(0, 0, 0), 4)), cylinder(x * x - 2 * x + y * y, wide_in_space);   // Viviani's curve
+  // Viviani's curve
+  const SC::Implicit_surface_3 sphere = SC::to_implicit(K::Sphere_3(K::Point_3(0, 0, 0), 4)),
+                               cylinder(x * x - 2 * x + y * y, wide_in_space);
   const K::Iso_cuboid_3 box(-9, -9, -9, 9, 9, 9);
   const auto at_height_1 = SC::intersections(sphere, cylinder, SC::to_implicit(K::Plane_3(0, 0, 1, -1), box));
   expect_complete(at_height_1, 2);
   EXPECT_EQ(points_of(at_height_1, Kind::TRANSVERSAL), (Points_3{{1.5, -0.866025404, 1}, {1.5, 0.866025404, 1}}));
   const auto at_zero = SC::intersections(sphere, SC::to_implicit(K::Plane_3(1, 0, 0, -1), box), cylinder);
   expect_complete(at_zero, 4);
-  EXPECT_EQ(points_of(at_zero, Kind::TRANSVERSAL), (Points_3{{1, -1, -1.414213562}, {1, -1, 1.414213562}, {1, 1, -1.414213562}, {1, 1, 1.414213562}}));
+  EXPECT_EQ(points_of(at_zero, Kind::TRANSVERSAL),
+            (Points_3{{1, -1, -1.414213562}, {1, -1, 1.414213562}, {1, 1, -1.414213562}, {1, 1, 1.414213562}}));
   // The node of Viviani's curve, where its two branches cross at rational coordinates.
   const auto node = SC::intersections(cylinder, sphere, SC::to_implicit(K::Plane_3(1, 0, 0, -2), box));
   expect_complete(node, 1);
@@ -204,7 +217,8 @@ TEST(Locus_intersections, LimitsOfTheWhole)
   std::vector<K::Point_2> points;
   for (int i = 0; i < 9; ++i)
     points.emplace_back(2 * i - 8, i % 2 == 0 ? 5 : -5);
-  const SC::Offset_curve_2 offset(SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6}, points), Exact_rational(1) / 4);
+  const SC::Offset_curve_2 offset(SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6}, points),
+                                  Exact_rational(1) / 4);
   const SC::Implicit_curve_2 line(y - x / 9, wide);
   const auto all = SC::intersections(offset, line);
   EXPECT_TRUE(all.is_complete());
@@ -219,7 +233,8 @@ TEST(Locus_intersections, LimitsOfTheWhole)
   EXPECT_TRUE(SC::intersections(offset, line, {.time_limit = 1000, .node_limit = nodes + 1}).is_complete());
 }
 
-// Random curves of degree three through a random rational point, and random polynomials that vanish there: the point is found once, at its parameter.
+// Random curves of degree three through a random rational point, and random polynomials that vanish there: the point is
+// found once, at its parameter.
 TEST(Locus_intersections, PlantedPoints)
 {
   std::mt19937 random(3);
@@ -232,19 +247,25 @@ TEST(Locus_intersections, PlantedPoints)
     for (int i = 0; i < 4 && round % 2 == 0; ++i)
       weights.push_back(1 + static_cast<int>(random() % 5));
     const auto curve = SC::bezier_curve(points, weights);
-    const Exact_rational t = round % 5 == 0 ? Exact_rational(1) : Exact_rational(static_cast<int>(1 + random() % 9)) / 10;
+    const Exact_rational t =
+        round % 5 == 0 ? Exact_rational(1) : Exact_rational(static_cast<int>(1 + random() % 9)) / 10;
     const K::Point_2 p = curve(t);
     Power_polynomial f;
     for (int i = 0; i < 6; ++i)
-      f += Power_polynomial(number(9)) * pow(x, static_cast<int>(random() % 4)) * pow(y, static_cast<int>(random() % 3));
+      f +=
+          Power_polynomial(number(9)) * pow(x, static_cast<int>(random() % 4)) * pow(y, static_cast<int>(random() % 3));
     f += x * x * x + Power_polynomial(number(9)) * y;
     const SC::Implicit_curve_2::Box box{{{-20, 20}, {-20, 20}}};
     const SC::Implicit_curve_2 implicit(f - Power_polynomial(f(std::array<Exact_rational, 2>{p.x(), p.y()})), box);
     const auto intersections = SC::intersections(curve, implicit);
     ASSERT_TRUE(intersections.is_complete()) << round;
-    EXPECT_EQ(std::count_if(intersections.begin(), intersections.end(), [&](const auto& answer) {
-      return answer.parameter_range(0).first <= t && t <= answer.parameter_range(0).second && answer.is_at_end(0) == (t == 1);
-    }), 1) << round;
+    EXPECT_EQ(std::count_if(intersections.begin(), intersections.end(),
+                            [&](const auto& answer) {
+                              return answer.parameter_range(0).first <= t && t <= answer.parameter_range(0).second &&
+                                  answer.is_at_end(0) == (t == 1);
+                            }),
+              1)
+        << round;
     for (const auto& answer : intersections)
       EXPECT_NEAR(CGAL::to_double(curve(Exact_rational(answer.parameter(0))).x()), answer.coordinate(0), 1e-12);
   }

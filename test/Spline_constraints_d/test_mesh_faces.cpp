@@ -82,7 +82,9 @@ TEST(Mesh_faces, are_put_together_again)
 
   surfaces.push_back(surfaces[2]);
   expect_invalid([&] { SC::to_surface_mesh(surfaces); }, "surface 5 has an edge that is taken");
-  surfaces.front() = SC::Bspline_surface_3<K>({1, 2}, {0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}, std::vector<K::Point_3>{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}});
+  surfaces.front() = SC::Bspline_surface_3<K>(
+      {1, 2}, {0, 0, 1, 1}, {0, 0, 0, 1, 1, 1},
+      std::vector<K::Point_3>{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}});
   expect_invalid([&] { SC::to_surface_mesh(surfaces); }, "surface 0 is no triangle and no bilinear patch");
   surfaces.front() = SC::bilinear_surface<K>({0, 0, 0}, {0, 1, 0}, {0, 1, 0}, {0, 0, 0});
   expect_invalid([&] { SC::to_surface_mesh(surfaces); }, "surface 0 has a corner twice");
@@ -114,7 +116,8 @@ TEST(Mesh_faces, with_five_vertices_are_refused)
 TEST(Tetrahedron, has_faces_with_normals_outwards)
 {
   const Exact_cartesian::Point_3 p(0, 0, 0), q(1, 0, 0), r(0, 1, 0), s(0, 0, 1);
-  for (const auto& tetrahedron : {Exact_cartesian::Tetrahedron_3(p, q, r, s), Exact_cartesian::Tetrahedron_3(p, r, q, s)}) {
+  for (const auto& tetrahedron :
+       {Exact_cartesian::Tetrahedron_3(p, q, r, s), Exact_cartesian::Tetrahedron_3(p, r, q, s)}) {
     const auto faces = SC::to_bspline_surfaces(tetrahedron);
     for (int i = 0; i < 4; ++i) {
       const auto normal = faces[i].normal(1, 0);

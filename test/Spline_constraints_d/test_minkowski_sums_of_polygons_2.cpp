@@ -32,7 +32,8 @@ CGAL::Polygon_2<K> star(std::mt19937& random, int n)
   CGAL::Polygon_2<K> result;
   for (int i = 0; i < n; ++i) {
     const double angle = 2 * CGAL_PI * (i + (random() % 512) / 1024.0) / n, length = 1 + (random() % 1024) / 256.0;
-    result.push_back(K::Point_2(std::round(1024 * length * std::cos(angle)) / 1024, std::round(1024 * length * std::sin(angle)) / 1024));
+    result.push_back(K::Point_2(std::round(1024 * length * std::cos(angle)) / 1024,
+                                std::round(1024 * length * std::sin(angle)) / 1024));
   }
   return result;
 }
@@ -41,7 +42,10 @@ constexpr double most_error = 1e-9;   // of corners, which are rounded
 
 double cross(const K::Vector_2& u, const K::Vector_2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-bool are_near(const K::Point_2& p, const K::Point_2& q) { return CGAL::squared_distance(p, q) < most_error * most_error; }
+bool are_near(const K::Point_2& p, const K::Point_2& q)
+{
+  return CGAL::squared_distance(p, q) < most_error * most_error;
+}
 
 // The points where a boundary turns: there may be others on its sides.
 template <class Polygon>
@@ -49,13 +53,16 @@ std::vector<K::Point_2> corners(const Polygon& polygon)
 {
   std::vector<K::Point_2> points, result;
   for (const auto& p : polygon)
-    if (const K::Point_2 q(CGAL::to_double(p.x()), CGAL::to_double(p.y())); points.empty() || !are_near(points.back(), q))
+    if (const K::Point_2 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+        points.empty() || !are_near(points.back(), q))
       points.push_back(q);
   while (points.size() > 1 && are_near(points.front(), points.back()))
     points.pop_back();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const K::Vector_2 before = points[i] - points[(i + points.size() - 1) % points.size()], after = points[(i + 1) % points.size()] - points[i];
-    if (before * after <= 0 || std::abs(cross(before, after)) > most_error * std::sqrt((before + after).squared_length()))
+    const K::Vector_2 before = points[i] - points[(i + points.size() - 1) % points.size()],
+                      after = points[(i + 1) % points.size()] - points[i];
+    if (before * after <= 0 ||
+        std::abs(cross(before, after)) > most_error * std::sqrt((before + after).squared_length()))
       result.push_back(points[i]);
   }
   return result;
@@ -94,7 +101,9 @@ CGAL::Polygon_with_holes_2<Exact_kernel> expect_sum_of_CGAL(const CGAL::Polygon_
     EXPECT_NEAR(area(polygons[0]), area(expected), 1e-9);
     EXPECT_TRUE(have_same_corners(polygons[0].outer_boundary(), expected.outer_boundary()));
     for (const auto& hole : expected.holes())
-      EXPECT_EQ(std::count_if(polygons[0].holes_begin(), polygons[0].holes_end(), [&](const auto& found) { return have_same_corners(found, hole); }), 1);
+      EXPECT_EQ(std::count_if(polygons[0].holes_begin(), polygons[0].holes_end(),
+                              [&](const auto& found) { return have_same_corners(found, hole); }),
+                1);
   }
   return expected;
 }
@@ -104,7 +113,8 @@ TEST(minkowski_sums_of_polygons_2, random_polygons)
   std::mt19937 random(17);
   int sums_with_reflex_corners = 0;
   for (int trial = 0; trial < 12; ++trial)
-    sums_with_reflex_corners += !expect_sum_of_CGAL(star(random, 5 + trial), star(random, 3 + trial / 2)).outer_boundary().is_convex();
+    sums_with_reflex_corners +=
+        !expect_sum_of_CGAL(star(random, 5 + trial), star(random, 3 + trial / 2)).outer_boundary().is_convex();
   EXPECT_GT(sums_with_reflex_corners, 6);
 }
 
@@ -119,13 +129,16 @@ TEST(minkowski_sums_of_polygons_2, lattice_polygons)
         const double angle = 2 * CGAL_PI * i / n, length = 1 + static_cast<double>(random() % 64) / 64 * size;
         result.push_back(K::Point_2(std::round(length * std::cos(angle)), std::round(length * std::sin(angle))));
       }
-      if (std::adjacent_find(result.begin(), result.end()) == result.end() && *result.begin() != *(result.end() - 1) && result.is_simple() && result.is_counterclockwise_oriented())
+      if (std::adjacent_find(result.begin(), result.end()) == result.end() && *result.begin() != *(result.end() - 1) &&
+          result.is_simple() && result.is_counterclockwise_oriented())
         return result;
     }
   };
   int reflex = 0;
   for (int trial = 0; trial < 24; ++trial)
-    reflex += !expect_sum_of_CGAL(lattice_polygon(5 + trial % 8, 4), lattice_polygon(3 + trial % 5, 2)).outer_boundary().is_convex();
+    reflex += !expect_sum_of_CGAL(lattice_polygon(5 + trial % 8, 4), lattice_polygon(3 + trial % 5, 2))
+                   .outer_boundary()
+                   .is_convex();
   EXPECT_GT(reflex, 8);
 }
 
@@ -138,7 +151,8 @@ TEST(minkowski_sums_of_polygons_2, combs)
     double x = 0;
     for (int i = 0; i < 3; ++i) {
       const double top = 2.0 + random() % 3, width = 1.0 + random() % 2, bottom = 1.0 - random() % 2 * 0.5;
-      for (const auto& [dx, y] : {std::pair(0.0, bottom), std::pair(0.0, top), std::pair(1.0, top), std::pair(1.0, bottom)})
+      for (const auto& [dx, y] :
+           {std::pair(0.0, bottom), std::pair(0.0, top), std::pair(1.0, top), std::pair(1.0, bottom)})
         points.emplace_back(x + dx, y);
       x += 1 + width;
     }
@@ -154,8 +168,11 @@ TEST(minkowski_sums_of_polygons_2, combs)
 
 TEST(minkowski_sums_of_polygons_2, hole)
 {
-  const std::vector<K::Point_2> letter{{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1}, {1, 5}, {5, 5}, {5, 3.5}, {6, 3.5}, {6, 6.5}, {0, 6}}, triangle{{0, 0}, {0.5, 0.0625}, {0.3125, 1.25}};
-  EXPECT_EQ(expect_sum_of_CGAL({letter.begin(), letter.end()}, {triangle.begin(), triangle.end()}).number_of_holes(), 1u);
+  const std::vector<K::Point_2> letter{{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1},
+                                       {1, 5}, {5, 5}, {5, 3.5},    {6, 3.5}, {6, 6.5},   {0, 6}},
+      triangle{{0, 0}, {0.5, 0.0625}, {0.3125, 1.25}};
+  EXPECT_EQ(expect_sum_of_CGAL({letter.begin(), letter.end()}, {triangle.begin(), triangle.end()}).number_of_holes(),
+            1u);
 }
 
 } // namespace

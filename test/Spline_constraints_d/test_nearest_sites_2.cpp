@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// In random points between straight and circular sites, the face of the arrangement of a Voronoi diagram that point location finds, and the nearest sites, are as distances from the curves tell; `benchmark_nearest_sites` asks far more.
+// In random points between straight and circular sites, the face of the arrangement of a Voronoi diagram that point
+// location finds, and the nearest sites, are as distances from the curves tell; `benchmark_nearest_sites` asks far
+// more.
 #include "expect_nearest_sites.h"
 
 #include <gtest/gtest.h>

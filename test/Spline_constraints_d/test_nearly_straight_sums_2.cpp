@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Minkowski sums of regions with nearly straight arcs, turned so that both coordinates of all tangents vary much more than their direction.
+// Minkowski sums of regions with nearly straight arcs, turned so that both coordinates of all tangents vary much more
+// than their direction.
 #include "geometry_test_tools.h"
 #include "polygon_area.h"
 
@@ -33,7 +34,8 @@ Region turned(const Region& region)
 Region above(const std::vector<Point>& curve)
 {
   const Point first = curve.front(), last = curve.back();
-  return SC::planar_region(Curves{SC::bezier_curve<K>(curve), SC::polyline_curve<K>({last, {last.x(), 5}, {first.x(), 5}, first})});
+  return SC::planar_region(
+      Curves{SC::bezier_curve<K>(curve), SC::polyline_curve<K>({last, {last.x(), 5}, {first.x(), 5}, first})});
 }
 
 // The area of a sum of one part without holes, with a polygon 0.0001 away.
@@ -44,12 +46,14 @@ double area_of_one_part(const SC::Minkowski_sum_2<K>& sum)
   return total_area(sum.polygons_with_holes(1e-4));
 }
 
-// A region A above an arc with an inflection, added to itself: the area is between 4 |A| and four times that of its hull.
+// A region A above an arc with an inflection, added to itself: the area is between 4 |A| and four times that of its
+// hull.
 TEST(NearlyStraightSums, EqualInflections)
 {
   for (const double e : {0x1p-4, 0x1p-10, 0x1p-14}) {
     const Region region = turned(above({{0, 0}, {1, e}, {3, -e}, {6, e / 2}}));
-    EXPECT_NEAR(area_of_one_part(SC::minkowski_sum(region, region)), 4 * 25 * 30, 4 * 25 * 6 * e + 0.03);   // the error of polygons, along less than 300
+    // the error of polygons, along less than 300
+    EXPECT_NEAR(area_of_one_part(SC::minkowski_sum(region, region)), 4 * 25 * 30, 4 * 25 * 6 * e + 0.03);
   }
 }
 
@@ -59,7 +63,8 @@ TEST(NearlyStraightSums, AlongAWave)
   const Region wave = above({{0, -1}, {1, 1}, {3, -1}, {6, 1}});
   for (const double e : {0x1p-4, 0x1p-14, 0x1p-20}) {
     const Region flat = above({{-2, 0}, {0, e}, {4, -e}});
-    EXPECT_NEAR(area_of_one_part(SC::minkowski_sum(turned(wave), turned(flat))), 25 * area_of_one_part(SC::minkowski_sum(wave, flat)), 25 * 0.01 + 0.03);
+    EXPECT_NEAR(area_of_one_part(SC::minkowski_sum(turned(wave), turned(flat))),
+                25 * area_of_one_part(SC::minkowski_sum(wave, flat)), 25 * 0.01 + 0.03);
   }
 }
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Newton improvement: full double precision on square systems, the closest point on others, and the mathematical test behind every status.
+// Newton improvement: full double precision on square systems, the closest point on others, and the mathematical test
+// behind every status.
 
 #include "solver_test_systems.h"
 
@@ -108,7 +109,8 @@ TEST(Newton_improvement, RandomSquareSystems)
     }
 }
 
-// The residual is exact: the cancellation of (x-1)^5 in power form costs no digits of the other root, and a cluster of five is approached from afar.
+// The residual is exact: the cancellation of (x-1)^5 in power form costs no digits of the other root, and a cluster of
+// five is approached from afar.
 TEST(Newton_improvement, NoCancellation)
 {
   const System system = with_equalities(cube(1, 0, 2), {pow(x - 1, 5) * (x - fraction(1001, 1000))});
@@ -162,7 +164,8 @@ TEST(Newton_improvement, SpheresAreProjectedOnto)
     }
 }
 
-// A circle in space, and the parabola: the distance to the closest point shrinks like the square of the distance from the curve.
+// A circle in space, and the parabola: the distance to the closest point shrinks like the square of the distance from
+// the curve.
 TEST(Newton_improvement, ClosestPointToSecondOrder)
 {
   const System parabola = with_equalities(cube(2, -4, 4), {y - x * x});
@@ -184,13 +187,15 @@ TEST(Newton_improvement, ClosestPointToSecondOrder)
   }
 }
 
-// Many starts around a curve on a torus: always on it to full precision, and moved by not much more than the distance to it.
+// Many starts around a curve on a torus: always on it to full precision, and moved by not much more than the distance
+// to it.
 TEST(Newton_improvement, RandomUnderdeterminedSystems)
 {
   std::mt19937_64 random(99);
   std::uniform_real_distribution<double> angle(0, 6.28), noise(-0.02, 0.02);
   const auto v = variables(4);
-  const System system = with_equalities(cube(4, -2, 2), {v[0] * v[0] + v[1] * v[1] - 1, v[2] * v[2] + v[3] * v[3] - 1, v[0] * v[3] - v[1] * v[2]});
+  const System system = with_equalities(
+      cube(4, -2, 2), {v[0] * v[0] + v[1] * v[1] - 1, v[2] * v[2] + v[3] * v[3] - 1, v[0] * v[3] - v[1] * v[2]});
   for (int round = 0; round < 100; ++round) {
     const double t = angle(random);
     const std::vector<double> on_curve{std::cos(t), std::sin(t), std::cos(t), std::sin(t)};
@@ -208,8 +213,10 @@ TEST(Newton_improvement, SingularJacobian)
 {
   // The derivative vanishes at the start; and parallel gradients, consistent or not.
   EXPECT_EQ(improve_point(with_equalities(cube(1, -2, 2), {x * x - 1}), {0}).status, Newton_status::SINGULAR);
-  EXPECT_EQ(improve_point(with_equalities(cube(2, -2, 2), {x + y - 1, 2 * x + 2 * y - 1}), {0, 0}).status, Newton_status::SINGULAR);
-  EXPECT_EQ(improve_point(with_equalities(cube(3, -2, 2), {x + y - 1, 2 * x + 2 * y - 2}), {0, 0, 0}).status, Newton_status::SINGULAR);
+  EXPECT_EQ(improve_point(with_equalities(cube(2, -2, 2), {x + y - 1, 2 * x + 2 * y - 1}), {0, 0}).status,
+            Newton_status::SINGULAR);
+  EXPECT_EQ(improve_point(with_equalities(cube(3, -2, 2), {x + y - 1, 2 * x + 2 * y - 2}), {0, 0, 0}).status,
+            Newton_status::SINGULAR);
   EXPECT_EQ(improve_point(with_equalities(cube(2, -2, 2), {Polynomial(1)}), {0, 0}).status, Newton_status::SINGULAR);
   // A root is a root, singular or not.
   const Newton_result cusp = improve_point(with_equalities(cube(2, -2, 2), {pow(x, 3) - y * y}), {0, 0});
@@ -242,7 +249,8 @@ TEST(Newton_improvement, Domain)
   const Newton_result corner = improve_point(with_equalities(cube(2, 0, 1), {x * x + y * y - 2, x - y}), {0.8, 0.7});
   EXPECT_EQ(corner.status, Newton_status::CONVERGED);
   EXPECT_EQ(corner.point, (std::vector<double>{1, 1}));
-  const Newton_result third = improve_point(with_equalities(cube(1, 0, fraction(1, 3)), {3 * x * x + 8 * x - 3}), {0.1});
+  const Newton_result third =
+      improve_point(with_equalities(cube(1, 0, fraction(1, 3)), {3 * x * x + 8 * x - 3}), {0.1});
   EXPECT_EQ(third.status, Newton_status::CONVERGED);
   EXPECT_LE(Rational(third.point[0]), fraction(1, 3));
   EXPECT_NEAR(third.point[0], 1.0 / 3, 1e-16);
@@ -294,7 +302,8 @@ TEST(Newton_improvement, NothingToDo)
   EXPECT_EQ(result.status, Newton_status::CONVERGED);
   EXPECT_EQ(result.point, (std::vector<double>{0.25, 1}));
   EXPECT_EQ(result.iterations, 0);
-  const Newton_result limited = improve_point(with_equalities(cube(1, 0, 2), {x * x - 2}), {1}, {.maximal_iterations = 0});
+  const Newton_result limited =
+      improve_point(with_equalities(cube(1, 0, 2), {x * x - 2}), {1}, {.maximal_iterations = 0});
   EXPECT_EQ(limited.status, Newton_status::ITERATION_LIMIT);
   EXPECT_EQ(limited.point[0], 1);
   EXPECT_EQ(limited.residual, 1);
@@ -317,7 +326,7 @@ TEST(Newton_improvement, BadInput)
 TEST(Newton_improvement, Names)
 {
   std::ostringstream out;
-  out << Newton_status::CONVERGED << ',' << Newton_status::STAGNATED << ',' << Newton_status::SINGULAR << ',' << Newton_status::LEFT_DOMAIN << ','
-      << Newton_status::ITERATION_LIMIT;
+  out << Newton_status::CONVERGED << ',' << Newton_status::STAGNATED << ',' << Newton_status::SINGULAR << ','
+      << Newton_status::LEFT_DOMAIN << ',' << Newton_status::ITERATION_LIMIT;
   EXPECT_EQ(out.str(), "converged,stagnated,singular,left the domain,iteration limit");
 }

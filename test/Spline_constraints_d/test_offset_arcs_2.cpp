@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets as polylines: circles, a parabola with two cusps on one side and none on the other, gaps at corners, and the exact distance of every point.
+// Offsets as polylines: circles, a parabola with two cusps on one side and none on the other, gaps at corners, and the
+// exact distance of every point.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
@@ -22,7 +23,8 @@ using Curve = SC::Bspline_curve_2<K>;
 
 namespace {
 
-// Every point lies on the left normal of the curve at the given distance, and the middle of the curve between two of them next to their chord.
+// Every point lies on the left normal of the curve at the given distance, and the middle of the curve between two of
+// them next to their chord.
 void check_arcs(const SC::Offset_arcs_2& arcs, const Curve& curve, double distance, double error)
 {
   EXPECT_TRUE(arcs.cusps.is_complete());
@@ -32,13 +34,15 @@ void check_arcs(const SC::Offset_arcs_2& arcs, const Curve& curve, double distan
       const auto& [p, t] = arc.samples[i];
       if (i > 0) {
         EXPECT_LT(arc.samples[i - 1].parameter, t);
-        EXPECT_LE(std::hypot(p[0] - arc.samples[i - 1].point[0], p[1] - arc.samples[i - 1].point[1]), 8 * std::sqrt(error));
+        EXPECT_LE(std::hypot(p[0] - arc.samples[i - 1].point[0], p[1] - arc.samples[i - 1].point[1]),
+                  8 * std::sqrt(error));
       }
       if (i == 0 || i + 1 == arc.samples.size())
         continue;   // corners have two tangents
       const Point foot = curve(t);
       const K::Vector_2 tangent = curve.tangent(t);
-      const double dx = p[0] - CGAL::to_double(foot.x()), dy = p[1] - CGAL::to_double(foot.y()), tx = CGAL::to_double(tangent.x()), ty = CGAL::to_double(tangent.y());
+      const double dx = p[0] - CGAL::to_double(foot.x()), dy = p[1] - CGAL::to_double(foot.y()),
+                   tx = CGAL::to_double(tangent.x()), ty = CGAL::to_double(tangent.y());
       EXPECT_NEAR((tx * dy - ty * dx) / std::hypot(tx, ty), distance, 1e-12);
       EXPECT_NEAR((tx * dx + ty * dy) / std::hypot(tx, ty), 0, 1e-12);
     }
@@ -59,12 +63,14 @@ TEST(Offset_arcs_2, circle)
   }
 }
 
-// The radius of curvature of y = x^2 is (1 + 4 x^2)^(3/2) / 2: for r^2 = 2 the offset to the left has cusps at x = +-1/2, up to the rounding of r.
+// The radius of curvature of y = x^2 is (1 + 4 x^2)^(3/2) / 2: for r^2 = 2 the offset to the left has cusps at x =
+// +-1/2, up to the rounding of r.
 TEST(Offset_arcs_2, parabola)
 {
   const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}});
   const SC::Exact_rational r(std::sqrt(2.0));
-  const auto left = SC::offset_arcs(SC::Offset_curve_2(parabola, r), 1e-3), right = SC::offset_arcs(SC::Offset_curve_2(parabola, SC::Exact_rational(-r)), 1e-3);
+  const auto left = SC::offset_arcs(SC::Offset_curve_2(parabola, r), 1e-3),
+             right = SC::offset_arcs(SC::Offset_curve_2(parabola, SC::Exact_rational(-r)), 1e-3);
   ASSERT_EQ(left.arcs.size(), 3u);
   check_arcs(left, parabola, std::sqrt(2.0), 1e-3);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Trimmed offsets at the radius of curvature of a vertex of a curve, at distances far greater than the curves, and what they and alpha-sectors tell where they are not decided.
+// Trimmed offsets at the radius of curvature of a vertex of a curve, at distances far greater than the curves, and what
+// they and alpha-sectors tell where they are not decided.
 #include "polygon_area.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -42,10 +43,14 @@ double length_of_ellipse(double a, double b)
 
 bool hold(const std::vector<SC::Undecided_part_2>& parts, std::size_t curve, double t)
 {
-  return std::any_of(parts.begin(), parts.end(), [&](const SC::Undecided_part_2& part) { return part.curve == curve && part.from <= t && t <= part.to; });
+  return std::any_of(parts.begin(), parts.end(), [&](const SC::Undecided_part_2& part) {
+    return part.curve == curve && part.from <= t && t <= part.to;
+  });
 }
 
-// The inner offset of an ellipse at the least radius of curvature, b^2 / a, is a curve with two tips, in the centers of the circles there. All disks are free, as they are at smaller distances: so the area is that of the ellipse, less the distance times its length, and a disk.
+// The inner offset of an ellipse at the least radius of curvature, b^2 / a, is a curve with two tips, in the centers of
+// the circles there. All disks are free, as they are at smaller distances: so the area is that of the ellipse, less the
+// distance times its length, and a disk.
 TEST(OffsetLimits, LeastRadiusOfCurvatureOfAnEllipse)
 {
   const double r = 0.5, length = length_of_ellipse(2, 1);
@@ -59,7 +64,8 @@ TEST(OffsetLimits, LeastRadiusOfCurvatureOfAnEllipse)
   EXPECT_NEAR(total_area(offset.polygons_with_holes(error)), 2 * pi - r * length + pi * r * r, error * length);
 }
 
-// The vertex of y = x^2 at one third of the parabola from x = -1 to 2, with a radius of curvature of 1/2: the offset goes on there.
+// The vertex of y = x^2 at one third of the parabola from x = -1 to 2, with a radius of curvature of 1/2: the offset
+// goes on there.
 TEST(OffsetLimits, VertexWithinAnArc)
 {
   const auto region = SC::planar_region(Curves{bezier({P(-1, 1), P(0.5, -2), P(2, 4)}), bezier({P(2, 4), P(-1, 1)})});
@@ -67,7 +73,9 @@ TEST(OffsetLimits, VertexWithinAnArc)
     const Offset offset = SC::trimmed_offset(region, distance);
     EXPECT_TRUE(offset.is_complete()) << distance;
     EXPECT_EQ(offset.arcs().size(), 2U) << distance;
-    EXPECT_TRUE(std::any_of(offset.arcs().begin(), offset.arcs().end(), [](const Offset::Arc& arc) { return arc.curve == 0 && arc.parameters[0] < 1.0 / 3 && 1.0 / 3 < arc.parameters[1]; })) << distance;
+    EXPECT_TRUE(std::any_of(offset.arcs().begin(), offset.arcs().end(), [](const Offset::Arc& arc) {
+      return arc.curve == 0 && arc.parameters[0] < 1.0 / 3 && 1.0 / 3 < arc.parameters[1];
+    })) << distance;
     return total_area(offset.polygons_with_holes(1e-6));
   };
   const double smaller = area(-0.4921875), at_vertex = area(-0.5);
@@ -96,7 +104,9 @@ TEST(OffsetLimits, LargeDistances)
     EXPECT_TRUE(offset.undecided().empty());
     ASSERT_EQ(offset.boundaries().size(), 1U);
     EXPECT_TRUE(offset.boundaries()[0].is_closed);
-    EXPECT_GE(std::count_if(offset.arcs().begin(), offset.arcs().end(), [](const Offset::Arc& arc) { return arc.is_circular; }), 2);
+    EXPECT_GE(std::count_if(offset.arcs().begin(), offset.arcs().end(),
+                            [](const Offset::Arc& arc) { return arc.is_circular; }),
+              2);
     const auto polygons = offset.polygons_with_holes(distance * 1e-6);
     ASSERT_EQ(polygons.size(), 1U);
     EXPECT_NEAR(polygons[0].outer_boundary().area() / (distance * distance), pi, 1e-5);
@@ -105,11 +115,15 @@ TEST(OffsetLimits, LargeDistances)
   }
 }
 
-// y = x^2 and y = x^4 + 1/4 touch where x^2 = 1/2, at parameters that are not rational: the sector is not resolved next to that.
+// y = x^2 and y = x^4 + 1/4 touch where x^2 = 1/2, at parameters that are not rational: the sector is not resolved next
+// to that.
 TEST(OffsetLimits, SectorOfCurvesThatTouch)
 {
-  const auto parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), quartic = bezier({P(-1, 1.25), P(-0.5, -0.75), P(0, 1.25), P(0.5, -0.75), P(1, 1.25)});
-  const auto sector = SC::trimmed_alpha_sector(parabola, quartic, 0.25), exchanged = SC::trimmed_alpha_sector(quartic, parabola, 0.75), apart = SC::trimmed_alpha_sector(parabola, P(0.25, -1), 0.25);
+  const auto parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}),
+             quartic = bezier({P(-1, 1.25), P(-0.5, -0.75), P(0, 1.25), P(0.5, -0.75), P(1, 1.25)});
+  const auto sector = SC::trimmed_alpha_sector(parabola, quartic, 0.25),
+             exchanged = SC::trimmed_alpha_sector(quartic, parabola, 0.75),
+             apart = SC::trimmed_alpha_sector(parabola, P(0.25, -1), 0.25);
   EXPECT_FALSE(sector.is_complete());
   EXPECT_FALSE(exchanged.is_complete());
   for (const double x : {-std::sqrt(0.5), std::sqrt(0.5)}) {
@@ -120,10 +134,13 @@ TEST(OffsetLimits, SectorOfCurvesThatTouch)
   EXPECT_TRUE(apart.undecided().empty());
 }
 
-// What bounds in doubles can tell: coordinates of 10^75 and 10^-75 are decided, others refused, but not coordinates that are small beside others.
+// What bounds in doubles can tell: coordinates of 10^75 and 10^-75 are decided, others refused, but not coordinates
+// that are small beside others.
 TEST(OffsetLimits, Magnitudes)
 {
-  const auto cubic = [](double size) { return bezier({P(0, 0), P(size, 2 * size), P(2 * size, -size), P(3 * size, size)}); };
+  const auto cubic = [](double size) {
+    return bezier({P(0, 0), P(size, 2 * size), P(2 * size, -size), P(3 * size, size)});
+  };
   for (const double size : {1e75 / 3, 1e-75}) {
     EXPECT_TRUE(SC::trimmed_offset(Curves{cubic(size)}, size).is_complete());
     EXPECT_TRUE(SC::trimmed_alpha_sector(cubic(size), P(size, 5 * size), 0.25).is_complete());

@@ -55,7 +55,8 @@ TEST(Opencascade, curves_have_the_same_points)
           EXPECT_NEAR(p.X(), CGAL::to_double(q.x()), 1e-12) << degree << ' ' << multiplicity << ' ' << i;
           EXPECT_NEAR(p.Y(), CGAL::to_double(q.y()), 1e-12) << degree << ' ' << multiplicity << ' ' << i;
         }
-        // There are no periodic curves of ours, so that the way back gives a closed one; ours again is the same map, exactly.
+        // There are no periodic curves of ours, so that the way back gives a closed one; ours again is the same map,
+        // exactly.
         EXPECT_TRUE(SC::to_bspline_curve<E>(*SC::to_opencascade(spline)) == spline);
       }
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of patches of planes, quadrics, tori and bilinear surfaces in the positions that mechanical parts have: numbers of closed and open curves and of singular points, by geometry, and points on both surfaces.
+// Curves of patches of planes, quadrics, tori and bilinear surfaces in the positions that mechanical parts have:
+// numbers of closed and open curves and of singular points, by geometry, and points on both surfaces.
 
 #include "pairs_of_primitives.h"
 
@@ -20,7 +21,9 @@ namespace patches_of_primitives {
 
 double distance(const Surface& surface, const std::array<double, 2>& uv, const Point& p)
 {
-  const auto within = [&](int axis) { return (std::min)((std::max)(Rational(uv[axis]), surface.domain(axis).first), surface.domain(axis).second); };
+  const auto within = [&](int axis) {
+    return (std::min)((std::max)(Rational(uv[axis]), surface.domain(axis).first), surface.domain(axis).second);
+  };
   return std::sqrt(CGAL::to_double(CGAL::squared_distance(surface(within(0), within(1)), p)));
 }
 
@@ -28,7 +31,8 @@ TEST(Pairs_of_primitives, patches)
 {
   std::size_t decided = 0;
   for (const pairs_of_primitives::Pair& pair : pairs_of_primitives::all_pairs()) {
-    const bool is_slow = pair.name.starts_with("tor") || pair.name.ends_with("torus") || pair.name.starts_with("ball in torus");
+    const bool is_slow =
+        pair.name.starts_with("tor") || pair.name.ends_with("torus") || pair.name.starts_with("ball in torus");
     if (pair.has_common_pole || is_slow)
       continue;
     SCOPED_TRACE(pair.name);
@@ -38,7 +42,8 @@ TEST(Pairs_of_primitives, patches)
       continue;
     ++decided;
     std::ostringstream counts;
-    counts << set.number_of_closed_curves() << '/' << set.number_of_open_curves() << '/' << set.singular_points().size();
+    counts << set.number_of_closed_curves() << '/' << set.number_of_open_curves() << '/'
+           << set.singular_points().size();
     EXPECT_EQ(counts.str(), pair.counts[0]);
     for (const auto& curve : set.curves()) {
       const auto samples = set.samples(curve.arcs.front(), 0.5);

@@ -24,7 +24,10 @@ using Kind = SC::Intersection_kind;
 
 namespace {
 
-Curve segment(double x0, double y0, double x1, double y1) { return SC::bezier_curve(std::vector<Point>{{x0, y0}, {x1, y1}}); }
+Curve segment(double x0, double y0, double x1, double y1)
+{
+  return SC::bezier_curve(std::vector<Point>{{x0, y0}, {x1, y1}});
+}
 
 std::vector<Curve> random_cubics(std::size_t count, double size, std::mt19937& generator)
 {
@@ -75,7 +78,8 @@ TEST(Pairwise_intersections, are_those_of_each_pair)
   EXPECT_TRUE(between.summary.is_complete);
   EXPECT_TRUE(within.summary.is_complete);
   std::size_t pairs_between = 0, pairs_within = 0;
-  const auto expect_next = [](const auto& result, std::size_t& next, std::size_t i, std::size_t j, const auto& expected) {
+  const auto expect_next = [](const auto& result, std::size_t& next, std::size_t i, std::size_t j,
+                              const auto& expected) {
     if (expected.empty())
       return;
     ASSERT_LT(next, result.pairs.size());
@@ -116,7 +120,8 @@ TEST(Pairwise_intersections, of_a_grid)
 
 TEST(Pairwise_intersections, of_curves_that_share_ends_or_touch)
 {
-  const std::vector<Curve> chain{segment(0, 0, 1, 0), segment(1, 0, 1, 1), segment(1, 1, 0, 1), segment(0, 1, 0, 0), SC::bezier_curve(std::vector<Point>{{0, 0.5}, {0.5, -0.5}, {1, 0.5}})};
+  const std::vector<Curve> chain{segment(0, 0, 1, 0), segment(1, 0, 1, 1), segment(1, 1, 0, 1), segment(0, 1, 0, 0),
+                                 SC::bezier_curve(std::vector<Point>{{0, 0.5}, {0.5, -0.5}, {1, 0.5}})};
   const auto result = SC::pairwise_intersections(chain);
   EXPECT_TRUE(result.summary.is_complete);
   std::size_t ends = 0, contacts = 0;
@@ -132,13 +137,18 @@ TEST(Pairwise_intersections, of_curves_that_share_ends_or_touch)
 TEST(Pairwise_intersections, of_curves_in_space)
 {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto line = [](int x0, int y0, int z0, int x1, int y1, int z1) { return SC::bezier_curve(std::vector<Kernel::Point_3>{{x0, y0, z0}, {x1, y1, z1}}); };
-  const std::vector<SC::Bspline_curve_3<Kernel>> lines{line(-1, 0, 0, 1, 0, 0), line(0, -1, 0, 0, 1, 0), line(0, 0, -1, 0, 0, 1), line(-1, -1, 1, 1, 1, 1)};
+  const auto line = [](int x0, int y0, int z0, int x1, int y1, int z1) {
+    return SC::bezier_curve(std::vector<Kernel::Point_3>{{x0, y0, z0}, {x1, y1, z1}});
+  };
+  const std::vector<SC::Bspline_curve_3<Kernel>> lines{line(-1, 0, 0, 1, 0, 0), line(0, -1, 0, 0, 1, 0),
+                                                       line(0, 0, -1, 0, 0, 1), line(-1, -1, 1, 1, 1, 1)};
   const auto result = SC::pairwise_intersections(lines);
   EXPECT_TRUE(result.summary.is_complete);
   ASSERT_EQ(result.pairs.size(), 4u);   // three axes through the origin, and the end of one on the diagonal above
   for (const auto& pair : result.pairs)
-    EXPECT_LT(CGAL::squared_distance(pair.intersections[0].point(), pair.second == 3 ? Kernel::Point_3(0, 0, 1) : Kernel::Point_3(0, 0, 0)), 1e-24);
+    EXPECT_LT(CGAL::squared_distance(pair.intersections[0].point(),
+                                     pair.second == 3 ? Kernel::Point_3(0, 0, 1) : Kernel::Point_3(0, 0, 0)),
+              1e-24);
 }
 
 TEST(Pairwise_intersections, with_those_of_each_curve_with_itself)
@@ -157,20 +167,24 @@ TEST(Pairwise_intersections, with_those_of_each_curve_with_itself)
 
 TEST(Pairwise_intersections, of_splines_with_many_pieces_leave_out_most_pairs_of_pieces)
 {
-  // Each of the 60 lines that go up and down crosses each of the 60 that go left and right once, all at points that are no knots.
+  // Each of the 60 lines that go up and down crosses each of the 60 that go left and right once, all at points that are
+  // no knots.
   const auto all = SC::intersections(zigzag(60, false), zigzag(60, true));
   EXPECT_TRUE(all.is_complete());
   EXPECT_EQ(all.count(Kind::TRANSVERSAL) + all.count(Kind::END_POINT), all.size());
   EXPECT_GE(all.size(), 58u * 58u);
 
-  const auto apart = SC::intersections(zigzag(400, false), SC::bezier_curve(std::vector<Point>{{-1, -2}, {0, -1.7}, {1, -1.5}}));
+  const auto apart =
+      SC::intersections(zigzag(400, false), SC::bezier_curve(std::vector<Point>{{-1, -2}, {0, -1.7}, {1, -1.5}}));
   EXPECT_TRUE(apart.is_complete());
   EXPECT_TRUE(apart.empty());
   EXPECT_EQ(apart.summary().nodes, 0u);
 
-  const auto flat = SC::intersections(zigzag(400, false), SC::bezier_curve(std::vector<Point>{{-0.0125, 0.25}, {0, 0.26}, {0.0125, 0.25}}));
+  const auto flat = SC::intersections(zigzag(400, false),
+                                      SC::bezier_curve(std::vector<Point>{{-0.0125, 0.25}, {0, 0.26}, {0.0125, 0.25}}));
   EXPECT_TRUE(flat.is_complete());
-  EXPECT_EQ(flat.count(Kind::TRANSVERSAL), 4u);   // of the four teeth that are all in its range; the halves on both sides are below
+  // of the four teeth that are all in its range; the halves on both sides are below
+  EXPECT_EQ(flat.count(Kind::TRANSVERSAL), 4u);
   EXPECT_LT(flat.summary().nodes, 20u);
 }
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parabolic lines: of graphs by formula, circles of tori, none of spheres and saddles, projective images, inserted knots, flat points, developable surfaces.
+// Parabolic lines: of graphs by formula, circles of tori, none of spheres and saddles, projective images, inserted
+// knots, flat points, developable surfaces.
 
 #include "surface_test_names.h"
 
@@ -29,7 +30,8 @@ Surface graph(const std::function<Function(const Function&, const Function&)>& f
   return Surface::from_homogeneous_coordinates({x, y, f(x, y)}, x * Rational(0) + Rational(1));
 }
 
-Curves expect_lines(const Surface& surface, std::size_t closed, std::size_t open, std::size_t singular, const std::function<void(const Point&)>& check = {})
+Curves expect_lines(const Surface& surface, std::size_t closed, std::size_t open, std::size_t singular,
+                    const std::function<void(const Point&)>& check = {})
 {
   Curves set = SC::parabolic_lines(surface);
   EXPECT_TRUE(set.is_complete());
@@ -44,7 +46,8 @@ Curves expect_lines(const Surface& surface, std::size_t closed, std::size_t open
 }
 
 // The same curves in space after inserting knots.
-void expect_lines_with_knots(const Surface& surface, std::size_t closed, std::size_t open, const std::function<void(const Point&)>& check)
+void expect_lines_with_knots(const Surface& surface, std::size_t closed, std::size_t open,
+                             const std::function<void(const Point&)>& check)
 {
   expect_lines(surface, closed, open, 0, check);
   expect_lines(surface.with_knot(0, Rational(1, 3)).with_knot(1, Rational(2, 5)), closed, open, 0, check);
@@ -54,8 +57,12 @@ void expect_lines_with_knots(const Surface& surface, std::size_t closed, std::si
 
 TEST(Parabolic_lines, graphs)
 {
-  expect_lines_with_knots(graph([](const Function& x, const Function& y) { return x * x * x + y * y; }), 0, 1, [](const Point& p) { EXPECT_NEAR(CGAL::to_double(p.x()), 0, 1e-9); });
-  const Surface bump = graph([](const Function& x, const Function& y) { return x * x * x * x * Rational(1, 12) - x * x * Rational(1, 8) + y * y * y * y * Rational(1, 12) - y * y * Rational(1, 8); });
+  expect_lines_with_knots(graph([](const Function& x, const Function& y) { return x * x * x + y * y; }), 0, 1,
+                          [](const Point& p) { EXPECT_NEAR(CGAL::to_double(p.x()), 0, 1e-9); });
+  const Surface bump = graph([](const Function& x, const Function& y) {
+    return x * x * x * x * Rational(1, 12) - x * x * Rational(1, 8) + y * y * y * y * Rational(1, 12) -
+        y * y * Rational(1, 8);
+  });
   // z_xx z_yy = (x^2 - 1/4) (y^2 - 1/4): four lines of three arcs each.
   const Curves lines = SC::parabolic_lines(bump);
   EXPECT_TRUE(lines.is_complete());
@@ -73,9 +80,13 @@ TEST(Parabolic_lines, closed_curve)
 {
   // z = g(r) with r = x^2 + y^2: where g' (g' + 2 r g'') = 0.
   expect_lines_with_knots(graph([](const Function& x, const Function& y) {
-    const Function r = x * x + y * y;
-    return r - r * r * Rational(1, 5);
-  }), 1, 0, [](const Point& p) { EXPECT_NEAR(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y())), std::sqrt(5.0 / 6), 1e-9); });
+                            const Function r = x * x + y * y;
+                            return r - r * r * Rational(1, 5);
+                          }),
+                          1, 0, [](const Point& p) {
+                            EXPECT_NEAR(std::hypot(CGAL::to_double(p.x()), CGAL::to_double(p.y())), std::sqrt(5.0 / 6),
+                                        1e-9);
+                          });
 }
 
 TEST(Parabolic_lines, torus)
@@ -89,7 +100,8 @@ TEST(Parabolic_lines, torus)
   for (const SC::Surface_curve& circle : circles.curves())
     EXPECT_TRUE(circle.line);   // along a break
   // A quarter turn of the upper half of a small circle that begins elsewhere.
-  const Surface part = torus.restricted(0, Rational(1, 3), Rational(4, 3)).restricted(1, Rational(1, 4), Rational(7, 4));
+  const Surface part =
+      torus.restricted(0, Rational(1, 3), Rational(4, 3)).restricted(1, Rational(1, 4), Rational(7, 4));
   expect_lines(part, 0, 1, 0, is_top_or_bottom);
 }
 
@@ -103,7 +115,8 @@ TEST(Parabolic_lines, none)
 // The curvature of a monkey saddle is zero in one point.
 TEST(Parabolic_lines, flat_point)
 {
-  const Curves set = expect_lines(graph([](const Function& x, const Function& y) { return x * x * x - x * y * y * Rational(3); }), 0, 0, 1);
+  const Curves set = expect_lines(
+      graph([](const Function& x, const Function& y) { return x * x * x - x * y * y * Rational(3); }), 0, 0, 1);
   for (const auto& [lower, upper] : set.singular_points()[0].box)
     EXPECT_TRUE(lower == 0 && upper == 0);
 }
@@ -113,7 +126,8 @@ TEST(Parabolic_lines, projective_image)
 {
   const Surface surface = graph([](const Function& x, const Function& y) { return x * x * x + y * y + x * x * y; });
   const auto [x, y, z] = surface.homogeneous_coordinates();
-  const Surface image = Surface::from_homogeneous_coordinates({x, y + z, z}, x * Rational(1, 4) + z * Rational(1, 8) + Rational(2));
+  const Surface image =
+      Surface::from_homogeneous_coordinates({x, y + z, z}, x * Rational(1, 4) + z * Rational(1, 8) + Rational(2));
   const Curves set = SC::parabolic_lines(surface), images = SC::parabolic_lines(image);
   EXPECT_TRUE(set.is_complete() && images.is_complete());
   EXPECT_FALSE(set.curves().empty());
@@ -136,5 +150,7 @@ TEST(Parabolic_lines, undecided)
 
 TEST(Parabolic_lines, bad_input)
 {
-  EXPECT_THROW(SC::parabolic_lines(graph([](const Function& x, const Function& y) { return x * y; }), {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_THROW(
+      SC::parabolic_lines(graph([](const Function& x, const Function& y) { return x * y; }), {.tolerance = -1}),
+      SC::Invalid_input);
 }

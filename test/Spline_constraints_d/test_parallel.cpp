@@ -55,8 +55,8 @@ static void check_both(const Problem& problem, const SC::Solver_options& options
 
 TEST(Parallel, SameAnswers)
 {
-  for (const Problem& problem : {cyclic_chebyshev(3, 4), cyclic_chebyshev(8, 2), mixed_chebyshev(4, 3), lines_tangent_to_spheres(), zigzag(),
-                                 cyclic_chebyshev_in_pieces(5)}) {
+  for (const Problem& problem : {cyclic_chebyshev(3, 4), cyclic_chebyshev(8, 2), mixed_chebyshev(4, 3),
+                                 lines_tangent_to_spheres(), zigzag(), cyclic_chebyshev_in_pieces(5)}) {
     check_both<SC::Certified_solver_traits>(problem);
     expect_solved(problem, solve<CGAL::Parallel_tag>(problem.system));
   }
@@ -67,10 +67,17 @@ TEST(Parallel, Curves)
 {
   auto [x, y] = SC::unknowns({-1, 1}, {-1, 1});
   const auto t8 = [](const auto& t) { return 2 * square(8 * t * t * t * t - 8 * t * t + 1) - 1; };
-  const SC::Constraint_system_d closed_curves = SC::make_system(std::array{t8(x) * t8(y) == SC::Exact_rational(1, 2)}), cusps = SC::make_system(std::array{square(y) == (square(x) - SC::Exact_rational(1, 2)) * square(square(x) - SC::Exact_rational(1, 2))});   // at irrational points
+  // at irrational points
+  const SC::Constraint_system_d closed_curves = SC::make_system(std::array{t8(x) * t8(y) == SC::Exact_rational(1, 2)}),
+                                cusps = SC::make_system(std::array{square(y) ==
+                                                                   (square(x) - SC::Exact_rational(1, 2)) *
+                                                                       square(square(x) - SC::Exact_rational(1, 2))});
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
-  const auto expect_same = [](const SC::Constraint_system_d& system, const SC::Solver_options& options, std::size_t closed, bool is_complete) {
-    const SC::Curve_solution_set_d a = SC::Curve_solver_d<>(options)(system), b = SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag>(options)(system);
+  const auto expect_same = [](const SC::Constraint_system_d& system, const SC::Solver_options& options,
+                              std::size_t closed, bool is_complete) {
+    const SC::Curve_solution_set_d a = SC::Curve_solver_d<>(options)(system),
+                                   b = SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag>(options)(
+                                       system);
     EXPECT_EQ(a.summary().nodes, b.summary().nodes);
     EXPECT_EQ(a.number_of_closed_curves(), closed);
     EXPECT_EQ(a.is_complete(), is_complete);
@@ -88,7 +95,8 @@ TEST(Parallel, Curves)
   };
   expect_same(closed_curves, {.tolerance = 1e-8}, 25, true);
   expect_same(cusps, {.tolerance = 1e-4}, 0, false);
-  const SC::Curve_solution_set_d limited = SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag>({.tolerance = 1e-8, .node_limit = 300})(closed_curves);
+  const SC::Curve_solution_set_d limited = SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag>(
+      {.tolerance = 1e-8, .node_limit = 300})(closed_curves);
   EXPECT_FALSE(limited.is_complete());
   EXPECT_EQ(limited.summary().why_not, SC::Undecided_reason::NODES);
 }
@@ -104,7 +112,8 @@ TEST(Parallel, OtherNumberTypes)
 TEST(Parallel, SameUndecidedBoxes)
 {
   const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1);
-  const Problem circle{"circle twice", with_equalities(cube(2, -2, 2), {x * x + y * y - 1, square(x * x + y * y) - 1}), 0, {}};
+  const Problem circle{
+      "circle twice", with_equalities(cube(2, -2, 2), {x * x + y * y - 1, square(x * x + y * y) - 1}), 0, {}};
   check_both<SC::Certified_solver_traits>(circle, {.tolerance = 1e-6});
   for (std::size_t limit : {100, 500, 1500})
     check_both<SC::Certified_solver_traits>(cyclic_chebyshev(8, 2), {.node_limit = limit});
@@ -113,7 +122,8 @@ TEST(Parallel, SameUndecidedBoxes)
 TEST(Parallel, OneUnknown)
 {
   const Polynomial x = Polynomial::variable(0);
-  check_both<SC::Certified_solver_traits>(all_known("one unknown", with_equalities(cube(1, -1, 1), {square(2 * x * x - 1) * chebyshev(9, x)}), {}));
+  check_both<SC::Certified_solver_traits>(
+      all_known("one unknown", with_equalities(cube(1, -1, 1), {square(2 * x * x - 1) * chebyshev(9, x)}), {}));
 }
 
 // Many systems of different size; some take multiprecision numbers, one has only one unknown.
@@ -121,8 +131,12 @@ static std::vector<System> many_systems()
 {
   const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1);
   const Rational tiny = Rational(1e-30);
-  const std::vector<System> some{cyclic_chebyshev(2, 4).system, with_equalities(cube(2, -2, 2), {y - x * x, y - tiny}), broyden_tridiagonal(4).system,
-                                 cyclic_chebyshev(3, 3).system, with_equalities(cube(1, -2, 2), {square(x * x - 2)}), zigzag().system};
+  const std::vector<System> some{cyclic_chebyshev(2, 4).system,
+                                 with_equalities(cube(2, -2, 2), {y - x * x, y - tiny}),
+                                 broyden_tridiagonal(4).system,
+                                 cyclic_chebyshev(3, 3).system,
+                                 with_equalities(cube(1, -2, 2), {square(x * x - 2)}),
+                                 zigzag().system};
   std::vector<System> systems;
   for (int i = 0; i < 10; ++i)
     systems.insert(systems.end(), some.begin(), some.end());
@@ -195,7 +209,8 @@ TEST(Parallel, VoronoiDiagram)
   using P = K::Point_2;
   std::vector<SC::Bspline_curve_2<K>> curves;
   for (const P& p : {P(0, 0), P(4.3, 0.7), P(9.1, -0.4), P(0.9, 3.8), P(5.2, 4.9), P(10.4, 3.6)})
-    curves.push_back(SC::bezier_curve(std::vector<P>{p, P(p.x() + 1, p.y() + 2), P(p.x() + 2, p.y() - 2 + p.x() / 8), P(p.x() + 3, p.y() + 1)}));
+    curves.push_back(SC::bezier_curve(
+        std::vector<P>{p, P(p.x() + 1, p.y() + 2), P(p.x() + 2, p.y() - 2 + p.x() / 8), P(p.x() + 3, p.y() + 1)}));
   const auto one_by_one = SC::voronoi_diagram(curves), parallel = SC::voronoi_diagram<CGAL::Parallel_tag>(curves);
   EXPECT_TRUE(parallel.is_complete());
   ASSERT_EQ(parallel.vertices().size(), one_by_one.vertices().size());

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which hole of a Minkowski sum belongs to which part: of circles within circles, also random ones with walls that are much thinner than the error of polygons; and that no hole is left out in silence where this is not decided.
+// Which hole of a Minkowski sum belongs to which part: of circles within circles, also random ones with walls that are
+// much thinner than the error of polygons; and that no hole is left out in silence where this is not decided.
 
 #include "geometry_test_tools.h"
 
@@ -59,7 +60,9 @@ std::size_t circle_of(const Sum& sum, std::size_t boundary, const std::vector<Ne
     bool is_same = circles[c].is_hole() == sum.boundaries()[boundary].is_hole;
     for (std::size_t arc = 0; is_same && arc < sum.boundaries()[boundary].arcs.size(); ++arc)
       for (const auto& sample : sum.polyline(boundary, arc, 0.1))
-        is_same = is_same && std::abs(std::sqrt(CGAL::squared_distance(sample.point, circles[c].center)) - circles[c].radius_of_sum(r)) < 1e-12;
+        is_same = is_same &&
+            std::abs(std::sqrt(CGAL::squared_distance(sample.point, circles[c].center)) - circles[c].radius_of_sum(r)) <
+                1e-12;
     if (is_same)
       result.insert(c);
   }
@@ -82,7 +85,10 @@ void expect_parts(const Sum& sum, const std::vector<Nested_circle>& circles, dou
     ASSERT_LT(boundary.outer, circles.size());
     EXPECT_EQ(circle[boundary.outer], boundary.is_hole ? *circles[circle[b]].parent : circle[b]);
     if (!boundary.is_hole)
-      holes.push_back(static_cast<std::size_t>(std::count_if(circles.begin(), circles.end(), [&](const Nested_circle& c) { return c.is_hole() && *c.parent == circle[b]; })));
+      holes.push_back(
+          static_cast<std::size_t>(std::count_if(circles.begin(), circles.end(), [&](const Nested_circle& c) {
+            return c.is_hole() && *c.parent == circle[b];
+          })));
   }
   for (const double error : {1e-3, 1.0}) {
     const auto polygons = sum.polygons_with_holes(error);
@@ -92,7 +98,9 @@ void expect_parts(const Sum& sum, const std::vector<Nested_circle>& circles, dou
     std::ostringstream text;
     SC::IO::write_WKT(text, polygons);
     const std::string written = text.str();
-    EXPECT_EQ(std::count(written.begin(), written.end(), '('), static_cast<std::ptrdiff_t>(circles.size() + (holes.size() > 1 ? holes.size() + 1 : 1)));   // one for each ring, each polygon, and all of them
+    // one for each ring, each polygon, and all of them
+    EXPECT_EQ(std::count(written.begin(), written.end(), '('),
+              static_cast<std::ptrdiff_t>(circles.size() + (holes.size() > 1 ? holes.size() + 1 : 1)));
   }
 }
 
@@ -100,16 +108,21 @@ TEST(parts_of_minkowski_sums_2, islands)
 {
   const double r = 0.25;
   const std::vector<Nested_circle> circles{
-    {Point(0, 0), 16, {}, 0}, {Point(-7, 0), 6, 0, 1}, {Point(8, 1), 5, 0, 1}, {Point(-8, 0), 4, 1, 2}, {Point(-8.5, 0.5), 2, 3, 3}, {Point(-8.5, 0.5), 1, 4, 4}, {Point(9, 2), 2, 2, 2}, {Point(7, -2), 1, 2, 2}, {Point(40, 3), 4, {}, 0}, {Point(41, 3), 2, 8, 1}};
+      {Point(0, 0), 16, {}, 0},    {Point(-7, 0), 6, 0, 1},     {Point(8, 1), 5, 0, 1}, {Point(-8, 0), 4, 1, 2},
+      {Point(-8.5, 0.5), 2, 3, 3}, {Point(-8.5, 0.5), 1, 4, 4}, {Point(9, 2), 2, 2, 2}, {Point(7, -2), 1, 2, 2},
+      {Point(40, 3), 4, {}, 0},    {Point(41, 3), 2, 8, 1}};
   expect_parts(SC::minkowski_sum(region_of(circles), SC::planar_region(SC::circle_curve(Point(0, 0), r))), circles, r);
 }
 
-// Rings with walls that are thinner than the error of polygons, so that vertices of the hole are outside of the polygon around it.
+// Rings with walls that are thinner than the error of polygons, so that vertices of the hole are outside of the polygon
+// around it.
 TEST(parts_of_minkowski_sums_2, thin_rings)
 {
   for (const double wall : {0x1p-8, 0x1p-11, 0x1p-14}) {
     const double share = 1 - wall;
-    const Region ring(Curves{SC::circle_curve(Point(0, 0), 13), SC::ellipse_curve(Point(0, 0), K::Vector_2(-12 * share, -5 * share), K::Vector_2(5 * share, -12 * share))});
+    const Region ring(Curves{
+        SC::circle_curve(Point(0, 0), 13),
+        SC::ellipse_curve(Point(0, 0), K::Vector_2(-12 * share, -5 * share), K::Vector_2(5 * share, -12 * share))});
     const Sum sum = SC::minkowski_sum(ring, SC::planar_region(SC::circle_curve(Point(0, 0), wall)));
     EXPECT_TRUE(sum.is_complete());
     ASSERT_EQ(sum.boundaries().size(), 2U);
@@ -134,8 +147,11 @@ TEST(parts_of_minkowski_sums_2, holes_that_are_not_decided)
   const auto none = SC::internal::Regions::no_boundary;
   const CGAL::Uncertain<bool> yes(true), no(false), perhaps = CGAL::Uncertain<bool>::indeterminate();
   std::vector<Boundary> boundaries{{false, 0}, {true, none}, {false, 2}, {true, none}, {true, none}, {true, none}};
-  const std::vector<std::vector<CGAL::Uncertain<bool>>> around{{no, yes, yes, yes, yes, no}, {no, no, no, no, no, no}, {no, no, no, yes, perhaps, no}};   // the island 2 in the hole 1 has the hole 3, and perhaps 4; 5 is in none
-  const std::vector<std::size_t> undecided = SC::internal::Regions::find_outer_boundaries(boundaries, [&](std::size_t b, std::size_t c) { return around[b][c]; });
+  // the island 2 in the hole 1 has the hole 3, and perhaps 4; 5 is in none
+  const std::vector<std::vector<CGAL::Uncertain<bool>>> around{
+      {no, yes, yes, yes, yes, no}, {no, no, no, no, no, no}, {no, no, no, yes, perhaps, no}};
+  const std::vector<std::size_t> undecided = SC::internal::Regions::find_outer_boundaries(
+      boundaries, [&](std::size_t b, std::size_t c) { return around[b][c]; });
   EXPECT_EQ(undecided, (std::vector<std::size_t>{4, 5}));
   EXPECT_EQ(boundaries[1].outer, 0U);
   EXPECT_EQ(boundaries[3].outer, 2U);
@@ -152,8 +168,12 @@ void add_circles_within(std::vector<Nested_circle>& circles, std::size_t parent,
   std::vector<std::size_t> children;
   for (std::size_t k = 0; k < trials && around.depth < most_depth && children.size() < 2; ++k) {
     const double radius = around.radius * share(random), a = angle(random), way = around.radius - radius - wall;
-    const Nested_circle next{Point(around.center.x() + way * std::cos(a), around.center.y() + way * std::sin(a)), radius, parent, around.depth + 1};
-    if (std::any_of(children.begin(), children.end(), [&](std::size_t c) { return std::sqrt(CGAL::squared_distance(circles[c].center, next.center)) < circles[c].radius + radius + 0.5 * wall; }))
+    const Nested_circle next{Point(around.center.x() + way * std::cos(a), around.center.y() + way * std::sin(a)),
+                             radius, parent, around.depth + 1};
+    if (std::any_of(children.begin(), children.end(), [&](std::size_t c) {
+          return std::sqrt(CGAL::squared_distance(circles[c].center, next.center)) <
+              circles[c].radius + radius + 0.5 * wall;
+        }))
       continue;
     children.push_back(circles.size());
     circles.push_back(next);
@@ -170,7 +190,8 @@ TEST(parts_of_minkowski_sums_2, thin_walls)
   std::vector<Nested_circle> circles{{Point(0, 0), 16, {}, 0}};
   add_circles_within(circles, 0, wall, random);
   EXPECT_GT(circles.size(), 6U);
-  expect_parts(SC::minkowski_sum(region_of(circles), SC::planar_region(SC::circle_curve(Point(0, 0), wall / 4))), circles, wall / 4);
+  expect_parts(SC::minkowski_sum(region_of(circles), SC::planar_region(SC::circle_curve(Point(0, 0), wall / 4))),
+               circles, wall / 4);
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Results of all planar operations as layers: what they consist of, drawn and read back as XML, written as well-known text and read back by CGAL, and through the streams of CGAL.
+// Results of all planar operations as layers: what they consist of, drawn and read back as XML, written as well-known
+// text and read back by CGAL, and through the streams of CGAL.
 #include <CGAL/Spline_constraints_d/IO/write_SVG_voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -46,7 +47,8 @@ using Layers = SC::Planar_layers_2<K>;
 using Polygon = CGAL::Polygon_with_holes_2<K>;
 
 // A closed curve, not convex, of two cubics, and a segment to the right of it.
-const std::vector<Curve> outline{SC::bezier_curve(std::vector<P>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}), SC::bezier_curve(std::vector<P>{{0, 4}, {1, 3}, {1, 1}, {0, 0}})};
+const std::vector<Curve> outline{SC::bezier_curve(std::vector<P>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
+                                 SC::bezier_curve(std::vector<P>{{0, 4}, {1, 3}, {1, 1}, {0, 0}})};
 const Curve segment = SC::segment_curve(P(6, 0), P(6, 3));
 
 std::vector<std::string> names(const Layers& layers)
@@ -183,7 +185,9 @@ TEST(Planar_layers, Offsets)
   EXPECT_NEAR(area(layers), 6 + 3.14159265358979, 0.01);
   EXPECT_EQ(layers[1].lines.size(), 2U);
   EXPECT_EQ(layers[2].lines.size(), 2U);
-  expect_layers(SC::planar_layers(SC::trimmed_offset(std::vector<Curve>{SC::circle_curve(P(0, 0), 3.)}, 1), 1e-2), {"area", "curve"});   // a ring
+  // a ring
+  expect_layers(SC::planar_layers(SC::trimmed_offset(std::vector<Curve>{SC::circle_curve(P(0, 0), 3.)}, 1), 1e-2),
+                {"area", "curve"});
 }
 
 TEST(Planar_layers, RegionsAndSums)
@@ -193,7 +197,8 @@ TEST(Planar_layers, RegionsAndSums)
   const Layers layers = SC::planar_layers(region, 1e-3);
   expect_layers(layers, {"area"});
   EXPECT_NEAR(area(layers), exact, 0.02);
-  const Layers sum = SC::planar_layers(SC::minkowski_sum(region, SC::planar_region(SC::circle_curve(P(0, 0), 1.))), 1e-3);
+  const Layers sum =
+      SC::planar_layers(SC::minkowski_sum(region, SC::planar_region(SC::circle_curve(P(0, 0), 1.))), 1e-3);
   expect_layers(sum, {"area", "boundary"});
   EXPECT_GT(area(sum), exact + 3);
   expect_layers(SC::planar_layers(SC::swept_area(region, segment), 1e-3), {"area", "boundary"});
@@ -205,15 +210,18 @@ TEST(Planar_layers, HullsKernelsAndVisibleParts)
   expect_layers(hull, {"area", "arc", "segment"});
   EXPECT_GT(area(hull), SC::to_nearest_double(SC::planar_region(outline).area().first));
   expect_layers(SC::planar_layers(SC::region_kernel(SC::planar_region(outline)), 1e-3), {"area", "arc", "segment"});
-  EXPECT_EQ(names(SC::planar_layers(SC::visible_part(P(2, 2), outline), 1e-3)), (std::vector<std::string>{"area", "arc"}));
-  expect_layers(SC::planar_layers(SC::visible_part(P(2, 2), std::vector<Curve>{segment}), 1e-3), {"area", "arc", "open"});
+  EXPECT_EQ(names(SC::planar_layers(SC::visible_part(P(2, 2), outline), 1e-3)),
+            (std::vector<std::string>{"area", "arc"}));
+  expect_layers(SC::planar_layers(SC::visible_part(P(2, 2), std::vector<Curve>{segment}), 1e-3),
+                {"area", "arc", "open"});
   const std::vector<Curve> rings{SC::circle_curve(P(0, 0), 3.), SC::circle_curve(P(0, 0), 1.)};
   EXPECT_TRUE(SC::planar_layers(SC::region_kernel(SC::planar_region(rings)), 1e-3).empty());
 }
 
 TEST(Planar_layers, Distances)
 {
-  const auto distance = SC::region_distance(SC::planar_region(SC::circle_curve(P(0, 0), 1.)), SC::planar_region(SC::circle_curve(P(5, 0), 1.)));
+  const auto distance = SC::region_distance(SC::planar_region(SC::circle_curve(P(0, 0), 1.)),
+                                            SC::planar_region(SC::circle_curve(P(5, 0), 1.)));
   const Layers layers = SC::planar_layers(distance, 1.);
   expect_layers(layers, {"distance"});
   EXPECT_NEAR(CGAL::squared_distance(layers[0].lines.at(0)[0], layers[0].lines[0][1]), 9, 1e-6);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Plane sections and contour lines: levels of a torus and a sphere, among them those along breaks and poles, height fields beside `intersection_curves()`.
+// Plane sections and contour lines: levels of a torus and a sphere, among them those along breaks and poles, height
+// fields beside `intersection_curves()`.
 
 #include "surface_test_names.h"
 
@@ -20,7 +21,8 @@ namespace {
 
 const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1);
 
-void expect_sections(const Surface& surface, const Vector& direction, const std::vector<Rational>& levels, const std::vector<std::pair<std::size_t, std::size_t>>& closed_and_open)
+void expect_sections(const Surface& surface, const Vector& direction, const std::vector<Rational>& levels,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& closed_and_open)
 {
   const auto sections = SC::plane_sections(surface, direction, levels);
   ASSERT_EQ(sections.size(), levels.size());
@@ -40,7 +42,8 @@ TEST(Plane_sections, torus)
 {
   expect_sections(torus, Vector(0, 0, 1), {2, 1, Rational(3, 5), 0, -1}, {{0, 0}, {1, 0}, {2, 0}, {2, 0}, {1, 0}});
   expect_sections(torus, Vector(1, 0, 0), {0, 1, 3, Rational(7, 2), 5}, {{2, 0}, {2, 0}, {1, 0}, {1, 0}, {0, 0}});
-  // A plane that touches it at the inner equator, which is a break: a figure of eight, whose crossing is proved or reported.
+  // A plane that touches it at the inner equator, which is a break: a figure of eight, whose crossing is proved or
+  // reported.
   const auto touching = SC::plane_sections(torus, Vector(3, 4, 0), {Rational(10)});
   EXPECT_FALSE(touching[0].curves().empty());
   EXPECT_EQ(touching[0].singular_points().size() + touching[0].undecided().size(), 1u);

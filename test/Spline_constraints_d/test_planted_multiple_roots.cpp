@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// 500 random systems with known multiple and simple roots, and others on which the solver has a limit that it may reach: there, nothing it says is wrong.
+// 500 random systems with known multiple and simple roots, and others on which the solver has a limit that it may
+// reach: there, nothing it says is wrong.
 
 #include "planted_multiple_roots.h"
 #include "solver_test_checks.h"
@@ -15,7 +16,8 @@ using Solution = Solutions::Solution;
 
 static bool is_rational(const Planted_problem& problem)
 {
-  return std::all_of(problem.roots.begin(), problem.roots.end(), [](const Planted_root& root) { return root.is_rational(); });
+  return std::all_of(problem.roots.begin(), problem.roots.end(),
+                     [](const Planted_root& root) { return root.is_rational(); });
 }
 
 static std::vector<Point> points_of(const Planted_problem& problem)
@@ -30,18 +32,21 @@ static std::vector<Point> points_of(const Planted_problem& problem)
 static void expect_right(const Planted_root& root, const Solution& solution)
 {
   EXPECT_TRUE(!solution.is_certified() || root.multiplicity == 1) << text_of(root.point) << " is certified";
-  EXPECT_TRUE(solution.kind() != Solution_kind::CLUSTER || solution.multiplicity() == root.multiplicity || solution.multiplicity() == 0)
-    << text_of(root.point) << " has multiplicity " << root.multiplicity << " and not " << solution.multiplicity();
+  EXPECT_TRUE(solution.kind() != Solution_kind::CLUSTER || solution.multiplicity() == root.multiplicity ||
+              solution.multiplicity() == 0)
+      << text_of(root.point) << " has multiplicity " << root.multiplicity << " and not " << solution.multiplicity();
 }
 
 static void expect_found(const Planted_root& root, const Solution& solution)
 {
   expect_right(root, solution);
-  const bool is_left_open = solution.kind() == Solution_kind::UNDECIDED && solution.reason() == SC::Undecided_reason::TOLERANCE;
+  const bool is_left_open =
+      solution.kind() == Solution_kind::UNDECIDED && solution.reason() == SC::Undecided_reason::TOLERANCE;
   if (root.multiplicity == 1)
     EXPECT_EQ(solution.kind(), Solution_kind::CERTIFIED) << text_of(root.point);
   else
-    EXPECT_TRUE(solution.kind() == Solution_kind::CLUSTER || (!root.is_rational() && is_left_open)) << text_of(root.point) << ": " << solution.kind() << ", " << solution.reason();
+    EXPECT_TRUE(solution.kind() == Solution_kind::CLUSTER || (!root.is_rational() && is_left_open))
+        << text_of(root.point) << ": " << solution.kind() << ", " << solution.reason();
 }
 
 // The answers and the roots belong together one by one.
@@ -60,7 +65,9 @@ static void expect_all_found(const Planted_problem& problem, const Solutions& so
   }
   for (const Solution& solution : solutions) {
     const auto box = solution.exact_box();
-    EXPECT_EQ(std::count_if(problem.roots.begin(), problem.roots.end(), [&](const Planted_root& root) { return meets(box, root.point); }), 1);
+    EXPECT_EQ(std::count_if(problem.roots.begin(), problem.roots.end(),
+                            [&](const Planted_root& root) { return meets(box, root.point); }),
+              1);
     EXPECT_EQ(verify(problem.system, solution), solution.kind() != Solution_kind::UNDECIDED) << solution.kind();
   }
   expect_consistent_regions(solutions);
@@ -86,7 +93,8 @@ struct Counts
         for (const Solution& solution : solutions)
           if (meets(solution.exact_box(), root.point)) {
             undecided += solution.multiplicity() == 0;
-            EXPECT_TRUE(solution.multiplicity() != 0 || root.multiplicity > 8) << text_of(root.point) << " of multiplicity " << root.multiplicity;
+            EXPECT_TRUE(solution.multiplicity() != 0 || root.multiplicity > 8)
+                << text_of(root.point) << " of multiplicity " << root.multiplicity;
           }
     }
   }
@@ -121,7 +129,8 @@ TEST(Planted_multiple_roots, TwoUnknowns) { run(2); }
 TEST(Planted_multiple_roots, ThreeUnknowns) { run(3); }
 TEST(Planted_multiple_roots, FourUnknowns) { run(4); }
 
-// Curves that touch to a high order are not told apart over long stretches in double. The answers may be many, but no root is lost, and none of them is wrong.
+// Curves that touch to a high order are not told apart over long stretches in double. The answers may be many, but no
+// root is lost, and none of them is wrong.
 TEST(Planted_multiple_roots, HighContact)
 {
   constexpr int count = 100, highest_contact = 9;

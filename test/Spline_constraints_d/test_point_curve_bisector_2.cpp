@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Bisectors of a point and a curve: exactly parabolas, ellipses and hyperbolas; exact distances and perpendiculars everywhere; poles.
+// Bisectors of a point and a curve: exactly parabolas, ellipses and hyperbolas; exact distances and perpendiculars
+// everywhere; poles.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
@@ -25,9 +26,11 @@ using Curve = SC::Bspline_curve_2<K>;
 
 namespace {
 
-// Exactly: the center of a circle through the point that touches the curve at the same parameter. Calls check(center) for some of them.
+// Exactly: the center of a circle through the point that touches the curve at the same parameter. Calls check(center)
+// for some of them.
 template <class Check>
-void check_centers(const SC::Point_curve_bisector_2& bisector, const Point& point, const Curve& curve, const Check& check)
+void check_centers(const SC::Point_curve_bisector_2& bisector, const Point& point, const Curve& curve,
+                   const Check& check)
 {
   EXPECT_TRUE(bisector.summary.is_complete);
   EXPECT_TRUE(bisector.undecided.empty());
@@ -78,7 +81,8 @@ TEST(Point_curve_bisector_2, point_and_circle_have_an_ellipse_or_a_hyperbola)
     const auto hyperbola = SC::point_curve_bisector(outside, circle);
     EXPECT_EQ(hyperbola.poles.size(), 2u);
     EXPECT_EQ(hyperbola.curves.size(), number_of_curves);
-    check_centers(hyperbola, outside, circle, [&outside = outside, &center](const Point& p) { EXPECT_TRUE(is_on_conic(p, outside, center, 3)); });
+    check_centers(hyperbola, outside, circle,
+                  [&outside = outside, &center](const Point& p) { EXPECT_TRUE(is_on_conic(p, outside, center, 3)); });
   }
 }
 

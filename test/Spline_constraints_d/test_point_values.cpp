@@ -69,7 +69,11 @@ TEST(Point_values, AreAsCloseAsTheySay)
   const auto x = variables(3);
   for (int round = 0; round < 300; ++round) {
     // Numbers that cannot be doubles, or only some on the way, too.
-    const Rational large(0x1p1000), scale = round % 5 == 0 ? large * large : round % 5 == 1 ? 1 / large : round % 5 == 2 ? 1 / (large * large) : Rational(1);
+    const Rational large(0x1p1000),
+        scale = round % 5 == 0 ? large * large
+        : round % 5 == 1       ? 1 / large
+        : round % 5 == 2       ? 1 / (large * large)
+                               : Rational(1);
     const SC::Spline_function function(random_polynomial(random, x) * scale);
     std::vector<Rational> point = random_point(random, 3);
     if (round % 7 == 0)   // zero for a double
@@ -116,7 +120,8 @@ TEST(Point_values, TellRegularRootsFromMultipleOnes)
     for (int i = 0; i < n; ++i) {
       Polynomial f(Rational(0));
       for (int j = 0; j < n; ++j)
-        f = f + matrix[i][j] * (x[j] - root[j]) + random.ratio(-3, 3, 5) * (x[j] - root[j]) * (x[random.integer(0, n - 1)] - root[j]) * (x[j] - root[j]);
+        f = f + matrix[i][j] * (x[j] - root[j]) +
+            random.ratio(-3, 3, 5) * (x[j] - root[j]) * (x[random.integer(0, n - 1)] - root[j]) * (x[j] - root[j]);
       functions.push_back(f);
     }
     const System system = with_equalities(cube(n, -10, 10), functions);

@@ -24,20 +24,23 @@ static Rational power_of_ten(int exponent)
   return exponent < 0 ? Rational(1 / result) : result;
 }
 
-// A parabola, bent or not, and a line that crosses it at two points `gap` apart around (u, v); at the same distance on the other side for a negative sign.
+// A parabola, bent or not, and a line that crosses it at two points `gap` apart around (u, v); at the same distance on
+// the other side for a negative sign.
 static Problem parabola_and_line(const Rational& u, const Rational& v, const Rational& gap, int sign)
 {
   const Polynomial a = x - u, b = y - v;
   std::vector<Point> known;
   if (sign > 0)
-    known = {{Rational(u - gap / 2), Rational(v + gap * gap / 4)}, {Rational(u + gap / 2), Rational(v + gap * gap / 4)}};
+    known = {{Rational(u - gap / 2), Rational(v + gap * gap / 4)},
+             {Rational(u + gap / 2), Rational(v + gap * gap / 4)}};
   return all_known("parabola and line", with_equalities(cube(2, -2, 2), {b - a * a, b - sign * gap * gap / 4}), known);
 }
 
 TEST(Precision_ladder, GapsOnBothSides)
 {
   for (int digits : {5, 10, 20, 40, 100})
-    for (const auto& [u, v] : {std::pair<Rational, Rational>{0, 0}, {fraction(1, 3), fraction(1, 7)}, {1, fraction(-1, 2)}}) {
+    for (const auto& [u, v] :
+         {std::pair<Rational, Rational>{0, 0}, {fraction(1, 3), fraction(1, 7)}, {1, fraction(-1, 2)}}) {
       SCOPED_TRACE(std::to_string(digits) + " digits");
       const Problem crossing = parabola_and_line(u, v, power_of_ten(-digits), 1);
       const SC::Solver_options options{.ladder_precision = 512};
@@ -59,7 +62,8 @@ TEST(Precision_ladder, GapsOnBothSides)
 
 TEST(Precision_ladder, Contact)
 {
-  for (const auto& [u, v] : {std::pair<Rational, Rational>{0, 0}, {fraction(1, 3), fraction(1, 7)}, {1, fraction(-1, 2)}}) {
+  for (const auto& [u, v] :
+       {std::pair<Rational, Rational>{0, 0}, {fraction(1, 3), fraction(1, 7)}, {1, fraction(-1, 2)}}) {
     const Problem problem = parabola_and_line(u, v, 0, 0);
     const auto solutions = solve(problem.system);
     EXPECT_TRUE(solutions.is_complete());
@@ -76,7 +80,8 @@ TEST(Precision_ladder, OneOfMany)
 {
   const Rational gap = power_of_ten(-30);
   const Polynomial factor = (x - fraction(1, 3)) * (x - fraction(1, 3) - gap) * (x - 1) * (x + 1);
-  const Problem problem = all_known("one pair of many", with_equalities(cube(2, -2, 2), {factor, y * y - x - fraction(3, 2)}), {});
+  const Problem problem =
+      all_known("one pair of many", with_equalities(cube(2, -2, 2), {factor, y * y - x - fraction(3, 2)}), {});
   const auto solutions = solve(problem.system);
   EXPECT_TRUE(solutions.is_complete());
   EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 8u);
@@ -107,7 +112,10 @@ TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
 {
   const Coordinate root = Coordinate::near(std::pow(2.0, 1. / 7));
   const auto power = x * x * x * x * x * x * x - 2;
-  const Problem problem{"triple at an irrational point", with_equalities(cube(2, 0, 2), {square(power) * power, y - x}), 1, {{root, root}}};
+  const Problem problem{"triple at an irrational point",
+                        with_equalities(cube(2, 0, 2), {square(power) * power, y - x}),
+                        1,
+                        {{root, root}}};
   const auto solutions = solve(problem.system);
   EXPECT_FALSE(solutions.is_complete());
   expect_nothing_lost(problem.known, solutions);
@@ -116,12 +124,18 @@ TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
   expect_nothing_lost(problem.known, stopped);
 }
 
-// The lines that touch four spheres: double roots for whose proof the zero bound asks too many bits. They are proved in a number field, and the boxes do not climb, since no rung would tell.
+// The lines that touch four spheres: double roots for whose proof the zero bound asks too many bits. They are proved in
+// a number field, and the boxes do not climb, since no rung would tell.
 TEST(Precision_ladder, DoubleRootsBeyondTheZeroBound)
 {
   const Polynomial z = Polynomial::variable(2), xx = square(x), yy = square(y), zz = square(z);
-  const Coordinate plus = Coordinate::near(std::sqrt(0.5)), minus = Coordinate::near(-std::sqrt(0.5)), zero = Coordinate::near(0);
-  Problem problem{"lines that touch four spheres", with_equalities(cube(3, -1, 1), {x * y * z, xx * yy + yy * zz + zz * xx - fraction(1, 4), xx + yy + zz - 1}), 12, {}};
+  const Coordinate plus = Coordinate::near(std::sqrt(0.5)), minus = Coordinate::near(-std::sqrt(0.5)),
+                   zero = Coordinate::near(0);
+  Problem problem{
+      "lines that touch four spheres",
+      with_equalities(cube(3, -1, 1), {x * y * z, xx * yy + yy * zz + zz * xx - fraction(1, 4), xx + yy + zz - 1}),
+      12,
+      {}};
   for (const Coordinate& a : {plus, minus})
     for (const Coordinate& b : {plus, minus})
       problem.known.insert(problem.known.end(), {{a, b, zero}, {b, zero, a}, {zero, a, b}});
@@ -163,7 +177,8 @@ TEST(Precision_ladder, RootOfTwoBoxesIsReportedOnce)
   SC::Summary summary;
   I::Precision_ladder ladder(system, layout, source, known, options, control, summary);
   std::vector<SC::Solution_d<double>> solutions;
-  for (const auto& [lower, upper] : {std::pair(0.6823278, 0.68232781), {0.6823278038, 0.6823278039}, {0.5, 0.50000001}, {0.6823278, 0.68232781}}) {
+  for (const auto& [lower, upper] :
+       {std::pair(0.6823278, 0.68232781), {0.6823278038, 0.6823278039}, {0.5, 0.50000001}, {0.6823278, 0.68232781}}) {
     const I::Open_box<double> box{{lower, lower}, {upper, upper}, SC::Undecided_reason::TOLERANCE, {0, 0}};
     ladder.report(box, I::classified<double>(system, box), solutions);
   }

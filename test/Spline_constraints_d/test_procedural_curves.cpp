@@ -59,7 +59,8 @@ std::vector<double> parameters_of(const SC::Locus_intersections<d>& intersection
   return result;
 }
 
-// At the distance 1 inside of the parabola. Its offset meets the axis where it begins to turn, and twice in (0, 5/4), where it meets itself.
+// At the distance 1 inside of the parabola. Its offset meets the axis where it begins to turn, and twice in (0, 5/4),
+// where it meets itself.
 TEST(Procedural_curves, OffsetOfParabola)
 {
   const SC::Offset_curve_2 offset(parabola, 1);
@@ -74,7 +75,8 @@ TEST(Procedural_curves, OffsetOfParabola)
       EXPECT_NEAR(answer.coordinate(1), std::abs(answer.parameter(0)) < 0.5 ? 1 : 1.25, 1e-12);
     }
   }
-  const auto across = SC::intersections(SC::segment_curve(K::Point_2(-4, ratio(5, 4)), K::Point_2(4, ratio(5, 4))), offset);
+  const auto across =
+      SC::intersections(SC::segment_curve(K::Point_2(-4, ratio(5, 4)), K::Point_2(4, ratio(5, 4))), offset);
   EXPECT_EQ(parameters_of(across, 1), (std::vector<double>{-0.866025404, 0.866025404}));
   // On the other side there is one point.
   const auto below = SC::intersections(SC::Offset_curve_2(parabola, -1), axis);
@@ -97,7 +99,8 @@ TEST(Procedural_curves, OffsetOfParabola)
     EXPECT_NEAR(cusp.coordinate(0), p[0], 1e-7);
     EXPECT_NEAR(cusp.coordinate(1), p[1], 1e-7);
   }
-  // Up to the distance 1/2 there are none; then the first cusp is the center of curvature at the vertex: the offset goes on.
+  // Up to the distance 1/2 there are none; then the first cusp is the center of curvature at the vertex: the offset
+  // goes on.
   for (const Exact_rational& r : std::vector<Exact_rational>{ratio(1, 2), ratio(1, 3), -1})
     expect_complete(SC::self_intersections(SC::Offset_curve_2(parabola, r)), 0);
   expect_complete(SC::cusps(SC::Offset_curve_2(parabola, -1)), 0);
@@ -108,7 +111,8 @@ TEST(Procedural_curves, OffsetOfParabola)
   EXPECT_EQ(vertex[0].parameter_range(0), Range(0, 0));
 }
 
-// The parabola above in two pieces of different speed, an ellipse with its seam on the axis, and a closed spline: breaks of the curve are no self-intersections.
+// The parabola above in two pieces of different speed, an ellipse with its seam on the axis, and a closed spline:
+// breaks of the curve are no self-intersections.
 TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
 {
   const SC::Bspline_curve_2<K> two(2, {0, 0, 0, 1, 1, 3, 3, 3}, {{-2, 4}, {-1, 0}, {0, 0}, {1, 0}, {2, 4}});
@@ -118,7 +122,8 @@ TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
   EXPECT_NEAR(at_vertex[0].parameter(1), 1 + std::sqrt(0.75), 1e-12);
   EXPECT_NEAR(at_vertex[0].coordinate(1), 1.25, 1e-12);
 
-  // The normal from (x,y) on the ellipse meets the axis at 3x/4, at the distance 3/4 if x^2/16 + y^2 = 9/16: so x^2 = 7/3.
+  // The normal from (x,y) on the ellipse meets the axis at 3x/4, at the distance 3/4 if x^2/16 + y^2 = 9/16: so x^2 =
+  // 7/3.
   const auto ellipse = SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(2, 0), K::Vector_2(0, 1));
   const auto at_seam = SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(3, 4)));
   expect_complete(at_seam, 2);
@@ -129,7 +134,8 @@ TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
   expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(1, 3))), 0);
   expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, -1)), 0);
 
-  const auto corner = SC::self_intersections(SC::Offset_curve_2(SC::polyline_curve(Points{{0, 0}, {2, 0}, {2, 2}}), ratio(1, 2)));
+  const auto corner =
+      SC::self_intersections(SC::Offset_curve_2(SC::polyline_curve(Points{{0, 0}, {2, 0}, {2, 2}}), ratio(1, 2)));
   expect_complete(corner, 1);
   EXPECT_EQ(parameters_of(corner, 0), (std::vector<double>{0.75}));
   EXPECT_EQ(parameters_of(corner, 1), (std::vector<double>{1.25}));
@@ -152,7 +158,8 @@ TEST(Procedural_curves, OffsetsOfCircles)
   EXPECT_NEAR(knot[0].parameter(1), 1, 1e-12);
 
   for (int slope = -5; slope <= 5; ++slope) {   // through the seam (2,0) and another point
-    const auto chord = SC::intersections(outside, SC::segment_curve(K::Point_2(-10, -12 * slope), K::Point_2(10, 8 * slope)));
+    const auto chord =
+        SC::intersections(outside, SC::segment_curve(K::Point_2(-10, -12 * slope), K::Point_2(10, 8 * slope)));
     expect_complete(chord, 2);
     EXPECT_EQ(chord.count(Kind::END_POINT), 1u);
     EXPECT_EQ(chord.count(Kind::TRANSVERSAL), 1u);
@@ -161,8 +168,9 @@ TEST(Procedural_curves, OffsetsOfCircles)
   // Circles of radius 2 around (0,0) and (3,0), as offset of a curve, equation and curve.
   const auto other = SC::circle_curve(K::Point_2(3, 0), K::FT(1));
   const SC::Implicit_curve_2 equation(pow(x - 3, 2) + y * y - 4, wide);
-  for (const auto& answers : {SC::intersections(outside, SC::Offset_curve_2(other, -1)), SC::intersections(outside, equation),
-                              SC::intersections(outside, SC::circle_curve(K::Point_2(3, 0), K::FT(2)))}) {
+  for (const auto& answers :
+       {SC::intersections(outside, SC::Offset_curve_2(other, -1)), SC::intersections(outside, equation),
+        SC::intersections(outside, SC::circle_curve(K::Point_2(3, 0), K::FT(2)))}) {
     expect_complete(answers, 2);
     EXPECT_EQ(answers.count(Kind::TRANSVERSAL), 2u);
     for (const auto& answer : answers) {
@@ -187,8 +195,11 @@ TEST(Procedural_curves, OffsetsOfCircles)
 
 TEST(Procedural_curves, EndsAndCorners)
 {
-  const SC::Offset_curve_2 offset(SC::polyline_curve(Points{{0, 0}, {2, 0}, {2, 2}}), ratio(1, 2));   // y = 1/2 up to (2,1/2), and x = 3/2 from (3/2,0) on
-  const auto at = [&](const K::Point_2& p, const K::Point_2& q) { return SC::intersections(offset, SC::segment_curve(p, q)); };
+  // y = 1/2 up to (2,1/2), and x = 3/2 from (3/2,0) on
+  const SC::Offset_curve_2 offset(SC::polyline_curve(Points{{0, 0}, {2, 0}, {2, 2}}), ratio(1, 2));
+  const auto at = [&](const K::Point_2& p, const K::Point_2& q) {
+    return SC::intersections(offset, SC::segment_curve(p, q));
+  };
   const auto end = at({0, -1}, {0, 2});
   expect_complete(end, 1);
   EXPECT_TRUE(end[0].kind() == Kind::END_POINT && end[0].is_at_end(0));
@@ -211,7 +222,8 @@ TEST(Procedural_curves, Evolutes)
 {
   const SC::Evolute_2 evolute(parabola);
   for (const Exact_rational& t : std::vector<Exact_rational>{-2, 0, ratio(1, 3), 1})
-    EXPECT_EQ(evolute(t), (std::array<Exact_rational, 2>{Exact_rational(-4 * t * t * t), Exact_rational(3 * t * t + ratio(1, 2))}));
+    EXPECT_EQ(evolute(t),
+              (std::array<Exact_rational, 2>{Exact_rational(-4 * t * t * t), Exact_rational(3 * t * t + ratio(1, 2))}));
   const SC::Implicit_curve_2 semicubical(27 * x * x - 16 * pow(y - ratio(1, 2), 3), {{{-40, 40}, {0, 20}}});
   const auto same = SC::intersections(evolute, semicubical);
   expect_complete(same, 1);
@@ -224,19 +236,22 @@ TEST(Procedural_curves, Evolutes)
   const auto cusp = SC::intersections(evolute, SC::Implicit_curve_2(x, wide));
   expect_complete(cusp, 1);
   EXPECT_TRUE(cusp[0].kind() == Kind::TANGENT && cusp[0].multiplicity() == 3);
-  const auto two = SC::intersections(evolute, SC::Evolute_2(parabola.transformed(K::Aff_transformation_2(0, 1, 0, 1, 0, 0))));
+  const auto two =
+      SC::intersections(evolute, SC::Evolute_2(parabola.transformed(K::Aff_transformation_2(0, 1, 0, 1, 0, 0))));
   expect_complete(two, 1);
   EXPECT_NEAR(two[0].coordinate(0), two[0].coordinate(1), 1e-12);
 
   // An evolute with a pole, at the inflection of a cubic; and straight curves, which have none.
-  const SC::Evolute_2 of_cubic(SC::bezier_curve(Points{{-1, -1}, {ratio(-1, 3), 1}, {ratio(1, 3), -1}, {1, 1}}));   // y = x^3
+  // y = x^3
+  const SC::Evolute_2 of_cubic(SC::bezier_curve(Points{{-1, -1}, {ratio(-1, 3), 1}, {ratio(1, 3), -1}, {1, 1}}));
   EXPECT_FALSE(of_cubic(ratio(1, 2)));
   const auto far = SC::intersections(of_cubic, SC::segment_curve(K::Point_2(-100, 100), K::Point_2(100, 100)));
   EXPECT_TRUE(far.is_complete());
   for (const auto& answer : far)
     EXPECT_NEAR(CGAL::to_double((*of_cubic(answer.parameter_range(0).first))[1]), 100, 1e-6);
   EXPECT_EQ(far.size(), 1u);
-  expect_complete(SC::intersections(SC::Evolute_2(SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 1))), semicubical), 0);
+  expect_complete(SC::intersections(SC::Evolute_2(SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 1))), semicubical),
+                  0);
 }
 
 // (2x)^(2/3) + y^(2/3) = 3^(2/3), piece by piece.
@@ -267,13 +282,19 @@ TEST(Procedural_curves, PlantedNormals)
   const auto number = [&](int range) { return Exact_rational(static_cast<int>(random() % (2 * range + 1)) - range); };
   int found = 0;
   for (int round = 0; round < 30; ++round) {
-    const auto curve = SC::bezier_curve(Points{{0, number(9)}, {5 + number(3), number(9)}, {12 + number(3), number(9)}, {20, number(9)}});
+    const auto curve = SC::bezier_curve(
+        Points{{0, number(9)}, {5 + number(3), number(9)}, {12 + number(3), number(9)}, {20, number(9)}});
     const Exact_rational t = ratio(static_cast<int>(1 + random() % 9), 10);
     const K::Vector_2 normal = curve.normal(t);
     const SC::Offset_curve_2 offset(curve, 1);
     const auto answers = SC::intersections(offset, SC::segment_curve(curve(t), curve(t) + 3 * normal));
     ASSERT_TRUE(answers.is_complete()) << round << ' ' << answers.summary();
-    EXPECT_EQ(std::count_if(answers.begin(), answers.end(), [&](const auto& answer) { return answer.parameter_range(0).first <= t && t <= answer.parameter_range(0).second; }), 1) << round;
+    EXPECT_EQ(std::count_if(answers.begin(), answers.end(),
+                            [&](const auto& answer) {
+                              return answer.parameter_range(0).first <= t && t <= answer.parameter_range(0).second;
+                            }),
+              1)
+        << round;
     for (const auto& answer : answers) {
       const std::array<double, 2> p = offset(answer.parameter_range(0).first);
       EXPECT_NEAR(p[0], answer.coordinate(0), 1e-9);
@@ -284,7 +305,8 @@ TEST(Procedural_curves, PlantedNormals)
   EXPECT_GE(found, 30);
 }
 
-// A line as a curve and as an equation, and all of it turned by the angle of a 3-4-5 triangle: the same answers of both descriptions of offsets and evolutes.
+// A line as a curve and as an equation, and all of it turned by the angle of a 3-4-5 triangle: the same answers of both
+// descriptions of offsets and evolutes.
 TEST(Procedural_curves, TwoDescriptions)
 {
   std::mt19937 random(23);
@@ -292,14 +314,18 @@ TEST(Procedural_curves, TwoDescriptions)
   const K::Aff_transformation_2 turn(ratio(3, 5), ratio(-4, 5), ratio(4, 5), ratio(3, 5));
   std::size_t found = 0;
   for (int round = 0; round < 30; ++round) {
-    const auto curve = SC::bezier_curve(Points{{0, number(9)}, {4, number(9)}, {12, number(9)}, {20, number(9)}}, round % 3 == 0 ? std::vector<K::FT>{1, 2, 2, 1} : std::vector<K::FT>{});
+    const auto curve = SC::bezier_curve(Points{{0, number(9)}, {4, number(9)}, {12, number(9)}, {20, number(9)}},
+                                        round % 3 == 0 ? std::vector<K::FT>{1, 2, 2, 1} : std::vector<K::FT>{});
     const K::Point_2 p(0, number(8)), q(20, number(8));
     const auto segment = SC::segment_curve(p - 3 * (q - p), q + 3 * (q - p));
     const K::Line_2 line(p, q);
-    const SC::Implicit_curve_2 equation(Power_polynomial(line.a()) * x + Power_polynomial(line.b()) * y + Power_polynomial(line.c()), {{{-60, 80}, {-4000, 4000}}});
+    const SC::Implicit_curve_2 equation(Power_polynomial(line.a()) * x + Power_polynomial(line.b()) * y +
+                                            Power_polynomial(line.c()),
+                                        {{{-60, 80}, {-4000, 4000}}});
     const Exact_rational r = round % 2 == 0 ? ratio(3, 2) : ratio(-5, 7);
     const SC::Offset_curve_2 offset(curve, r), turned(curve.transformed(turn), r);
-    const auto by_curve = SC::intersections(offset, segment), by_equation = SC::intersections(offset, equation), of_turned = SC::intersections(segment.transformed(turn), turned);
+    const auto by_curve = SC::intersections(offset, segment), by_equation = SC::intersections(offset, equation),
+               of_turned = SC::intersections(segment.transformed(turn), turned);
     EXPECT_TRUE(by_curve.is_complete() && by_equation.is_complete() && of_turned.is_complete()) << round;
     EXPECT_EQ(parameters_of(by_curve, 0), parameters_of(by_equation, 0)) << round;
     EXPECT_EQ(parameters_of(by_curve, 0), parameters_of(of_turned, 1)) << round;
@@ -308,7 +334,11 @@ TEST(Procedural_curves, TwoDescriptions)
     const auto on_segment = SC::intersections(evolute, segment), on_equation = SC::intersections(evolute, equation);
     EXPECT_TRUE(on_segment.is_complete() && on_equation.is_complete()) << round;
     for (const auto& answer : on_segment)   // the segment ends, the box is wider
-      EXPECT_EQ(std::count_if(on_equation.begin(), on_equation.end(), [&](const auto& other) { return std::abs(other.parameter(0) - answer.parameter(0)) < 1e-9; }), 1) << round;
+      EXPECT_EQ(
+          std::count_if(on_equation.begin(), on_equation.end(),
+                        [&](const auto& other) { return std::abs(other.parameter(0) - answer.parameter(0)) < 1e-9; }),
+          1)
+          << round;
     found += on_segment.size();
   }
   EXPECT_GE(found, 25u);
@@ -322,14 +352,16 @@ TEST(Procedural_curves, OffsetSurface)
   for (const int u : {-1, 0, 1})
     for (const int v : {-1, 0, 1})
       points.emplace_back(u, v, (u == 0 ? -1 : 1) + (v == 0 ? -1 : 1));
-  const Surface paraboloid = Surface({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, points).with_domain(0, -1, 1).with_domain(1, -1, 1);
+  const Surface paraboloid =
+      Surface({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, points).with_domain(0, -1, 1).with_domain(1, -1, 1);
   const SC::Offset_surface_3 offset(paraboloid, 1);
   const auto line = SC::segment_curve(K::Point_3(ratio(-9, 40), 0, 0), K::Point_3(ratio(-9, 40), 0, 3));
   const auto answers = SC::intersections(line, offset);
   expect_complete(answers, 2);
   EXPECT_EQ(answers.count(Kind::TRANSVERSAL), 2u);
   EXPECT_TRUE(std::any_of(answers.begin(), answers.end(), [](const auto& answer) {
-    return std::abs(answer.parameter(1, 0) - 0.375) < 1e-12 && std::abs(answer.parameter(1, 1)) < 1e-12 && std::abs(answer.coordinate(2) - 301.0 / 320) < 1e-12;
+    return std::abs(answer.parameter(1, 0) - 0.375) < 1e-12 && std::abs(answer.parameter(1, 1)) < 1e-12 &&
+        std::abs(answer.coordinate(2) - 301.0 / 320) < 1e-12;
   }));
   EXPECT_THROW(SC::Offset_surface_3(SC::sphere_surface(K::Point_3(0, 0, 0), K::FT(1)), 1), Invalid_input);
 }
@@ -337,11 +369,13 @@ TEST(Procedural_curves, OffsetSurface)
 TEST(Procedural_curves, BadInput)
 {
   EXPECT_THROW(SC::Offset_curve_2(parabola, 0), Invalid_input);
-  const auto cusp = SC::bezier_curve(Points{{1, -1}, {ratio(-1, 3), 1}, {ratio(-1, 3), -1}, {1, 1}});   // (u^2, u^3) on [-1,1]
+  // (u^2, u^3) on [-1,1]
+  const auto cusp = SC::bezier_curve(Points{{1, -1}, {ratio(-1, 3), 1}, {ratio(-1, 3), -1}, {1, 1}});
   EXPECT_THROW(SC::Offset_curve_2(cusp, 1), Invalid_input);
   EXPECT_THROW(SC::Evolute_2{cusp}, Invalid_input);
   EXPECT_THROW(SC::Offset_curve_2(parabola, 1)(3), Invalid_input);
-  EXPECT_THROW(SC::intersections(SC::Offset_curve_2(parabola, 1), SC::Implicit_curve_2(x, wide), {.tolerance = -1}), Invalid_input);
+  EXPECT_THROW(SC::intersections(SC::Offset_curve_2(parabola, 1), SC::Implicit_curve_2(x, wide), {.tolerance = -1}),
+               Invalid_input);
 }
 
 // The midpoints between the origin and the points of a curve: a locus that the package does not know.
@@ -367,15 +401,17 @@ public:
   std::vector<SC::Locus_end<2>> locus_ends() const { return {}; }
 };
 
-static_assert(SC::Locus<Halved_parabola> && SC::Locus<SC::Offset_curve_2> && SC::Locus<SC::Offset_surface_3> && SC::Locus<SC::Evolute_2> && SC::Locus<SC::Implicit_curve_2> &&
-              SC::Locus<SC::Parametric_locus<2, 3>> && !SC::Locus<decltype(parabola)> && !SC::Locus<int>);
+static_assert(SC::Locus<Halved_parabola> && SC::Locus<SC::Offset_curve_2> && SC::Locus<SC::Offset_surface_3> &&
+              SC::Locus<SC::Evolute_2> && SC::Locus<SC::Implicit_curve_2> && SC::Locus<SC::Parametric_locus<2, 3>> &&
+              !SC::Locus<decltype(parabola)> && !SC::Locus<int>);
 
 TEST(Procedural_curves, StubOfLocus)
 {
   const auto implicit = SC::intersections(Halved_parabola(), SC::Implicit_curve_2(y - 1, wide));
   expect_complete(implicit, 2);
   EXPECT_EQ(parameters_of(implicit, 0), (std::vector<double>{-1.414213562, 1.414213562}));
-  const auto offset = SC::intersections(SC::Offset_curve_2(SC::segment_curve(K::Point_2(-3, 0), K::Point_2(3, 0)), 1), Halved_parabola());
+  const auto offset = SC::intersections(SC::Offset_curve_2(SC::segment_curve(K::Point_2(-3, 0), K::Point_2(3, 0)), 1),
+                                        Halved_parabola());
   expect_complete(offset, 2);
   EXPECT_EQ(parameters_of(offset, 1), (std::vector<double>{-1.414213562, 1.414213562}));
 }

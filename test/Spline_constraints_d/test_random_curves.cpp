@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// 500 random curves in three unknowns, beside a sweep of a plane: f(x,y) = 0 is lifted to z = q(x,y), and both equations are mixed. The sweep knows of the curve only its fibers, its vertical tangents and where it
-// meets the sides of the square, from the solver for points.
+// 500 random curves in three unknowns, beside a sweep of a plane: f(x,y) = 0 is lifted to z = q(x,y), and both
+// equations are mixed. The sweep knows of the curve only its fibers, its vertical tangents and where it meets the sides
+// of the square, from the solver for points.
 
 #include "curve_test_checks.h"
 
@@ -75,7 +76,8 @@ public:
 private:
   static SC::Constraint_system_d system(int dimension, const std::vector<Power_polynomial>& equations)
   {
-    SC::Constraint_system_d result(std::vector<SC::Constraint_system_d::Domain>(static_cast<std::size_t>(dimension), {-1, 1}));
+    SC::Constraint_system_d result(
+        std::vector<SC::Constraint_system_d::Domain>(static_cast<std::size_t>(dimension), {-1, 1}));
     for (const Power_polynomial& equation : equations)
       result.add(equation, SC::Relation::EQUAL);
     return result;
@@ -108,7 +110,8 @@ private:
   std::vector<double> roots_at(double x) const
   {
     std::vector<double> result;
-    for (const auto& root : SC::solve(system(1, {m_f.substituted(0, Power_polynomial(Rational(x))).substituted(1, variable(0))})))
+    for (const auto& root :
+         SC::solve(system(1, {m_f.substituted(0, Power_polynomial(Rational(x))).substituted(1, variable(0))})))
       result.push_back(root.point()[0]);
     return result;
   }
@@ -194,10 +197,12 @@ Power_polynomial random_ovals(std::mt19937& random)
 {
   std::uniform_int_distribution<int> centre(-6, 6), square_of_radius(5, 40);
   const auto circle = [&] {
-    const Power_polynomial x = Power_polynomial::variable(0) - Power_polynomial(Rational(centre(random), 10)), y = Power_polynomial::variable(1) - Power_polynomial(Rational(centre(random), 10));
+    const Power_polynomial x = Power_polynomial::variable(0) - Power_polynomial(Rational(centre(random), 10)),
+                           y = Power_polynomial::variable(1) - Power_polynomial(Rational(centre(random), 10));
     return x * x + y * y - Power_polynomial(Rational(square_of_radius(random), 100));
   };
-  return Power_polynomial(Rational(100)) * circle() * circle() + Power_polynomial(Rational(1, 10)) * random_polynomial(3, 9, random);
+  return Power_polynomial(Rational(100)) * circle() * circle() +
+      Power_polynomial(Rational(1, 10)) * random_polynomial(3, 9, random);
 }
 
 } // namespace
@@ -214,7 +219,9 @@ void expect_ends(const SC::Curve_solution_set_d& set, const std::vector<std::arr
       }
   ASSERT_EQ(ends.size(), expected.size());
   for (const auto& [x, y] : expected)
-    EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [x = x, y = y](const auto& end) { return std::hypot(end[0] - x, end[1] - y) < 1e-9; }), 1);
+    EXPECT_EQ(std::count_if(ends.begin(), ends.end(),
+                            [x = x, y = y](const auto& end) { return std::hypot(end[0] - x, end[1] - y) < 1e-9; }),
+              1);
 }
 
 TEST(Random_curves, numbers_and_ends_of_curves_in_three_unknowns)
@@ -222,7 +229,8 @@ TEST(Random_curves, numbers_and_ends_of_curves_in_three_unknowns)
   std::mt19937 random(2026);
   std::size_t compared = 0, closed = 0, open = 0;
   for (int trial = 0; trial < 540 && compared < 500; ++trial) {
-    const Power_polynomial f = trial % 3 == 0 ? random_ovals(random) : random_polynomial(2 + trial % 3, 30, random), q = random_polynomial(2, 3, random);
+    const Power_polynomial f = trial % 3 == 0 ? random_ovals(random) : random_polynomial(2 + trial % 3, 30, random),
+                           q = random_polynomial(2, 3, random);
     Sweep sweep(f);
     const std::optional<Counts> expected = sweep();
     if (!expected)
@@ -231,7 +239,8 @@ TEST(Random_curves, numbers_and_ends_of_curves_in_three_unknowns)
     closed += expected->closed;
     open += expected->open;
     const Power_polynomial lift = Power_polynomial::variable(2) - q, x = Power_polynomial::variable(0);
-    SC::Constraint_system_d system(std::vector<SC::Constraint_system_d::Domain>{{-1, 1}, {-1, 1}, {-20, 20}});   // |q| <= 18
+    // |q| <= 18
+    SC::Constraint_system_d system(std::vector<SC::Constraint_system_d::Domain>{{-1, 1}, {-1, 1}, {-20, 20}});
     system.add(f + x * lift, SC::Relation::EQUAL);
     system.add(lift + Power_polynomial(Rational(1, 8)) * (f + x * lift), SC::Relation::EQUAL);
     const auto set = SC::solve_curves(system);

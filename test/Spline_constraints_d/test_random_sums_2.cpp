@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random Minkowski sums and swept areas: beside samples of both boundaries and areas in closed form, and after exact rotations and translations.
+// Random Minkowski sums and swept areas: beside samples of both boundaries and areas in closed form, and after exact
+// rotations and translations.
 #include "random_sums_2.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,7 +22,9 @@ namespace SC = CGAL::Spline_constraints;
 using random_sums::Scene;
 using random_sums::Scenes;
 
-// Points that samples prove to be inside or outside are. Areas are those of closed forms, up to the error of polygons, 0.00001, times the length of the boundary, which is less than 100; and the share of points up to four standard errors of fixed ones.
+// Points that samples prove to be inside or outside are. Areas are those of closed forms, up to the error of polygons,
+// 0.00001, times the length of the boundary, which is less than 100; and the share of points up to four standard errors
+// of fixed ones.
 void expect_agreement(const Scene<CGAL::Simple_cartesian<double>>& scene, unsigned seed)
 {
   constexpr std::size_t points = 90;
@@ -71,12 +74,15 @@ Scene<Exact> moved(const Scene<Exact>& scene, const Motion& motion, const Motion
   return result;
 }
 
-// Where a boundary is cut into arcs depends on bounds of directions, too. What does not is where it changes from one pair of curves, or parts of these, to another one, or one of them begins to stand still, as in a corner, or to move.
+// Where a boundary is cut into arcs depends on bounds of directions, too. What does not is where it changes from one
+// pair of curves, or parts of these, to another one, or one of them begins to stand still, as in a corner, or to move.
 std::size_t number_of_runs(const SC::Minkowski_sum_2<Exact>::Boundary& boundary)
 {
   constexpr double small = 1e-6;
   using Arc = SC::Minkowski_sum_2<Exact>::Arc;
-  const auto moves = [](const Arc& arc, std::size_t k) { return std::abs(arc.parameters[k][1] - arc.parameters[k][0]) > small; };
+  const auto moves = [](const Arc& arc, std::size_t k) {
+    return std::abs(arc.parameters[k][1] - arc.parameters[k][0]) > small;
+  };
   const auto goes_on = [&](const Arc& a, const Arc& b) {
     bool result = a.curves == b.curves;
     for (const std::size_t k : {0, 1})
@@ -125,7 +131,10 @@ void expect_invariance(const Scene<Exact>& scene, unsigned kind)
 {
   constexpr double error = 1e-4;
   const R c(3, 5), s(4, 5);
-  const auto sum = scene.result(), other = (kind % 2 == 0 ? moved(scene, turned(c, s, R(7, 3), R(-2)), turned(c, s, R(0), R(100, 9))) : moved(scene, turned(R(-s), c, R(0), R(0)), turned(R(-s), c, R(-1, 7), R(5)))).result();
+  const auto sum = scene.result(),
+             other = (kind % 2 == 0 ? moved(scene, turned(c, s, R(7, 3), R(-2)), turned(c, s, R(0), R(100, 9)))
+                                    : moved(scene, turned(R(-s), c, R(0), R(0)), turned(R(-s), c, R(-1, 7), R(5))))
+                         .result();
   EXPECT_TRUE(sum.is_complete());
   EXPECT_TRUE(other.is_complete());
   EXPECT_FALSE(sum.boundaries().empty());

@@ -47,7 +47,8 @@ TEST(Ray_traps_2, PedalTriangle)
 // The line of centers meets each circle twice; one of the points is the seam of the first circle.
 TEST(Ray_traps_2, CommonNormalsOfCircles)
 {
-  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(5, 0), K::Point_2(5, 2))};
+  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)),
+                                   SC::circle_curve(K::Point_2(5, 0), K::Point_2(5, 2))};
   const auto result = SC::ray_traps(circles);
   EXPECT_TRUE(result.summary.is_complete) << result.summary;
   ASSERT_EQ(result.size(), 4u);
@@ -63,7 +64,9 @@ TEST(Ray_traps_2, CommonNormalsOfCircles)
 // Seed 000, Figure 2.
 TEST(Ray_traps_2, ThreeCircles)
 {
-  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(5, 0), K::FT(2)), SC::circle_curve(K::Point_2(1, 6), K::FT(1))};
+  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)),
+                                   SC::circle_curve(K::Point_2(5, 0), K::FT(2)),
+                                   SC::circle_curve(K::Point_2(1, 6), K::FT(1))};
   const auto result = SC::ray_traps(circles);
   EXPECT_TRUE(result.summary.is_complete) << result.summary;
   EXPECT_EQ(result.traps.size(), 8u);
@@ -71,8 +74,11 @@ TEST(Ray_traps_2, ThreeCircles)
   for (const auto& trap : result.traps) {
     EXPECT_TRUE(trap.solution().is_certified());
     for (int i = 0; i < 3; ++i) {   // equal angles with the normal, on the same side
-      const K::Vector_2 normal = trap.points()[i] - centers[i], in = trap.points()[(i + 2) % 3] - trap.points()[i], out = trap.points()[(i + 1) % 3] - trap.points()[i];
-      const auto cosine = [&](const K::Vector_2& v) { return CGAL::to_double(v * normal) / std::sqrt(CGAL::to_double(v.squared_length())); };
+      const K::Vector_2 normal = trap.points()[i] - centers[i], in = trap.points()[(i + 2) % 3] - trap.points()[i],
+                        out = trap.points()[(i + 1) % 3] - trap.points()[i];
+      const auto cosine = [&](const K::Vector_2& v) {
+        return CGAL::to_double(v * normal) / std::sqrt(CGAL::to_double(v.squared_length()));
+      };
       EXPECT_NEAR(cosine(in), cosine(out), 1e-12);
     }
   }
@@ -82,7 +88,9 @@ TEST(Ray_traps_2, ThreeCircles)
 TEST(Ray_traps_2, BetweenCorners)
 {
   const K::Point_2 a(0, 0), b(14, 0), c(5, 12);
-  const auto part = [](const K::Point_2& p, const K::Point_2& q, int begin) { return SC::segment_curve(p, q).restricted(K::FT(begin) / 8, K::FT(7) / 8); };
+  const auto part = [](const K::Point_2& p, const K::Point_2& q, int begin) {
+    return SC::segment_curve(p, q).restricted(K::FT(begin) / 8, K::FT(7) / 8);
+  };
   const Curve two_sides = SC::polyline_curve(std::vector<K::Point_2>{a + (b - a) / 8, b, b + (c - b) / 4});
   const auto result = SC::ray_traps(std::vector<Curve>{two_sides, part(b, c, 3), part(c, a, 1)});
   EXPECT_TRUE(result.summary.is_complete) << result.summary;
@@ -90,11 +98,14 @@ TEST(Ray_traps_2, BetweenCorners)
   EXPECT_NEAR(length(result.traps[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
 }
 
-// Normals of a circle that meet the two legs of a right angle at right angles; of the one to its corner there is no law.
+// Normals of a circle that meet the two legs of a right angle at right angles; of the one to its corner there is no
+// law.
 TEST(Ray_traps_2, NoLawAtACorner)
 {
   const Curve angle = SC::polyline_curve(std::vector<K::Point_2>{{-4, 4}, {0, 0}, {4, 4}});
-  const auto traps_with_circle_around = [&](const K::Point_2& center) { return SC::ray_traps(std::vector<Curve>{angle, SC::circle_curve(center, K::FT(1))}); };
+  const auto traps_with_circle_around = [&](const K::Point_2& center) {
+    return SC::ray_traps(std::vector<Curve>{angle, SC::circle_curve(center, K::FT(1))});
+  };
   const auto inside = traps_with_circle_around({0, 3});
   EXPECT_TRUE(inside.summary.is_complete) << inside.summary;
   ASSERT_EQ(inside.traps.size(), 4u);
@@ -108,7 +119,8 @@ TEST(Ray_traps_2, NoLawAtACorner)
 TEST(Ray_traps_2, BadInput)
 {
   EXPECT_THROW(SC::ray_traps(std::vector<Curve>{}), SC::Invalid_input);
-  EXPECT_THROW(SC::ray_traps(std::vector<Curve>{SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 0))}), SC::Invalid_input);
+  EXPECT_THROW(SC::ray_traps(std::vector<Curve>{SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 0))}),
+               SC::Invalid_input);
 }
 
 } // namespace

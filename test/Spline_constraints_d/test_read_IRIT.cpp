@@ -51,8 +51,9 @@ TEST(Read_IRIT, curves_in_groups)
 
 TEST(Read_IRIT, surfaces_have_the_first_parameter_fastest)
 {
-  const auto file = read("[SURFACE BSPLINE 3 2 2 2 E3 [KV 0 0 1 2 2] [KV 0 0 1 1] [0 0 0] [1 0 0] [2 0 0] [0 1 0] [1 1 5] [2 1 0]]\n"
-                         "[SURFACE BEZIER 2 2 P3 [1 0 0 0] [2 2 0 0] [1 0 1 0] [2 2 2 4]]");
+  const auto file =
+      read("[SURFACE BSPLINE 3 2 2 2 E3 [KV 0 0 1 2 2] [KV 0 0 1 1] [0 0 0] [1 0 0] [2 0 0] [0 1 0] [1 1 5] [2 1 0]]\n"
+           "[SURFACE BEZIER 2 2 P3 [1 0 0 0] [2 2 0 0] [1 0 1 0] [2 2 2 4]]");
   ASSERT_EQ(file.surfaces_3.size(), 2u);
   EXPECT_EQ(file.surfaces_3[0].object(FT(1), FT(1)), P3(1, 1, 5));
   EXPECT_EQ(file.surfaces_3[0].object(FT(2), FT(0)), P3(2, 0, 0));
@@ -63,7 +64,8 @@ TEST(Read_IRIT, surfaces_have_the_first_parameter_fastest)
 TEST(Read_IRIT, periodic_axes_are_closed)
 {
   const auto file = read("[CURVE BSPLINE 4 3 E2 [KVP -2 -1 0 1 2 3 4 5 6] [1 0] [0 1] [-1 0] [0 -1]]\n"
-                         "[SURFACE BSPLINE 2 4 2 3 E3 [KV 0 0 1 1] [KVP -1 -0.5 0 0.5 1 1.5 2 2.5 3] [1 0 0] [1 0 1] [0 1 0] [0 1 1] [-1 0 0] [-1 0 1] [0 -1 0] [0 -1 1]]");
+                         "[SURFACE BSPLINE 2 4 2 3 E3 [KV 0 0 1 1] [KVP -1 -0.5 0 0.5 1 1.5 2 2.5 3] [1 0 0] [1 0 1] "
+                         "[0 1 0] [0 1 1] [-1 0 0] [-1 0 1] [0 -1 0] [0 -1 1]]");
   ASSERT_EQ(file.curves_2.size(), 1u);
   ASSERT_EQ(file.surfaces_3.size(), 1u);
   const auto& curve = file.curves_2[0].object;

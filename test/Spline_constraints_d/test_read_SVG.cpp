@@ -38,7 +38,10 @@ SC::Bspline_curve_2<K> one(const std::string& element)
   return curves.at(0).curve;
 }
 
-SC::Bspline_curve_2<K> path(const std::string& data, const std::string& more = "") { return one("<path d='" + data + "' " + more + "/>"); }
+SC::Bspline_curve_2<K> path(const std::string& data, const std::string& more = "")
+{
+  return one("<path d='" + data + "' " + more + "/>");
+}
 
 std::vector<Point> points(const SC::Bspline_curve_2<K>& curve) { return curve.control_points(); }
 
@@ -63,7 +66,8 @@ TEST(Read_SVG, paths_of_lines)
   EXPECT_EQ(points(path("M 1 2 H 4 V 5 H 1 V 2")), square);
   EXPECT_EQ(points(path("m1 2h3v3h-3v-3z")), square);
   EXPECT_EQ(path("m1 2h3v3h-3v-3z").degree(), 1);
-  EXPECT_EQ(points(path("M.5.25L-1.5e1+2E-1")), (std::vector<Point>{{ratio(1, 2), ratio(1, 4)}, {FT(-15), ratio(1, 5)}}));
+  EXPECT_EQ(points(path("M.5.25L-1.5e1+2E-1")),
+            (std::vector<Point>{{ratio(1, 2), ratio(1, 4)}, {FT(-15), ratio(1, 5)}}));
   EXPECT_EQ(points(path("M0.1 0.1L0.3 1", "id='x'"))[0], Point(ratio(1, 10), ratio(1, 10)));
   EXPECT_EQ(points(path("M0 0 0 0 1 1 1 1 2 0")), (std::vector<Point>{{0, 0}, {1, 1}, {2, 0}}));   // length zero
 }
@@ -80,15 +84,18 @@ TEST(Read_SVG, subpaths)
     EXPECT_EQ(curve.line, 2);
     EXPECT_EQ(curve.column, 1);
   }
-  EXPECT_TRUE(read("<path d=''/><path/><path d='M1 1'/><path d='M1 1z'/><g/><text>M</text><defs><line x2='1'/></defs>").empty());
+  EXPECT_TRUE(read("<path d=''/><path/><path d='M1 1'/><path d='M1 1z'/><g/><text>M</text><defs><line x2='1'/></defs>")
+                  .empty());
 }
 
 TEST(Read_SVG, bezier_curves)
 {
   EXPECT_EQ(points(path("M0 0C1 2 3 4 5 6")), (std::vector<Point>{{0, 0}, {1, 2}, {3, 4}, {5, 6}}));
-  EXPECT_EQ(points(path("m1 1c1 2 3 4 5 6s1 1 2 2")), (std::vector<Point>{{1, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}, {7, 8}, {8, 9}}));
+  EXPECT_EQ(points(path("m1 1c1 2 3 4 5 6s1 1 2 2")),
+            (std::vector<Point>{{1, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}, {7, 8}, {8, 9}}));
   EXPECT_EQ(points(path("M0 0S1 1 2 0")), (std::vector<Point>{{0, 0}, {0, 0}, {1, 1}, {2, 0}}));
-  EXPECT_EQ(points(path("M0 0Q1 1 2 0T4 0t2 0")), (std::vector<Point>{{0, 0}, {1, 1}, {2, 0}, {3, -1}, {4, 0}, {5, 1}, {6, 0}}));
+  EXPECT_EQ(points(path("M0 0Q1 1 2 0T4 0t2 0")),
+            (std::vector<Point>{{0, 0}, {1, 1}, {2, 0}, {3, -1}, {4, 0}, {5, 1}, {6, 0}}));
   const auto mixed = path("M0 0L3 0Q4 0 4 1C4 2 3 2 2 2");
   EXPECT_EQ(mixed.degree(), 3);
   EXPECT_EQ(mixed(FT(1)), Point(3, 0));
@@ -123,7 +130,8 @@ TEST(Read_SVG, weights_of_many_arcs_stay_small)
   EXPECT_EQ(curve.target(), Point(600, 600));
   for (int i = 0; i < 600; ++i)
     for (int j = 0; j <= 4; ++j)   // the centers are in turn left of the begin and right of it
-      EXPECT_EQ(CGAL::squared_distance(curve(FT(i) + ratio(j, 4)), i % 2 == 0 ? Point(i, i + 1) : Point(i + 1, i)), FT(1));
+      EXPECT_EQ(CGAL::squared_distance(curve(FT(i) + ratio(j, 4)), i % 2 == 0 ? Point(i, i + 1) : Point(i + 1, i)),
+                FT(1));
   for (const FT& w : curve.control_weights()) {
     EXPECT_GE(w, FT(1));
     EXPECT_LE(w, FT(2));
@@ -154,7 +162,8 @@ TEST(Read_SVG, shapes)
   EXPECT_EQ(points(one("<line x2='25.4mm' y2='3pt'/>"))[1], Point(96, 4));
   EXPECT_EQ(points(one("<polyline points='0,0 1,2, 3 4'/>")), (std::vector<Point>{{0, 0}, {1, 2}, {3, 4}}));
   EXPECT_EQ(points(one("<polygon points='0,0 1,2,3 4'/>")), (std::vector<Point>{{0, 0}, {1, 2}, {3, 4}, {0, 0}}));
-  EXPECT_EQ(points(one("<rect x='1' y='1' width='2' height='3'/>")), (std::vector<Point>{{1, 1}, {3, 1}, {3, 4}, {1, 4}, {1, 1}}));
+  EXPECT_EQ(points(one("<rect x='1' y='1' width='2' height='3'/>")),
+            (std::vector<Point>{{1, 1}, {3, 1}, {3, 4}, {1, 4}, {1, 1}}));
   const auto rounded = one("<rect width='10' height='6' rx='2'/>");
   EXPECT_TRUE(rounded.is_closed());
   EXPECT_EQ(rounded(FT(0)), Point(2, 0));
@@ -169,7 +178,9 @@ TEST(Read_SVG, shapes)
 
 TEST(Read_SVG, transformations)
 {
-  const auto image = [](const std::string& transform) { return points(one("<line x1='1' y1='0' x2='1' y2='2' transform='" + transform + "'/>")); };
+  const auto image = [](const std::string& transform) {
+    return points(one("<line x1='1' y1='0' x2='1' y2='2' transform='" + transform + "'/>"));
+  };
   EXPECT_EQ(image("translate(3)"), (std::vector<Point>{{4, 0}, {4, 2}}));
   EXPECT_EQ(image("translate(3,-1)"), (std::vector<Point>{{4, -1}, {4, 1}}));
   EXPECT_EQ(image("scale(2)"), (std::vector<Point>{{2, 0}, {2, 4}}));
@@ -181,7 +192,8 @@ TEST(Read_SVG, transformations)
   EXPECT_LT(CGAL::squared_distance(image("skewX(45)")[1], Point(3, 2)), FT(1e-30));
   EXPECT_EQ(image("matrix(1 2 3 4 5 6)"), (std::vector<Point>{{6, 8}, {12, 16}}));
   EXPECT_EQ(image("translate(10 0) scale(2)"), (std::vector<Point>{{12, 0}, {12, 4}}));
-  EXPECT_EQ(points(one("<g transform='translate(10 0)'><g transform='scale(2)'><line x1='1' x2='2'/></g></g>")), (std::vector<Point>{{12, 0}, {14, 0}}));
+  EXPECT_EQ(points(one("<g transform='translate(10 0)'><g transform='scale(2)'><line x1='1' x2='2'/></g></g>")),
+            (std::vector<Point>{{12, 0}, {14, 0}}));
   const std::vector<Point> turned = image("rotate(30)");   // still a rotation
   EXPECT_EQ(CGAL::squared_distance(turned[0], turned[1]), FT(4));
   EXPECT_LT(CGAL::abs(turned[0].y() - ratio(1, 2)), FT(1e-15));
@@ -189,7 +201,8 @@ TEST(Read_SVG, transformations)
 
 TEST(Read_SVG, places_and_documents)
 {
-  std::istringstream in("\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!-- <line x2='7'/> -->\r\n<svg>\r\n  <g>\r\n    <line id='a&amp;b' x2='1'/>\r\n  </g> <path d='M0 0\n1 1'/></svg>");
+  std::istringstream in("\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!-- <line x2='7'/> -->\r\n<svg>\r\n  <g>\r\n    <line "
+                        "id='a&amp;b' x2='1'/>\r\n  </g> <path d='M0 0\n1 1'/></svg>");
   const Curves curves = SC::IO::read_SVG<K>(in, "test.svg");
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].id, "a&b");
@@ -266,8 +279,9 @@ TEST(Read_SVG, bad_documents)
     deep += "<g>";
   for (int i = 0; i < 300; ++i)
     deep += "</g>";
-  for (const std::string& content : {std::string(), std::string("text"), std::string("<svg"), std::string("<svg><g></svg>"), std::string("<html/>"), std::string("<svg>\0</svg>", 12),
-                                     std::string("<svg><path d='M0 0"), "<svg>" + deep + "</svg>"}) {
+  for (const std::string& content :
+       {std::string(), std::string("text"), std::string("<svg"), std::string("<svg><g></svg>"), std::string("<html/>"),
+        std::string("<svg>\0</svg>", 12), std::string("<svg><path d='M0 0"), "<svg>" + deep + "</svg>"}) {
     std::istringstream in(content);
     EXPECT_THROW(SC::IO::read_SVG<K>(in, "test.svg"), SC::Parse_error) << content.substr(0, 40);
   }

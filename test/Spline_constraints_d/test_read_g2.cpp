@@ -62,7 +62,9 @@ TEST(Read_g2, surfaces_have_the_first_parameter_fastest)
 TEST(Read_g2, what_is_written_is_read_back)
 {
   std::mt19937 random(3);
-  const auto number = [&](int lower, int upper) { return FT(std::uniform_int_distribution<int>(lower, upper)(random)) / 8; };
+  const auto number = [&](int lower, int upper) {
+    return FT(std::uniform_int_distribution<int>(lower, upper)(random)) / 8;
+  };
   const auto knots = [](int degree, int size) {
     std::vector<FT> result(degree + 1, FT(0));
     for (int i = 1; i < size - degree; ++i)
@@ -119,23 +121,31 @@ TEST(Read_g2, errors_tell_the_place)
     std::string text, part;
   };
   const std::vector<Bad_input> bad_inputs{
-    {"210 1 0 0", 1, 1, "210", "only the classes"},
-    {"x", 1, 1, "x", "the type of a class"},
-    {"100 1 0", 1, 8, "", "the number of auxiliary data"},
-    {"100 1 0 0\n4 0", 2, 1, "4", "the dimension"},
-    {"100 1 0 0\n2 2", 2, 3, "2", "whether there are weights"},
-    {"100 1 0 0\n2 0\n1000 4", 3, 1, "1000", "fits the file"},
-    {"100 1 0 0\n2 0\n2 3\n0 0 0 1 1", 3, 3, "3", "the order"},
-    {"100 1 0 0\n2 0\n2 0\n0 0 0 1 1", 3, 3, "0", "the order"},
-    {"100 1 0 0\n2 0\n2 2.0\n0 0 0 1 1", 3, 3, "2.0", "the order, an integer"},
-    {"100 1 0 0\n2 0\n2 -2\n0 0 0 1 1", 3, 3, "-2", "the order"},
-    {"100 1 0 0\n2 0\n2 2\n0 0 1 b", 4, 7, "b", "a knot"},
-    {"100 1 0 0\n2 0\n2 2\n0 0 1 1\n1 2 3", 5, 6, "", "a coordinate"},
-    {"100 1 0 0\n2 0\n2 2\n0 0 1 1\n1 2 nan 1", 5, 5, "nan", "a coordinate"},
-    {"\n100 1 0 0\n2 0\n2 2\n0 1 0 1\n1 2 3 1", 2, 1, "100", "knot"},
-    {"100 1 0 0\n2 1\n2 2\n0 0 1 1\n1 2 1 3 1 -1", 1, 1, "100", "weight"},
-    {"200 1 0 0\n2 0\n1 1\n0 1\n1 1\n0 1\n0 0", 1, 1, "200", "in the plane"},
-    {"200 1 0 0\n3 0\n40 1\n" + [] { std::string s; for (int i = 0; i <= 40; ++i) s += "0 "; return s; }() + "\n9 1\n0 1 2 3 4 5 6 7 8 9\n1 1 1", 7, 1, "1", "too short"},
+      {"210 1 0 0", 1, 1, "210", "only the classes"},
+      {"x", 1, 1, "x", "the type of a class"},
+      {"100 1 0", 1, 8, "", "the number of auxiliary data"},
+      {"100 1 0 0\n4 0", 2, 1, "4", "the dimension"},
+      {"100 1 0 0\n2 2", 2, 3, "2", "whether there are weights"},
+      {"100 1 0 0\n2 0\n1000 4", 3, 1, "1000", "fits the file"},
+      {"100 1 0 0\n2 0\n2 3\n0 0 0 1 1", 3, 3, "3", "the order"},
+      {"100 1 0 0\n2 0\n2 0\n0 0 0 1 1", 3, 3, "0", "the order"},
+      {"100 1 0 0\n2 0\n2 2.0\n0 0 0 1 1", 3, 3, "2.0", "the order, an integer"},
+      {"100 1 0 0\n2 0\n2 -2\n0 0 0 1 1", 3, 3, "-2", "the order"},
+      {"100 1 0 0\n2 0\n2 2\n0 0 1 b", 4, 7, "b", "a knot"},
+      {"100 1 0 0\n2 0\n2 2\n0 0 1 1\n1 2 3", 5, 6, "", "a coordinate"},
+      {"100 1 0 0\n2 0\n2 2\n0 0 1 1\n1 2 nan 1", 5, 5, "nan", "a coordinate"},
+      {"\n100 1 0 0\n2 0\n2 2\n0 1 0 1\n1 2 3 1", 2, 1, "100", "knot"},
+      {"100 1 0 0\n2 1\n2 2\n0 0 1 1\n1 2 1 3 1 -1", 1, 1, "100", "weight"},
+      {"200 1 0 0\n2 0\n1 1\n0 1\n1 1\n0 1\n0 0", 1, 1, "200", "in the plane"},
+      {"200 1 0 0\n3 0\n40 1\n" +
+           [] {
+             std::string s;
+             for (int i = 0; i <= 40; ++i)
+               s += "0 ";
+             return s;
+           }() +
+           "\n9 1\n0 1 2 3 4 5 6 7 8 9\n1 1 1",
+       7, 1, "1", "too short"},
   };
   for (const Bad_input& bad : bad_inputs)
     try {

@@ -34,7 +34,10 @@ std::string with_constraints(const std::string& constraints)
   return "Variables\nx in [-2,2], y in [0,1]; z[3] in [-1,1];\nConstraints\n" + constraints + "\nend\n";
 }
 
-Power_polynomial function(const std::string& expression) { return read(with_constraints(expression + " = 0;")).constraints.at(0).function; }
+Power_polynomial function(const std::string& expression)
+{
+  return read(with_constraints(expression + " = 0;")).constraints.at(0).function;
+}
 
 Power_polynomial unknown(int index) { return Power_polynomial::variable(index); }
 Exact_rational ratio(int numerator, int denominator) { return Exact_rational(numerator) / Exact_rational(denominator); }
@@ -57,13 +60,16 @@ void expect_error(const std::string& content, const Place& place, const std::str
     EXPECT_EQ(error.text(), place.text) << error.what();
     EXPECT_EQ(error.file(), "test.bch");
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    EXPECT_EQ(std::string(error.what()).find("test.bch:" + std::to_string(place.line) + ':' + std::to_string(place.column) + ": "), 0u)
-      << error.what();
+    EXPECT_EQ(std::string(error.what())
+                  .find("test.bch:" + std::to_string(place.line) + ':' + std::to_string(place.column) + ": "),
+              0u)
+        << error.what();
   }
 }
 
 // Reading an expression must fail on line 4, the one of the constraints.
-void expect_expression_error(const std::string& expression, int column, const std::string& text, const std::string& part)
+void expect_expression_error(const std::string& expression, int column, const std::string& text,
+                             const std::string& part)
 {
   expect_error(with_constraints(expression), {4, column, text}, part);
 }
@@ -150,20 +156,23 @@ TEST(Read_minibex, precedence)
 
 TEST(Read_minibex, declarations)
 {
-  const Minibex_system system = read("VARIABLES a[2] in ([0,1]; [-1/3,2]);sqr in[0,0];_b1 in [1-2^2,1e-2];CONSTRAINTS a(2)=sqr END");
+  const Minibex_system system =
+      read("VARIABLES a[2] in ([0,1]; [-1/3,2]);sqr in[0,0];_b1 in [1-2^2,1e-2];CONSTRAINTS a(2)=sqr END");
   EXPECT_EQ(system.names, (std::vector<std::string>{"a(1)", "a(2)", "sqr", "_b1"}));
   EXPECT_EQ(system.domains[1].first, ratio(-1, 3));
   EXPECT_EQ(system.domains[2].second, Exact_rational(0));
   EXPECT_EQ(system.domains[3].first, Exact_rational(-3));
   EXPECT_EQ(system.domains[3].second, ratio(1, 100));
   EXPECT_EQ(system.constraints[0].function, unknown(1) - unknown(2));
-  EXPECT_EQ(read("constants c=2;d=c^2; variables x in [-d,d]; constraints x=c; end").domains[0].second, Exact_rational(4));
+  EXPECT_EQ(read("constants c=2;d=c^2; variables x in [-d,d]; constraints x=c; end").domains[0].second,
+            Exact_rational(4));
 }
 
 TEST(Read_minibex, line_ends_and_blanks)
 {
   for (const std::string& end_of_line : std::vector<std::string>{"\n", "\r\n", "\r"}) {
-    const std::string content = "\xEF\xBB\xBFVariables" + end_of_line + "x\tin [0,1];" + end_of_line + end_of_line + "Constraints // c" + end_of_line + "x^2=";
+    const std::string content = "\xEF\xBB\xBFVariables" + end_of_line + "x\tin [0,1];" + end_of_line + end_of_line +
+        "Constraints // c" + end_of_line + "x^2=";
     EXPECT_EQ(read(content + "1;end").constraints[0].line, 5);
     expect_error(content + "1;x=?;", {5, 9, "?"}, "unexpected character");
   }
@@ -181,8 +190,10 @@ TEST(Read_minibex, errors_of_structure)
   expect_error("Variables x in [0,1]; Constraints end", {1, 35, "end"}, "expected a constraint");
   expect_error("Variables x in [0,1]; Constraints x=0;", {1, 39, ""}, "expected a number, a name");
   expect_error("Variables x in [0,1]; Constraints x=0; end x", {1, 44, "x"}, "after 'end'");
-  expect_error("Variables x in [0,1]; Function f(x) return x; end", {1, 23, "Function"}, "not in the polynomial subset");
-  expect_error("Variables x in [0,1]; minimize x; constraints x=0; end", {1, 23, "minimize"}, "not in the polynomial subset");
+  expect_error("Variables x in [0,1]; Function f(x) return x; end", {1, 23, "Function"},
+               "not in the polynomial subset");
+  expect_error("Variables x in [0,1]; minimize x; constraints x=0; end", {1, 23, "minimize"},
+               "not in the polynomial subset");
   expect_error("Variables x in [0,1]; Constants a=1;", {1, 23, "Constants"}, "must come first");
   expect_error("/* x\n  Variables", {1, 1, "/*"}, "not closed");
 }
@@ -298,7 +309,8 @@ TEST(Read_minibex, files)
 
 TEST(Read_minibex, the_systems_of_the_examples)
 {
-  const auto folder = std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "examples" / "Spline_constraints_d" / "data";
+  const auto folder =
+      std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "examples" / "Spline_constraints_d" / "data";
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".bch")
@@ -318,8 +330,9 @@ TEST(Read_minibex, the_systems_of_the_examples)
 
 TEST(Write_minibex, round_trip)
 {
-  const Minibex_system system = read("Constants r = 1/3; Variables x in [-r, 1e-7]; a[2] in ([0,1]; [-1.5,2]); y in [0,1];\n"
-                                     "Constraints (x - r*a(1) + 2^70)^3 = y; a(2) < 1e-30; -x >= y; x > 0; 0 = 0; x <= 1; end");
+  const Minibex_system system =
+      read("Constants r = 1/3; Variables x in [-r, 1e-7]; a[2] in ([0,1]; [-1.5,2]); y in [0,1];\n"
+           "Constraints (x - r*a(1) + 2^70)^3 = y; a(2) < 1e-30; -x >= y; x > 0; 0 = 0; x <= 1; end");
   ASSERT_EQ(system.constraints.size(), 6u);
   std::ostringstream out;
   SC::write_minibex(out, system);

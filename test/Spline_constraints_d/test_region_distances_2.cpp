@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances of regions: in closed form, for nested, touching and overlapping ones; and beside dense samples of random ones.
+// Distances of regions: in closed form, for nested, touching and overlapping ones; and beside dense samples of random
+// ones.
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
@@ -31,7 +32,10 @@ Curve polygon(std::vector<P> points)
   return SC::polyline_curve(points);
 }
 
-Curve square(double x, double y, double side) { return polygon({P(x, y), P(x + side, y), P(x + side, y + side), P(x, y + side)}); }
+Curve square(double x, double y, double side)
+{
+  return polygon({P(x, y), P(x + side, y), P(x + side, y + side), P(x, y + side)});
+}
 
 Region region(const std::vector<Curve>& curves) { return SC::planar_region(curves); }
 
@@ -75,7 +79,8 @@ TEST(RegionDistances, Disks)
 TEST(RegionDistances, HugeAndTinyDisks)
 {
   for (const double size : {1e-300, 1e-200, 1e-140, 1e-30, 1e30, 1e140, 1e200, 1e300}) {
-    const auto result = SC::region_distance(region({SC::circle_curve(P(0, 0), size)}), region({SC::circle_curve(P(3 * size, 4 * size), 2 * size)}));
+    const auto result = SC::region_distance(region({SC::circle_curve(P(0, 0), size)}),
+                                            region({SC::circle_curve(P(3 * size, 4 * size), 2 * size)}));
     const auto [lower, upper] = result.distance_range();
     EXPECT_NEAR(lower / size, 2, 1e-12);
     EXPECT_NEAR(upper / size, 2, 1e-12);
@@ -98,18 +103,21 @@ TEST(RegionDistances, Nested)
 // Boundaries cross, though no boundary begins inside of the other region; and squares that have one corner in common.
 TEST(RegionDistances, Meeting)
 {
-  const Region wide = region({polygon({P(-4, -1), P(4, -1), P(4, 1), P(-4, 1)})}), high = region({polygon({P(-1, -4), P(1, -4), P(1, 4), P(-1, 4)})});
+  const Region wide = region({polygon({P(-4, -1), P(4, -1), P(4, 1), P(-4, 1)})}),
+               high = region({polygon({P(-1, -4), P(1, -4), P(1, 4), P(-1, 4)})});
   const auto cross = SC::region_distance(wide, high);
   EXPECT_TRUE(CGAL::certainly(cross.do_meet()));
   EXPECT_GE(cross.pairs().size(), 4U);
   EXPECT_TRUE(CGAL::certainly(SC::region_distance(region({square(0, 0, 1)}), region({square(1, 1, 1)})).do_meet()));
-  EXPECT_FALSE(CGAL::possibly(SC::region_distance(region({square(0, 0, 1)}), region({square(1 + 1e-15, 1, 1)})).do_meet()));
+  EXPECT_FALSE(
+      CGAL::possibly(SC::region_distance(region({square(0, 0, 1)}), region({square(1 + 1e-15, 1, 1)})).do_meet()));
 }
 
 // What an outline runs along forth and back is not in the region; where it touches itself it is.
 TEST(RegionDistances, OutlinesThatTouch)
 {
-  const Region spike = region({polygon({P(0, 0), P(4, 0), P(4, 2), P(7, 2), P(4, 2), P(4, 4), P(0, 4)})}), lobes = region({polygon({P(0, 0), P(2, 1), P(2, -1), P(0, 0), P(-2, -1), P(-2, 1)})});
+  const Region spike = region({polygon({P(0, 0), P(4, 0), P(4, 2), P(7, 2), P(4, 2), P(4, 4), P(0, 4)})}),
+               lobes = region({polygon({P(0, 0), P(2, 1), P(2, -1), P(0, 0), P(-2, -1), P(-2, 1)})});
   expect_distance(spike, region({square(9, 1, 2)}), 5);
   expect_distance(lobes, region({square(-1, 3, 2)}), std::sqrt(5));
   expect_distance(lobes, region({polygon({P(0, 1), P(0.125, 2), P(-0.125, 2)})}), 2 / std::sqrt(5));
@@ -136,7 +144,8 @@ TEST(RegionDistances, RandomSplines)
     constexpr int n = 120;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        sampled = (std::min)(sampled, std::sqrt(CGAL::squared_distance(curves[0](6.0 * i / n), curves[1](6.0 * j / n))));
+        sampled =
+            (std::min)(sampled, std::sqrt(CGAL::squared_distance(curves[0](6.0 * i / n), curves[1](6.0 * j / n))));
     const auto result = SC::region_distance(region({curves[0]}), region({curves[1]}));
     EXPECT_TRUE(result.is_complete());
     ASSERT_FALSE(result.pairs().empty());

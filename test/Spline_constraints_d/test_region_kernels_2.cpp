@@ -73,7 +73,8 @@ double least_height(const std::vector<Tangent>& tangents, const Point& p)
   return result;
 }
 
-// The polygon turns left; points a little inside of it are on the left of all tangents, and points a little outside are not. The curve is counterclockwise.
+// The polygon turns left; points a little inside of it are on the left of all tangents, and points a little outside are
+// not. The curve is counterclockwise.
 void expect_kernel(const Curve& curve, const SC::Region_kernel_2<K>& kernel)
 {
   const std::vector<Tangent> tangents = tangents_of(curve, 400);
@@ -107,7 +108,8 @@ std::vector<E::Point_2> cut(const std::vector<E::Point_2>& polygon, const E::Lin
     if (!line.has_on_negative_side(p))
       result.push_back(p);
     if (line.oriented_side(p) * line.oriented_side(q) < 0) {
-      const E::FT s = line.a() * p.x() + line.b() * p.y() + line.c(), r = line.a() * q.x() + line.b() * q.y() + line.c();
+      const E::FT s = line.a() * p.x() + line.b() * p.y() + line.c(),
+                  r = line.a() * q.x() + line.b() * q.y() + line.c();
       result.push_back(p + s / (s - r) * (q - p));
     }
   }
@@ -138,7 +140,8 @@ TEST(region_kernels_2, polygons)
     for (int i = 0; i < corners; ++i) {   // around the origin, or a point at the side so that the kernel is often empty
       const double angle = 2 * pi * i / corners;
       const int r = radius(random);
-      points.emplace_back(int(std::round(10 * r * std::cos(angle))) + (n % 3 == 0 && i % 2 == 0 ? 60 : 0), int(std::round(10 * r * std::sin(angle))));
+      points.emplace_back(int(std::round(10 * r * std::cos(angle))) + (n % 3 == 0 && i % 2 == 0 ? 60 : 0),
+                          int(std::round(10 * r * std::sin(angle))));
     }
     const CGAL::Polygon_2<E> polygon(points.begin(), points.end());
     if (!polygon.is_simple() || polygon.orientation() != CGAL::COUNTERCLOCKWISE)
@@ -176,9 +179,12 @@ TEST(region_kernels_2, convex_regions)
   expect_area(disk, 4 * pi);
 
   // Straight parts and arcs of parabolas, smoothly joined: all of the region.
-  const auto arc = [](const Point& p, const Point& q, const Point& r) { return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r}); };
+  const auto arc = [](const Point& p, const Point& q, const Point& r) {
+    return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r});
+  };
   const auto line = [](const Point& p, const Point& q) { return SC::polyline_curve(std::vector<Point>{p, q}); };
-  const Curves smooth{line({0, 0}, {5, 0}), arc({5, 0}, {6, 0}, {6, 1}), arc({6, 1}, {6, 2}, {5, 2}), line({5, 2}, {0, 2}), arc({0, 2}, {-1, 2}, {-1, 1}), arc({-1, 1}, {-1, 0}, {0, 0})};
+  const Curves smooth{line({0, 0}, {5, 0}), arc({5, 0}, {6, 0}, {6, 1}),   arc({6, 1}, {6, 2}, {5, 2}),
+                      line({5, 2}, {0, 2}), arc({0, 2}, {-1, 2}, {-1, 1}), arc({-1, 1}, {-1, 0}, {0, 0})};
   const auto region = SC::planar_region(smooth);
   const auto all = SC::region_kernel(region);
   EXPECT_TRUE(all.is_complete());
@@ -190,9 +196,12 @@ TEST(region_kernels_2, convex_regions)
 // A square with a parabola that bulges inwards: of its tangents, those at its ends bound the kernel.
 TEST(region_kernels_2, reflex_arcs)
 {
-  const auto arc = [](const Point& p, const Point& q, const Point& r) { return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r}); };
+  const auto arc = [](const Point& p, const Point& q, const Point& r) {
+    return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r});
+  };
   const auto line = [](const Point& p, const Point& q) { return SC::polyline_curve(std::vector<Point>{p, q}); };
-  const Curves region{arc({-1, 0}, {0, 2}, {1, 0}), line({1, 0}, {4, 0}), line({4, 0}, {4, 8}), line({4, 8}, {-4, 8}), line({-4, 8}, {-4, 0}), line({-4, 0}, {-1, 0})};
+  const Curves region{arc({-1, 0}, {0, 2}, {1, 0}), line({1, 0}, {4, 0}),   line({4, 0}, {4, 8}),
+                      line({4, 8}, {-4, 8}),        line({-4, 8}, {-4, 0}), line({-4, 0}, {-1, 0})};
   const auto kernel = SC::region_kernel(region);
   EXPECT_TRUE(kernel.is_complete());
   EXPECT_EQ(kernel.edges().size(), 3u);
@@ -222,18 +231,23 @@ TEST(region_kernels_2, random_curves)
     const auto kernel = SC::region_kernel(curve);
     expect_kernel(curve, kernel);
     with_arcs += count_edges(kernel, Kind::ARC) > 0;
-    const auto shifted = SC::region_kernel(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, K::Vector_2(16, -8))));
+    const auto shifted =
+        SC::region_kernel(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, K::Vector_2(16, -8))));
     EXPECT_EQ(shifted.edges().size(), kernel.edges().size());
     expect_area(shifted, SC::to_nearest_double(kernel.area().first));
   }
   EXPECT_GE(with_arcs, 2);
 }
 
-// Four parabolas that turn left, with a reflex corner at (0,27): the tangent of each arc there bounds the kernel on the side of the other one. Each meets that arc, beside (0,27), where 70 t = 39, and where 415 t = 186.
+// Four parabolas that turn left, with a reflex corner at (0,27): the tangent of each arc there bounds the kernel on the
+// side of the other one. Each meets that arc, beside (0,27), where 70 t = 39, and where 415 t = 186.
 TEST(region_kernels_2, reflex_corner_between_arcs)
 {
-  const auto arc = [](const Point& p, const Point& q, const Point& r) { return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r}); };
-  const Curves curves{arc({36, 0}, {33, 33}, {0, 27}), arc({0, 27}, {-30, 30}, {-34, 0}), arc({-34, 0}, {-18, -18}, {0, -32}), arc({0, -32}, {19, -19}, {36, 0})};
+  const auto arc = [](const Point& p, const Point& q, const Point& r) {
+    return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r});
+  };
+  const Curves curves{arc({36, 0}, {33, 33}, {0, 27}), arc({0, 27}, {-30, 30}, {-34, 0}),
+                      arc({-34, 0}, {-18, -18}, {0, -32}), arc({0, -32}, {19, -19}, {36, 0})};
   const auto region = SC::planar_region(curves);
   const auto kernel = SC::region_kernel(region);
   EXPECT_TRUE(kernel.is_complete());
@@ -244,10 +258,14 @@ TEST(region_kernels_2, reflex_corner_between_arcs)
     std::size_t curve;
     SC::Exact_rational begin, end;
   };
-  const std::vector<Expected> expected{{Kind::ARC, 0, 0, t0}, {Kind::SEGMENT, 1, 0, 0}, {Kind::SEGMENT, 0, 1, 1}, {Kind::ARC, 1, t1, 1}, {Kind::ARC, 2, 0, 1}, {Kind::ARC, 3, 0, 1}};
+  const std::vector<Expected> expected{{Kind::ARC, 0, 0, t0}, {Kind::SEGMENT, 1, 0, 0}, {Kind::SEGMENT, 0, 1, 1},
+                                       {Kind::ARC, 1, t1, 1}, {Kind::ARC, 2, 0, 1},     {Kind::ARC, 3, 0, 1}};
   const auto& edges = kernel.edges();
   ASSERT_EQ(edges.size(), expected.size());
-  const auto first = std::find_if(edges.begin(), edges.end(), [](const SC::Kernel_edge_2& edge) { return edge.kind == Kind::ARC && edge.curve == 0; }) - edges.begin();
+  const auto first =
+      std::find_if(edges.begin(), edges.end(),
+                   [](const SC::Kernel_edge_2& edge) { return edge.kind == Kind::ARC && edge.curve == 0; }) -
+      edges.begin();
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const SC::Kernel_edge_2& edge = edges[(static_cast<std::size_t>(first) + i) % edges.size()];
     EXPECT_EQ(edge.kind, expected[i].kind) << i;
@@ -268,16 +286,21 @@ TEST(region_kernels_2, reflex_corner_between_arcs)
   expect_area(kernel, SC::to_nearest_double(area));
 }
 
-// The tangent x = 4 at the begin of a parabola passes through the end (4,-6) of another one, where three tangents meet: at a convex corner, and at a reflex one.
+// The tangent x = 4 at the begin of a parabola passes through the end (4,-6) of another one, where three tangents meet:
+// at a convex corner, and at a reflex one.
 TEST(region_kernels_2, tangent_through_end)
 {
   const auto region = [](const Point& control) {
-    return Curves{SC::bezier_curve(std::vector<Point>{{4, 0}, {4, 4}, {0, 4}}), SC::bezier_curve(std::vector<Point>{{0, 4}, {-4, 4}, {-4, 0}}), SC::bezier_curve(std::vector<Point>{{-4, 0}, control, {4, -6}}),
+    return Curves{SC::bezier_curve(std::vector<Point>{{4, 0}, {4, 4}, {0, 4}}),
+                  SC::bezier_curve(std::vector<Point>{{0, 4}, {-4, 4}, {-4, 0}}),
+                  SC::bezier_curve(std::vector<Point>{{-4, 0}, control, {4, -6}}),
                   SC::polyline_curve(std::vector<Point>{{4, -6}, {6, -6}, {4, 0}})};
   };
   const auto expect_end = [](const SC::Region_kernel_2<K>& kernel) {
     const auto& edges = kernel.edges();
-    const auto tangent = std::find_if(edges.begin(), edges.end(), [](const SC::Kernel_edge_2& edge) { return edge.kind == Kind::SEGMENT && edge.curve == 0; });
+    const auto tangent = std::find_if(edges.begin(), edges.end(), [](const SC::Kernel_edge_2& edge) {
+      return edge.kind == Kind::SEGMENT && edge.curve == 0;
+    });
     ASSERT_NE(tangent, edges.end());
     const auto ranges = kernel.source_ranges(static_cast<std::size_t>(tangent - edges.begin()));
     EXPECT_TRUE(ranges[0].first == 4 && ranges[0].second == 4 && ranges[1].first == -6 && ranges[1].second == -6);
@@ -301,7 +324,9 @@ TEST(region_kernels_2, tangent_through_end)
 // Whether each corner of a polygon is seen from a point: no edge crosses the segment between them.
 bool sees_all(const std::vector<Point>& polygon, const Point& p)
 {
-  const auto side = [](const Point& a, const Point& b, const Point& c) { return CGAL::sign(CGAL::determinant(b - a, c - a)); };
+  const auto side = [](const Point& a, const Point& b, const Point& c) {
+    return CGAL::sign(CGAL::determinant(b - a, c - a));
+  };
   const std::size_t n = polygon.size();
   for (const Point& q : polygon)
     for (std::size_t i = 0; i < n; ++i) {
@@ -335,7 +360,8 @@ Curves random_pieces(std::mt19937& random)
   return result;
 }
 
-// A point is in the kernel if and only if it sees all of the boundary. The chords of a boundary are seen from where it is. In scene 8, a ray of the search passes exactly through a corner.
+// A point is in the kernel if and only if it sees all of the boundary. The chords of a boundary are seen from where it
+// is. In scene 8, a ray of the search passes exactly through a corner.
 TEST(region_kernels_2, random_pieces)
 {
   int reflex_corners = 0;
@@ -358,7 +384,8 @@ TEST(region_kernels_2, random_pieces)
     for (std::size_t i = 0; i < kernel.edges().size(); ++i) {
       const auto &edge = kernel.edges()[i], &next = kernel.edges()[(i + 1) % kernel.edges().size()];
       const auto& [lower, upper] = next.parameters[0];
-      reflex_corners += edge.kind == Kind::SEGMENT && next.kind == Kind::SEGMENT && lower == upper && lower == 1 && edge.curve == (next.curve + 1) % 4 && kernel.source((i + 1) % kernel.edges().size()) == curves[next.curve](1);
+      reflex_corners += edge.kind == Kind::SEGMENT && next.kind == Kind::SEGMENT && lower == upper && lower == 1 &&
+          edge.curve == (next.curve + 1) % 4 && kernel.source((i + 1) % kernel.edges().size()) == curves[next.curve](1);
     }
   }
   EXPECT_GE(reflex_corners, 4);
@@ -366,27 +393,36 @@ TEST(region_kernels_2, random_pieces)
 
 TEST(region_kernels_2, no_interior)
 {
-  const auto annulus = SC::region_kernel(Curves{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(0, 0), 1.0)});
+  const auto annulus =
+      SC::region_kernel(Curves{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(0, 0), 1.0)});
   EXPECT_TRUE(annulus.is_complete());
   EXPECT_TRUE(CGAL::certainly(annulus.is_empty()));
-  const auto spiral = SC::region_kernel(closed(std::vector<Point>{{0, 0}, {6, 0}, {6, 6}, {1, 6}, {1, 3}, {2, 3}, {2, 5}, {5, 5}, {5, 1}, {0, 1}}));
+  const auto spiral = SC::region_kernel(
+      closed(std::vector<Point>{{0, 0}, {6, 0}, {6, 6}, {1, 6}, {1, 3}, {2, 3}, {2, 5}, {5, 5}, {5, 1}, {0, 1}}));
   EXPECT_TRUE(CGAL::certainly(spiral.is_empty()));
   EXPECT_TRUE(spiral.edges().empty());
   EXPECT_TRUE(spiral.polygon(1).is_empty());
   // Four blades, whose straight parts are on the axes: only the origin sees all of them.
-  const auto blades = SC::region_kernel(closed(std::vector<Point>{{1, 0}, {4, 0}, {4, 3}, {0, 1}, {0, 4}, {-3, 4}, {-1, 0}, {-4, 0}, {-4, -3}, {0, -1}, {0, -4}, {3, -4}}));
+  const auto blades = SC::region_kernel(closed(std::vector<Point>{
+      {1, 0}, {4, 0}, {4, 3}, {0, 1}, {0, 4}, {-3, 4}, {-1, 0}, {-4, 0}, {-4, -3}, {0, -1}, {0, -4}, {3, -4}}));
   EXPECT_TRUE(blades.is_complete());
   EXPECT_FALSE(blades.has_interior());
   EXPECT_TRUE(CGAL::certainly_not(blades.is_empty()));
   EXPECT_EQ(blades.flat_part(), std::vector<Point>{Point(0, 0)});
   // Two squares see all of each other from their common corner only; those that do not touch, from nowhere.
-  const auto squares = SC::region_kernel(closed(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
+  const auto squares =
+      SC::region_kernel(closed(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
   EXPECT_TRUE(CGAL::certainly_not(squares.is_empty()));
   EXPECT_EQ(squares.flat_part(), std::vector<Point>{Point(0, 0)});
-  const auto bent = SC::region_kernel(closed(std::vector<Point>{{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
+  const auto bent = SC::region_kernel(
+      closed(std::vector<Point>{{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
   EXPECT_TRUE(CGAL::certainly(bent.is_empty()));
   expect_invalid([&] { annulus.polygon(0); }, "error must be positive");
-  expect_invalid([] { SC::region_kernel(closed(std::vector<Point>{{0, 0}, {4, 0}, {0, 4}, {4, 4}})); }, "curve 0 at parameter 1.5 and curve 0 at parameter 3.5 cross");
+  expect_invalid(
+      [] {
+        SC::region_kernel(closed(std::vector<Point>{{0, 0}, {4, 0}, {0, 4}, {4, 4}}));
+      },
+      "curve 0 at parameter 1.5 and curve 0 at parameter 3.5 cross");
 }
 
 } // namespace region_kernels_2_test

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Planar operations after exact rotations, translations and scalings: the same numbers of vertices and edges with the same parameters, and lengths, areas and distances that are scaled.
+// Planar operations after exact rotations, translations and scalings: the same numbers of vertices and edges with the
+// same parameters, and lengths, areas and distances that are scaled.
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
@@ -56,12 +57,19 @@ struct Motion
   }
 };
 
-const std::vector<Motion> motions{{R(1), R(3, 5), R(4, 5), R(0), R(0)}, {R(1), R(-5, 13), R(12, 13), R(17, 3), R(-22, 7)}, {R(1), R(1), R(0), R(1000, 9), R(-1, 3)}, {R(3, 7), R(0), R(-1), R(0), R(1)}, {R(64), R(-24, 25), R(-7, 25), R(-5), R(2)}};
+const std::vector<Motion> motions{{R(1), R(3, 5), R(4, 5), R(0), R(0)},
+                                  {R(1), R(-5, 13), R(12, 13), R(17, 3), R(-22, 7)},
+                                  {R(1), R(1), R(0), R(1000, 9), R(-1, 3)},
+                                  {R(3, 7), R(0), R(-1), R(0), R(1)},
+                                  {R(64), R(-24, 25), R(-7, 25), R(-5), R(2)}};
 
 // Those for what takes longer.
 const std::vector<Motion> some_motions{motions[1], motions[4]};
 
-R in_64ths(std::mt19937& random, double low, double high) { return R(static_cast<int>(std::round(64 * std::uniform_real_distribution<double>(low, high)(random))), 64); }
+R in_64ths(std::mt19937& random, double low, double high)
+{
+  return R(static_cast<int>(std::round(64 * std::uniform_real_distribution<double>(low, high)(random))), 64);
+}
 
 P point_in_cell(std::mt19937& random, double x, double y)
 {
@@ -81,15 +89,18 @@ Curves curves_in_cells(std::mt19937& random, int count, int degree)
   return result;
 }
 
-// A periodic cubic spline around a point, the radii of every other control point of which are multiplied by a number: if this is small, there are inflections.
+// A periodic cubic spline around a point, the radii of every other control point of which are multiplied by a number:
+// if this is small, there are inflections.
 Curve closed_spline(std::mt19937& random, double x, double y, double least, double greatest, int n, double share = 1)
 {
   std::vector<R> period;
   std::vector<P> points;
   for (int i = 0; i < n; ++i) {
-    const double angle = 2 * CGAL_PI * i / n, radius = std::uniform_real_distribution<double>(least, greatest)(random) * (i % 2 == 0 ? 1 : share);
+    const double angle = 2 * CGAL_PI * i / n,
+                 radius = std::uniform_real_distribution<double>(least, greatest)(random) * (i % 2 == 0 ? 1 : share);
     period.emplace_back(i);
-    points.emplace_back(R(static_cast<int>(std::round(64 * (x + radius * std::cos(angle)))), 64), R(static_cast<int>(std::round(64 * (y + radius * std::sin(angle)))), 64));
+    points.emplace_back(R(static_cast<int>(std::round(64 * (x + radius * std::cos(angle)))), 64),
+                        R(static_cast<int>(std::round(64 * (y + radius * std::sin(angle)))), 64));
   }
   period.emplace_back(n);
   return Curve::from_periodic(3, period, points);
@@ -117,7 +128,8 @@ bool are_same_boundaries(const std::vector<Boundary_edge>& a, const std::vector<
 {
   const auto are_same = [](const Boundary_edge& e, const Boundary_edge& f) {
     const auto meet = [](const Range& r, const Range& s) { return r.first <= s.second && s.first <= r.second; };
-    return e.kind == f.kind && e.curves == f.curves && meet(e.parameters[0], f.parameters[0]) && meet(e.parameters[1], f.parameters[1]);
+    return e.kind == f.kind && e.curves == f.curves && meet(e.parameters[0], f.parameters[0]) &&
+        meet(e.parameters[1], f.parameters[1]);
   };
   bool is_found = false;
   for (std::size_t shift = 0; shift < b.size() && !is_found; ++shift) {
@@ -143,7 +155,9 @@ std::vector<Boundary_edge> boundary(const std::vector<Edge>& edges)
 {
   std::vector<Boundary_edge> result;
   for (const Edge& edge : edges)
-    result.push_back({static_cast<int>(edge.kind), {edge.source.curve, edge.target.curve}, {edge.source.parameters, edge.target.parameters}});
+    result.push_back({static_cast<int>(edge.kind),
+                      {edge.source.curve, edge.target.curve},
+                      {edge.source.parameters, edge.target.parameters}});
   return result;
 }
 
@@ -174,7 +188,8 @@ TEST(RigidMotions, ConvexHulls)
     const std::vector<P> points{point_in_cell(random, 20, 10)};
     const auto hull = SC::convex_hull(curves, points);
     for (const Motion& motion : motions)
-      expect_same_boundary_and_area(hull, SC::convex_hull(motion(curves), std::vector<P>{motion(points[0])}), motion.scale);
+      expect_same_boundary_and_area(hull, SC::convex_hull(motion(curves), std::vector<P>{motion(points[0])}),
+                                    motion.scale);
   }
 }
 
@@ -217,11 +232,13 @@ TEST(RigidMotions, RegionDistances)
     for (const Motion& motion : motions) {
       const auto moved = SC::region_distance(SC::planar_region(motion(first)), SC::planar_region(motion(second)));
       EXPECT_TRUE(moved.is_complete());
-      expect_common(divided(moved.squared_distance_range(), R(motion.scale * motion.scale)), distance.squared_distance_range());
+      expect_common(divided(moved.squared_distance_range(), R(motion.scale * motion.scale)),
+                    distance.squared_distance_range());
       ASSERT_EQ(moved.pairs().size(), distance.pairs().size());
       for (std::size_t i = 0; i < moved.pairs().size(); ++i)
         for (const std::size_t k : {0, 1})
-          expect_common(moved.pairs()[i].points.parameter_range(k), distance.pairs()[i].points.parameter_range(k), 1e-6);
+          expect_common(moved.pairs()[i].points.parameter_range(k), distance.pairs()[i].points.parameter_range(k),
+                        1e-6);
     }
   }
 }
@@ -250,8 +267,10 @@ std::vector<Edge_key> edge_keys(const Diagram& diagram)
   std::vector<Edge_key> result;
   for (const auto& edge : diagram.edges()) {
     const auto& [right, left] = edge.parameters;
-    const Edge_key forward({edge.sites[0], edge.sites[1]}, {number(right[0]), number(right[1]), number(left[0]), number(left[1])});
-    const Edge_key backward({edge.sites[1], edge.sites[0]}, {number(left[1]), number(left[0]), number(right[1]), number(right[0])});
+    const Edge_key forward({edge.sites[0], edge.sites[1]},
+                           {number(right[0]), number(right[1]), number(left[0]), number(left[1])});
+    const Edge_key backward({edge.sites[1], edge.sites[0]},
+                            {number(left[1]), number(left[0]), number(right[1]), number(right[0])});
     result.push_back((std::min)(forward, backward));
   }
   std::sort(result.begin(), result.end());
@@ -278,7 +297,8 @@ void expect_same_diagram(const Diagram& before, const Diagram& after, const Moti
   ASSERT_EQ(before.sites().size(), after.sites().size());
   for (std::size_t i = 0; i < before.sites().size(); ++i) {
     ASSERT_EQ(before.sites()[i].is_point, after.sites()[i].is_point);
-    EXPECT_LE(CGAL::to_double(CGAL::squared_distance(motion(before.sites()[i].point), after.sites()[i].point)), most_error * most_error);
+    EXPECT_LE(CGAL::to_double(CGAL::squared_distance(motion(before.sites()[i].point), after.sites()[i].point)),
+              most_error * most_error);
   }
   const auto vertices = vertex_keys(before, 1), moved_vertices = vertex_keys(after, scale);
   ASSERT_EQ(vertices.size(), moved_vertices.size());
@@ -334,7 +354,9 @@ std::vector<Boundary_edge> boundary(const SC::Trimmed_offset_2<K>& offset, std::
   std::vector<Boundary_edge> result;
   for (const std::size_t i : offset.boundaries()[index].arcs) {
     const auto& arc = offset.arcs()[i];
-    const auto range = [&](double parameter) { return Range(R(SC::to_rational(parameter) - error), R(SC::to_rational(parameter) + error)); };
+    const auto range = [&](double parameter) {
+      return Range(R(SC::to_rational(parameter) - error), R(SC::to_rational(parameter) + error));
+    };
     result.push_back({arc.is_circular, {arc.curve, arc.curve}, {range(arc.parameters[0]), range(arc.parameters[1])}});
   }
   return result;
@@ -352,7 +374,8 @@ double area(const SC::Trimmed_offset_2<K>& offset, double error)
 }
 
 // Each boundary is that of one of the others, of the same kind.
-void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed_offset_2<K>& after, const Motion& motion)
+void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed_offset_2<K>& after,
+                        const Motion& motion)
 {
   constexpr double chord_error = 1e-5;
   const double scale = CGAL::to_double(motion.scale);
@@ -364,7 +387,8 @@ void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed
   for (std::size_t i = 0; i < before.boundaries().size(); ++i) {
     std::size_t found = 0;
     for (std::size_t k = 0; k < after.boundaries().size(); ++k)
-      found += before.boundaries()[i].is_hole == after.boundaries()[k].is_hole && are_same_boundaries(boundary(before, i), boundary(after, k));
+      found += before.boundaries()[i].is_hole == after.boundaries()[k].is_hole &&
+          are_same_boundaries(boundary(before, i), boundary(after, k));
     EXPECT_EQ(found, 1U) << "boundary " << i;
   }
   std::vector<P> centers, moved_centers;
@@ -374,7 +398,8 @@ void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed
   for (const auto& arc : after.arcs())
     if (arc.is_circular)
       moved_centers.push_back(arc.center);
-  EXPECT_TRUE(std::is_permutation(centers.begin(), centers.end(), moved_centers.begin(), moved_centers.end()));   // exactly
+  // exactly
+  EXPECT_TRUE(std::is_permutation(centers.begin(), centers.end(), moved_centers.begin(), moved_centers.end()));
   const double expected = area(before, chord_error);
   EXPECT_GT(expected, 0);
   EXPECT_NEAR(area(after, scale * chord_error) / (scale * scale), expected, 1e-6 * expected);
@@ -386,10 +411,14 @@ TEST(RigidMotions, TrimmedOffsets)
   std::mt19937 random(7);
   const Curves curves = curves_in_cells(random, 3, 3);
   const std::vector<P> points{point_in_cell(random, 20, 10)};
-  const Curves outline{closed_spline(random, 0, 0, 7, 10, 6), SC::polyline_curve(std::vector<P>{P(-2, -1), P(1, -2), P(0, 2), P(-2, -1)})};
+  const Curves outline{closed_spline(random, 0, 0, 7, 10, 6),
+                       SC::polyline_curve(std::vector<P>{P(-2, -1), P(1, -2), P(0, 2), P(-2, -1)})};
   const R distance(3, 4);
-  const auto around_curves = SC::trimmed_offset(curves, distance, points), grown = SC::trimmed_offset(SC::planar_region(outline), distance), shrunk = SC::trimmed_offset(SC::planar_region(outline), R(-distance));
-  EXPECT_TRUE(std::any_of(around_curves.arcs().begin(), around_curves.arcs().end(), [](const auto& arc) { return arc.is_circular; }));
+  const auto around_curves = SC::trimmed_offset(curves, distance, points),
+             grown = SC::trimmed_offset(SC::planar_region(outline), distance),
+             shrunk = SC::trimmed_offset(SC::planar_region(outline), R(-distance));
+  EXPECT_TRUE(std::any_of(around_curves.arcs().begin(), around_curves.arcs().end(),
+                          [](const auto& arc) { return arc.is_circular; }));
   EXPECT_EQ(grown.boundaries().size(), 2U);
   EXPECT_EQ(shrunk.boundaries().size(), 2U);
   for (const Motion& motion : {Motion{R(1), R(3, 5), R(4, 5), R(17, 3), R(-22, 7)}, motions[4]}) {

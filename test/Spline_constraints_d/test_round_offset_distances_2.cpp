@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets of drawings on a grid with cubics for round corners, at distances at which disks touch two walls, a wall and a corner, or both ends of a round corner exactly.
+// Offsets of drawings on a grid with cubics for round corners, at distances at which disks touch two walls, a wall and
+// a corner, or both ends of a round corner exactly.
 #include "polygon_area.h"
 
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
@@ -28,7 +29,9 @@ using Curves = std::vector<Curve>;
 using Offset = SC::Trimmed_offset_2<K>;
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double handle = 0.5523;   // of cubics instead of quarters of a circle, as drawings have them: they are up to 0.00028 outside of it, and meet it in both ends
+// of cubics instead of quarters of a circle, as drawings have them: they are up to 0.00028 outside of it, and meet it
+// in both ends
+constexpr double handle = 0.5523;
 
 // A polygon with a round corner of a given radius, or 0, in each point. All sides are parallel to the axes.
 void append_rounded_polygon(Curves& curves, const std::vector<P>& corners, const std::vector<double>& radii)
@@ -62,10 +65,12 @@ std::vector<P> square(double half) { return {P(-half, -half), P(half, -half), P(
 std::size_t number_of_components(const Offset& offset)
 {
   EXPECT_TRUE(offset.is_complete());
-  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return !boundary.is_hole; }));
+  return static_cast<std::size_t>(std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                                [](const auto& boundary) { return !boundary.is_hole; }));
 }
 
-// Whether points are in an offset is told by their distances from points of the boundary. Returns how many of those that were asked are in it.
+// Whether points are in an offset is told by their distances from points of the boundary. Returns how many of those
+// that were asked are in it.
 int expect_points_of_offset(const Curves& curves, const SC::Planar_region_2<K>& region, double r, std::mt19937& random)
 {
   const Offset offset = SC::trimmed_offset(region, r);
@@ -89,14 +94,17 @@ int expect_points_of_offset(const Curves& curves, const SC::Planar_region_2<K>& 
     if (std::abs(distance - r) < 0.01)
       continue;
     const auto holds = [&](const auto& polygon) { return polygon.bounded_side(p) == CGAL::ON_BOUNDED_SIDE; };
-    const bool is_in = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) { return holds(polygon.outer_boundary()) && std::none_of(polygon.holes_begin(), polygon.holes_end(), holds); });
+    const bool is_in = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) {
+      return holds(polygon.outer_boundary()) && std::none_of(polygon.holes_begin(), polygon.holes_end(), holds);
+    });
     EXPECT_EQ(is_in, distance < r) << p << ' ' << r;
     inside += is_in;
   }
   return inside;
 }
 
-// The disk in a round corner touches both its ends, and those of the sides begin there: what is left is the rectangle of the centers.
+// The disk in a round corner touches both its ends, and those of the sides begin there: what is left is the rectangle
+// of the centers.
 TEST(RoundOffsetDistances, RoundedRectangleBecomesSharp)
 {
   Curves curves;
@@ -118,7 +126,8 @@ TEST(RoundOffsetDistances, NothingIsLeftOfAStroke)
   EXPECT_EQ(number_of_components(SC::trimmed_offset(SC::planar_region(curves), -1)), 0U);
 }
 
-// A ring that is 2 wide in the directions of the axes, and between up to 0.0006 more: the four parts in which there are disks of radius 1 touch there.
+// A ring that is 2 wide in the directions of the axes, and between up to 0.0006 more: the four parts in which there are
+// disks of radius 1 touch there.
 TEST(RoundOffsetDistances, RingBetweenCubics)
 {
   Curves curves = rounded_polygon(square(3), 3);
@@ -130,12 +139,18 @@ TEST(RoundOffsetDistances, RingBetweenCubics)
   EXPECT_LT(total_area(offset.polygons_with_holes(1e-7)), 4 * pi * 0.0006);
 }
 
-// A wall opposite to the end of a quarter of a circle, at twice the distance. As a line touches a circle, curves are cut where they cross, at irrational parameters of both.
+// A wall opposite to the end of a quarter of a circle, at twice the distance. As a line touches a circle, curves are
+// cut where they cross, at irrational parameters of both.
 TEST(RoundOffsetDistances, OppositePartsOfCurvesThatCross)
 {
-  const Curves curves{SC::bezier_curve(std::vector<P>{P(60, 22), P(100, 22)}), SC::circle_curve(P(85, 46), 20), SC::circle_curve(P(40, 40), 25), SC::bezier_curve(std::vector<P>{P(5, 15), P(75, 15)}),
-                      SC::bezier_curve(std::vector<P>{P(5, 50), P(20, -10), P(40, 90), P(60, 40)}), SC::bezier_curve(std::vector<P>{P(60, 40), P(80, -10), P(95, 10), P(115, 40)})};
-  const Offset offset = SC::trimmed_offset(curves, 2), larger = SC::trimmed_offset(curves, 2 + 0x1p-20), smaller = SC::trimmed_offset(curves, 2 - 0x1p-20);
+  const Curves curves{SC::bezier_curve(std::vector<P>{P(60, 22), P(100, 22)}),
+                      SC::circle_curve(P(85, 46), 20),
+                      SC::circle_curve(P(40, 40), 25),
+                      SC::bezier_curve(std::vector<P>{P(5, 15), P(75, 15)}),
+                      SC::bezier_curve(std::vector<P>{P(5, 50), P(20, -10), P(40, 90), P(60, 40)}),
+                      SC::bezier_curve(std::vector<P>{P(60, 40), P(80, -10), P(95, 10), P(115, 40)})};
+  const Offset offset = SC::trimmed_offset(curves, 2), larger = SC::trimmed_offset(curves, 2 + 0x1p-20),
+               smaller = SC::trimmed_offset(curves, 2 - 0x1p-20);
   EXPECT_EQ(number_of_components(offset), 1U);
   EXPECT_EQ(number_of_components(larger), 1U);
   EXPECT_EQ(offset.boundaries().size(), larger.boundaries().size());
@@ -175,7 +190,8 @@ TEST(RoundOffsetDistances, RandomDrawingOnAGrid)
   EXPECT_GT(inside, 20);
 }
 
-// A hook with a round tip. Inside of its bend, the derivative of a cubic is zero where the tip begins: disks in the stroke touch the tip there, and the other side.
+// A hook with a round tip. Inside of its bend, the derivative of a cubic is zero where the tip begins: disks in the
+// stroke touch the tip there, and the other side.
 TEST(RoundOffsetDistances, HookWithZeroDerivatives)
 {
   Curves curves;

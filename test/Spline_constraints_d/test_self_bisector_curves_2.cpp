@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Self-bisectors: axes of symmetry of conics, ends at centers of curvature in all vertices, and every point at the same distance along both normals.
+// Self-bisectors: axes of symmetry of conics, ends at centers of curvature in all vertices, and every point at the same
+// distance along both normals.
 
 #include "pair_locus_test_tools.h"
 
@@ -22,14 +23,18 @@ namespace {
 
 using Function = SC::Bspline_function<SC::Exact_rational>;
 
-// The ellipse with these semi-axes as one rational polynomial of degree 4 on [0,1]: the squares of complex numbers z(t), over |z|^2.
+// The ellipse with these semi-axes as one rational polynomial of degree 4 on [0,1]: the squares of complex numbers
+// z(t), over |z|^2.
 Curve ellipse(int a, int b)
 {
-  const Function x({2}, {{0, 0, 0, 1, 1, 1}}, {1, 0, -1}), y({2}, {{0, 0, 0, 1, 1, 1}}, {0, 2, 0}), xx = x * x, yy = y * y;
-  return Curve::from_homogeneous_coordinates({(xx - yy) * SC::Exact_rational(a), x * y * SC::Exact_rational(2 * b)}, xx + yy);
+  const Function x({2}, {{0, 0, 0, 1, 1, 1}}, {1, 0, -1}), y({2}, {{0, 0, 0, 1, 1, 1}}, {0, 2, 0}), xx = x * x,
+                                                                                                    yy = y * y;
+  return Curve::from_homogeneous_coordinates({(xx - yy) * SC::Exact_rational(a), x * y * SC::Exact_rational(2 * b)},
+                                             xx + yy);
 }
 
-// Calls check(x, y) for points of all curves, which are at the same distance from the curve along both normals; not for those on the diagonal and at common ends of pieces, which are exactly there.
+// Calls check(x, y) for points of all curves, which are at the same distance from the curve along both normals; not for
+// those on the diagonal and at common ends of pieces, which are exactly there.
 template <class Check>
 void check_points(const Locus& locus, const Curve& curve, const Check& check)
 {
@@ -39,17 +44,23 @@ void check_points(const Locus& locus, const Curve& curve, const Check& check)
   });
 }
 
-// The ends of curves on the diagonal, which includes the seam of a closed curve, with the errors of their distances from the centers of curvature.
+// The ends of curves on the diagonal, which includes the seam of a closed curve, with the errors of their distances
+// from the centers of curvature.
 std::vector<double> errors_on_diagonal(const Locus& locus, const Curve& c)
 {
   std::vector<double> result;
   for (const Locus::Curve& curve : locus.curves()) {
     const auto samples = locus.polyline(curve, 1e-2, 10);
     for (const auto* sample : {&samples.front(), &samples.back()})
-      if (const auto [u, v] = sample->parameters; u == v || (c.is_closed() && u == c.domain().first && v == c.domain().second)) {
+      if (const auto [u, v] = sample->parameters;
+          u == v || (c.is_closed() && u == c.domain().first && v == c.domain().second)) {
         const auto derivatives = c.derivatives(u, 2);
-        const SC::Exact_rational factor(derivatives[1].squared_length() / (derivatives[1].x() * derivatives[2].y() - derivatives[1].y() * derivatives[2].x()));
-        const Vector center = rounded(Point(c(u).x() - factor * derivatives[1].y(), c(u).y() + factor * derivatives[1].x())), p = rounded(sample->point);
+        const SC::Exact_rational factor(
+            derivatives[1].squared_length() /
+            (derivatives[1].x() * derivatives[2].y() - derivatives[1].y() * derivatives[2].x()));
+        const Vector center =
+                         rounded(Point(c(u).x() - factor * derivatives[1].y(), c(u).y() + factor * derivatives[1].x())),
+                     p = rounded(sample->point);
         result.push_back(std::hypot(p[0] - center[0], p[1] - center[1]) / (1 + std::hypot(p[0], p[1])));
       }
   }
@@ -62,11 +73,13 @@ std::size_t number_of_vertices(const Curve& c)
   const auto extremes = SC::curvature_extremes(c).features;
   return static_cast<std::size_t>(std::count_if(extremes.begin(), extremes.end(), [&](const auto& extreme) {
     const auto& [begin, end] = extreme.point_on_curve().parameter_range();
-    return (extreme.kind() == SC::Curve_feature_kind::MAXIMUM || extreme.kind() == SC::Curve_feature_kind::MINIMUM) && (c.is_closed() || (c.domain().first < begin && end < c.domain().second));
+    return (extreme.kind() == SC::Curve_feature_kind::MAXIMUM || extreme.kind() == SC::Curve_feature_kind::MINIMUM) &&
+        (c.is_closed() || (c.domain().first < begin && end < c.domain().second));
   }));
 }
 
-// One end on the diagonal for each vertex, in its center of curvature; and a pole for each line that touches the curve twice.
+// One end on the diagonal for each vertex, in its center of curvature; and a pole for each line that touches the curve
+// twice.
 void check_topology(const Locus& locus, const Curve& curve)
 {
   EXPECT_TRUE(locus.is_complete()) << locus;
@@ -96,7 +109,8 @@ TEST(Self_bisector_curves_2, parabola_has_its_axis)
   EXPECT_EQ(errors_on_diagonal(locus, parabola).size(), 1u);
 }
 
-// Of each axis the part between the centers of curvature: (+-3/2, 0) and (0, +-3). The other axis goes through the seam.
+// Of each axis the part between the centers of curvature: (+-3/2, 0) and (0, +-3). The other axis goes through the
+// seam.
 TEST(Self_bisector_curves_2, ellipse_has_its_axes)
 {
   const Curve curve = ellipse(2, 1);
@@ -150,12 +164,14 @@ TEST(Self_bisector_curves_2, triangle)
 TEST(Self_bisector_curves_2, random_cubics)
 {
   std::mt19937 random(4);
-  const K::Aff_transformation_2 motion(SC::Exact_rational(3, 5), SC::Exact_rational(-4, 5), 2, SC::Exact_rational(4, 5), SC::Exact_rational(3, 5), -1);
+  const K::Aff_transformation_2 motion(SC::Exact_rational(3, 5), SC::Exact_rational(-4, 5), 2, SC::Exact_rational(4, 5),
+                                       SC::Exact_rational(3, 5), -1);
   std::size_t ends = 0;
   for (int trial = 0; trial < 8; ++trial) {
     const Curve curve = SC::bezier_curve(random_points(random, 8));
     const Locus locus = SC::self_bisector_curves(curve);
-    expect_numbers(SC::self_bisector_curves(curve.transformed(motion)), locus.number_of_closed_curves(), locus.number_of_open_curves(), locus.singular_points().size(), locus.number_of_poles());
+    expect_numbers(SC::self_bisector_curves(curve.transformed(motion)), locus.number_of_closed_curves(),
+                   locus.number_of_open_curves(), locus.singular_points().size(), locus.number_of_poles());
     check_topology(locus, curve);
     ends += number_of_vertices(curve);
   }
@@ -174,18 +190,24 @@ TEST(Self_bisector_curves_2, quartic)
 // An open and a closed cubic spline, whose curvature is continuous; the parabola in two pieces.
 TEST(Self_bisector_curves_2, splines)
 {
-  const Curve spline(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, std::vector<Point>{{0, 0}, {1, 4}, {3, -3}, {5, 4}, {6, 1}, {8, 2}});
+  const Curve spline(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3},
+                     std::vector<Point>{{0, 0}, {1, 4}, {3, -3}, {5, 4}, {6, 1}, {8, 2}});
   check_topology(SC::self_bisector_curves(spline), spline);
   EXPECT_GT(number_of_vertices(spline), 2u);
   // Breaks without a jump of any derivative change no numbers.
   const Curve quartic = SC::bezier_curve(std::vector<Point>{{-3, 3}, {-2, -5}, {0, 6}, {2, -5}, {3, 4}});
-  const Locus whole = SC::self_bisector_curves(quartic), cut = SC::self_bisector_curves(quartic.with_knot(SC::Exact_rational(2, 5)).with_knot(SC::Exact_rational(5, 7)));
-  expect_numbers(cut, whole.number_of_closed_curves(), whole.number_of_open_curves(), whole.singular_points().size(), whole.number_of_poles());
+  const Locus whole = SC::self_bisector_curves(quartic),
+              cut = SC::self_bisector_curves(
+                  quartic.with_knot(SC::Exact_rational(2, 5)).with_knot(SC::Exact_rational(5, 7)));
+  expect_numbers(cut, whole.number_of_closed_curves(), whole.number_of_open_curves(), whole.singular_points().size(),
+                 whole.number_of_poles());
   const Curve closed = Curve::from_periodic(3, {0, 1, 2, 3, 4}, {{6, 1}, {1, 5}, {-4, 1}, {2, 0}});
   check_topology(SC::self_bisector_curves(closed), closed);
   EXPECT_GE(number_of_vertices(closed), 4u);   // the theorem of the four vertices
 
-  const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}}).with_knot(SC::Exact_rational(1, 3)).with_knot(SC::Exact_rational(1, 3));
+  const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}})
+                             .with_knot(SC::Exact_rational(1, 3))
+                             .with_knot(SC::Exact_rational(1, 3));
   const Locus axis = SC::self_bisector_curves(parabola);
   expect_numbers(axis, 0, 1, 0, 0);   // joined where a parameter passes the break
   double lowest = 9, highest = 0;

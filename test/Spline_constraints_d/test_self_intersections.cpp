@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where curves meet themselves: exact answers, polylines against all pairs of segments, splines against all pairs of their pieces.
+// Where curves meet themselves: exact answers, polylines against all pairs of segments, splines against all pairs of
+// their pieces.
 
 #include "geometry_test_tools.h"
 
@@ -57,12 +58,14 @@ SC::Bspline_function<R> polynomial(const Powers& coefficients, int degree, const
 Curve polynomial_curve(const Powers& x, const Powers& y, const R& a, const R& b, const Powers& weight = {R(1)})
 {
   const int degree = static_cast<int>((std::max)({x.size(), y.size(), weight.size()})) - 1;
-  return Curve::from_homogeneous_coordinates({polynomial(x, degree, a, b), polynomial(y, degree, a, b)}, polynomial(weight, degree, a, b));
+  return Curve::from_homogeneous_coordinates({polynomial(x, degree, a, b), polynomial(y, degree, a, b)},
+                                             polynomial(weight, degree, a, b));
 }
 
 Space_curve polynomial_curve(const Powers& x, const Powers& y, const Powers& z, const R& a, const R& b)
 {
-  return Space_curve::from_homogeneous_coordinates({polynomial(x, 4, a, b), polynomial(y, 4, a, b), polynomial(z, 4, a, b)}, polynomial({R(1)}, 4, a, b));
+  return Space_curve::from_homogeneous_coordinates(
+      {polynomial(x, 4, a, b), polynomial(y, 4, a, b), polynomial(z, 4, a, b)}, polynomial({R(1)}, 4, a, b));
 }
 
 Powers chebyshev(int n)
@@ -109,7 +112,8 @@ TEST(Self_intersections, NodalCubic)
   ASSERT_EQ(at_end.size(), 1u);
   EXPECT_EQ(at_end[0].kind(), Kind::END_POINT);
   EXPECT_TRUE(!at_end[0].is_at_end(0) && at_end[0].is_at_end(1));
-  EXPECT_TRUE(SC::self_intersections(nodal_cubic.restricted(R(-1), R(1))).empty());   // a closed loop: the node is its seam
+  // a closed loop: the node is its seam
+  EXPECT_TRUE(SC::self_intersections(nodal_cubic.restricted(R(-1), R(1))).empty());
 }
 
 // x = T_a(t), y = T_b(t) has a node at each t = cos(pi (i/a + j/b)), cos(pi (i/a - j/b)).
@@ -142,7 +146,8 @@ TEST(Self_intersections, OfACurveInSpace)
   const Powers x{R(-1), R(0), R(1)}, y{R(0), R(-1), R(0), R(1)};
   expect_pairs(polynomial_curve(x, y, {R(-3), R(-1), R(3), R(1)}, R(-2), R(2)), {{-1, 1}});   // z = (t + 3) (t^2 - 1)
   expect_pairs(polynomial_curve(x, y, {R(0), R(1)}, R(-2), R(2)), {});
-  expect_pairs(polynomial_curve(x, y, {R(0), R(1) / R(1000000), R(1)}, R(-2), R(2)), {});   // z differs by 2e-6 in the node
+  // z differs by 2e-6 in the node
+  expect_pairs(polynomial_curve(x, y, {R(0), R(1) / R(1000000), R(1)}, R(-2), R(2)), {});
   Random_geometry random(5);
   for (int k = 0; k < 5; ++k)
     expect_pairs(random.curve<Exact_cartesian, 3>(4, 1), {});
@@ -156,9 +161,12 @@ TEST(Self_intersections, ClosedCurves)
   std::vector<R> period;
   for (int i = 0; i <= 8; ++i)
     period.push_back(R(i));
-  expect_pairs(Curve::from_periodic(3, period, {{1, 0}, {2, 1}, {1, 2}, {0, 1}, {-1, 0}, {-2, 1}, {-1, 2}, {0, 1}}), {{2, 6}});
-  expect_pairs(Curve::from_periodic(3, period, {{1, 2}, {0, 1}, {-1, 0}, {-2, 1}, {-1, 2}, {0, 1}, {1, 0}, {2, 1}}), {{0, 4}}, Kind::END_POINT);
-  expect_pairs(Curve::from_periodic(3, period, {{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}), {});
+  expect_pairs(Curve::from_periodic(3, period, {{1, 0}, {2, 1}, {1, 2}, {0, 1}, {-1, 0}, {-2, 1}, {-1, 2}, {0, 1}}),
+               {{2, 6}});
+  expect_pairs(Curve::from_periodic(3, period, {{1, 2}, {0, 1}, {-1, 0}, {-2, 1}, {-1, 2}, {0, 1}, {1, 0}, {2, 1}}),
+               {{0, 4}}, Kind::END_POINT);
+  expect_pairs(Curve::from_periodic(3, period, {{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}),
+               {});
 }
 
 TEST(Self_intersections, CuspsAreNone)
@@ -167,16 +175,20 @@ TEST(Self_intersections, CuspsAreNone)
   expect_pairs(polynomial_curve(t2, t3, R(-1), R(1)), {});
   expect_pairs(polynomial_curve(t2, t3, R(-1), R(1)).with_knot(R(0)), {});
   expect_pairs(polynomial_curve({R(0), R(0), R(1), R(3)}, {R(0), R(0), R(2), R(1)}, R(-1), R(1) / R(3)), {});
-  expect_pairs(polynomial_curve({R(0), R(0), R(1), R(3)}, {R(0), R(0), R(2), R(1)}, R(-1), R(1) / R(3)).with_knot(R(0)), {});
-  expect_pairs(polynomial_curve(t3, {R(0), R(0), R(0), R(1), R(0), R(1)}, R(-1), R(1) / R(3)), {});   // it stops and goes on
+  expect_pairs(polynomial_curve({R(0), R(0), R(1), R(3)}, {R(0), R(0), R(2), R(1)}, R(-1), R(1) / R(3)).with_knot(R(0)),
+               {});
+  // it stops and goes on
+  expect_pairs(polynomial_curve(t3, {R(0), R(0), R(0), R(1), R(0), R(1)}, R(-1), R(1) / R(3)), {});
   // C' = (t^2 - 2) (1, t): a cusp at the square root of 2.
-  expect_pairs(polynomial_curve({R(0), R(-2), R(0), R(1) / R(3)}, {R(0), R(0), R(-1), R(0), R(1) / R(4)}, R(1), R(2)), {});
+  expect_pairs(polynomial_curve({R(0), R(-2), R(0), R(1) / R(3)}, {R(0), R(0), R(-1), R(0), R(1) / R(4)}, R(1), R(2)),
+               {});
 }
 
 // The projective image of that cusp is not decided, and reported.
 TEST(Self_intersections, AnIrrationalCuspOfARationalCurveIsUndecided)
 {
-  const Powers x{R(0), R(-2), R(0), R(1) / R(3)}, y{R(0), R(0), R(-1), R(0), R(1) / R(4)}, weight{R(5), R(-2), R(-1), R(1) / R(3), R(1) / R(4)};
+  const Powers x{R(0), R(-2), R(0), R(1) / R(3)}, y{R(0), R(0), R(-1), R(0), R(1) / R(4)},
+      weight{R(5), R(-2), R(-1), R(1) / R(3), R(1) / R(4)};
   const auto found = SC::self_intersections(polynomial_curve(x, y, R(1), R(2), weight));
   EXPECT_GE(found.size(), 1u);
   EXPECT_EQ(found.size(), found.count(Kind::UNDECIDED));
@@ -187,12 +199,14 @@ TEST(Self_intersections, AnIrrationalCuspOfARationalCurveIsUndecided)
 // Two parabolas that touch in the common end of two pieces, where the curve turns back.
 TEST(Self_intersections, TurningBackAtABreak)
 {
-  expect_pairs(Curve(2, {R(0), R(0), R(0), R(1), R(1), R(2), R(2), R(2)}, {{4, 16}, {2, 0}, {0, 0}, {2, 0}, {4, -16}}), {});
+  expect_pairs(Curve(2, {R(0), R(0), R(0), R(1), R(1), R(2), R(2), R(2)}, {{4, 16}, {2, 0}, {0, 0}, {2, 0}, {4, -16}}),
+               {});
 }
 
 TEST(Self_intersections, Overlaps)
 {
-  for (const Curve& curve : {polyline({{0, 0}, {1, 1}, {0, 0}}), polyline({{0, 0}, {2, 2}, {1, 1}}), polyline({{0, 0}, {4, 0}, {4, 1}, {2, 0}, {-1, 0}})}) {
+  for (const Curve& curve : {polyline({{0, 0}, {1, 1}, {0, 0}}), polyline({{0, 0}, {2, 2}, {1, 1}}),
+                             polyline({{0, 0}, {4, 0}, {4, 1}, {2, 0}, {-1, 0}})}) {
     const auto found = SC::self_intersections(curve);
     EXPECT_EQ(found.count(Kind::OVERLAP), 1u);
     EXPECT_TRUE(found.is_complete());
@@ -218,7 +232,8 @@ TEST(Self_intersections, Overlaps)
     EXPECT_EQ(twice[i].parameter_range(1), std::make_pair(R(begin + 4), R(begin + 5)));
   }
   // A parabola there and back, turning inside of a piece.
-  const auto back = SC::self_intersections(polynomial_curve({R(0), R(0), R(1)}, {R(0), R(0), R(0), R(0), R(1)}, R(-1), R(1) / R(3)));
+  const auto back =
+      SC::self_intersections(polynomial_curve({R(0), R(0), R(1)}, {R(0), R(0), R(0), R(0), R(1)}, R(-1), R(1) / R(3)));
   EXPECT_GT(back.count(Kind::OVERLAP), 0u);
   EXPECT_EQ(back.count(Kind::OVERLAP) + back.count(Kind::UNDECIDED), back.size());
 }
@@ -235,17 +250,21 @@ TEST(Self_intersections, RestingInAPoint)
 
 TEST(Self_intersections, ContactsAndCorners)
 {
-  const Curve arcs(2, {R(0), R(0), R(0), R(1), R(1), R(2), R(2), R(3), R(3), R(3)}, {{-1, 1}, {0, -1}, {1, 1}, {5, 0}, {-1, -1}, {0, 1}, {1, -1}});
+  const Curve arcs(2, {R(0), R(0), R(0), R(1), R(1), R(2), R(2), R(3), R(3), R(3)},
+                   {{-1, 1}, {0, -1}, {1, 1}, {5, 0}, {-1, -1}, {0, 1}, {1, -1}});
   const auto contact = SC::self_intersections(arcs);   // two parabolas, and a way between
   EXPECT_TRUE(contact.is_complete());
   ASSERT_EQ(contact.count(Kind::TANGENT), 1u);
-  const auto& answer = *std::find_if(contact.begin(), contact.end(), [](const auto& x) { return x.kind() == Kind::TANGENT; });
+  const auto& answer =
+      *std::find_if(contact.begin(), contact.end(), [](const auto& x) { return x.kind() == Kind::TANGENT; });
   EXPECT_NEAR(answer.parameter(0), 0.5, 1e-13);
   EXPECT_NEAR(answer.parameter(1), 2.5, 1e-13);
   EXPECT_EQ(answer.multiplicity(), 2);
 
-  expect_pairs(polyline({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), {{0.5, 3}}, Kind::TANGENT);      // a corner on a segment
-  expect_pairs(polyline({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, -2}}), {{0.5, 3}});                    // a knot on a segment, no corner
+  // a corner on a segment
+  expect_pairs(polyline({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), {{0.5, 3}}, Kind::TANGENT);
+  // a knot on a segment, no corner
+  expect_pairs(polyline({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, -2}}), {{0.5, 3}});
   expect_pairs(polyline({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 0}}), {{0.5, 4}}, Kind::END_POINT);
 }
 
@@ -266,15 +285,18 @@ Segment_pairs all_pairs_of_segments(const std::vector<Point>& points)
   Segment_pairs result;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     for (std::size_t j = i + 1; j + 1 < points.size(); ++j) {
-      if (!CGAL::do_intersect(Exact_cartesian::Segment_2(points[i], points[i + 1]), Exact_cartesian::Segment_2(points[j], points[j + 1])))
+      if (!CGAL::do_intersect(Exact_cartesian::Segment_2(points[i], points[i + 1]),
+                              Exact_cartesian::Segment_2(points[j], points[j + 1])))
         continue;
-      const Exact_cartesian::Vector_2 a = points[i + 1] - points[i], b = points[j + 1] - points[j], c = points[j] - points[i];
+      const Exact_cartesian::Vector_2 a = points[i + 1] - points[i], b = points[j + 1] - points[j],
+                                      c = points[j] - points[i];
       R determinant = CGAL::determinant(a, b), u, v;
       if (determinant != 0) {
         u = R(CGAL::determinant(c, b) / determinant);
         v = R(CGAL::determinant(c, a) / determinant);
       } else {   // on one line: from and to where on the first one
-        const R from(c * a / (a * a)), to((c + b) * a / (a * a)), begin((std::max)(R(0), (std::min)(from, to))), end((std::min)(R(1), (std::max)(from, to)));
+        const R from(c * a / (a * a)), to((c + b) * a / (a * a)), begin((std::max)(R(0), (std::min)(from, to))),
+            end((std::min)(R(1), (std::max)(from, to)));
         if (begin < end) {
           ++result.overlaps;
           continue;
@@ -312,14 +334,19 @@ TEST(Self_intersections, OfRandomPolylinesAreThoseOfAllPairsOfSegments)
       return is_in(pair.first, answer.parameter_range(0)) && is_in(pair.second, answer.parameter_range(1));
     };
     for (const auto& pair : expected.points) {
-      const auto number = std::count_if(found.begin(), found.end(), [&](const auto& answer) { return answer.kind() != Kind::OVERLAP && holds(answer, pair); });
-      const bool is_on_overlap = std::any_of(found.begin(), found.end(), [&](const auto& answer) { return answer.kind() == Kind::OVERLAP && holds(answer, pair); });
+      const auto number = std::count_if(found.begin(), found.end(), [&](const auto& answer) {
+        return answer.kind() != Kind::OVERLAP && holds(answer, pair);
+      });
+      const bool is_on_overlap = std::any_of(found.begin(), found.end(), [&](const auto& answer) {
+        return answer.kind() == Kind::OVERLAP && holds(answer, pair);
+      });
       EXPECT_TRUE(number == 1 || (number == 0 && is_on_overlap));
     }
     for (const auto& answer : found)
       if (answer.kind() != Kind::OVERLAP) {
         ++points_found;
-        EXPECT_TRUE(std::any_of(expected.points.begin(), expected.points.end(), [&](const auto& pair) { return holds(answer, pair); }));
+        EXPECT_TRUE(std::any_of(expected.points.begin(), expected.points.end(),
+                                [&](const auto& pair) { return holds(answer, pair); }));
       }
     overlaps_found += expected.overlaps;
   }
@@ -365,13 +392,19 @@ TEST(Self_intersections, OfRandomSplinesAreThoseOfAllPairsOfPieces)
     const auto of_image = SC::self_intersections(Curve(3, knots, images, weights).reversed());
     ASSERT_EQ(of_image.size(), found.size());
     for (const auto& answer : found)
-      EXPECT_EQ(std::count_if(of_image.begin(), of_image.end(), [&](const auto& other) {
-        return std::abs(other.parameter(0) + answer.parameter(1) - 5) < 1e-12 && std::abs(other.parameter(1) + answer.parameter(0) - 5) < 1e-12;
-      }), 1);
+      EXPECT_EQ(std::count_if(of_image.begin(), of_image.end(),
+                              [&](const auto& other) {
+                                return std::abs(other.parameter(0) + answer.parameter(1) - 5) < 1e-12 &&
+                                    std::abs(other.parameter(1) + answer.parameter(0) - 5) < 1e-12;
+                              }),
+                1);
   }
   EXPECT_GT(all, 6u);
 }
 
-TEST(Self_intersections, BadInput) { EXPECT_THROW(SC::self_intersections(nodal_cubic, {.tolerance = -1}), SC::Invalid_input); }
+TEST(Self_intersections, BadInput)
+{
+  EXPECT_THROW(SC::self_intersections(nodal_cubic, {.tolerance = -1}), SC::Invalid_input);
+}
 
 } // namespace

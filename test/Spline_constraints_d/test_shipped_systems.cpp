@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The systems that are shipped with the examples have as many solutions as their first line says. Runs in its own folder.
+// The systems that are shipped with the examples have as many solutions as their first line says. Runs in its own
+// folder.
 
 #include "solver_test_checks.h"
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Silhouettes: circles of spheres, lines of cylinders and cones, those of a torus by direction, random patches against the signs along their edges, rotations, creases.
+// Silhouettes: circles of spheres, lines of cylinders and cones, those of a torus by direction, random patches against
+// the signs along their edges, rotations, creases.
 
 #include "surface_test_names.h"
 
@@ -39,7 +40,8 @@ void check_points(const Surface& surface, const Eye& eye, const Curves& set, con
     for (const auto& sample : samples) {
       std::array<Rational, 2> u;
       for (int axis = 0; axis < 2; ++axis)
-        u[axis] = (std::min)((std::max)(Rational(sample.parameters[axis]), surface.domain(axis).first), surface.domain(axis).second);
+        u[axis] = (std::min)((std::max)(Rational(sample.parameters[axis]), surface.domain(axis).first),
+                             surface.domain(axis).second);
       EXPECT_LT(length(sample.point - surface(u[0], u[1])), tiny) << what;
       const Vector normal = surface.normal(u[0], u[1]), sight = line_of_sight(sample.point, eye);
       EXPECT_LE(std::abs(CGAL::to_double(normal * sight)), tiny * length(normal) * length(sight)) << what;
@@ -48,7 +50,8 @@ void check_points(const Surface& surface, const Eye& eye, const Curves& set, con
 }
 
 template <class Eye>
-Curves expect_silhouettes(const Surface& surface, const Eye& eye, std::size_t closed, std::size_t open, std::size_t singular = 0, const std::string& what = "")
+Curves expect_silhouettes(const Surface& surface, const Eye& eye, std::size_t closed, std::size_t open,
+                          std::size_t singular = 0, const std::string& what = "")
 {
   Curves set = SC::silhouettes(surface, eye);
   EXPECT_TRUE(set.is_complete()) << what;
@@ -70,7 +73,8 @@ void expect_in_plane(const Curves& set, const K::Plane_3& plane)
 const Point center(1, 2, 3);
 const Surface sphere = SC::sphere_surface<K>(center, 2), torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1);
 
-const K::Aff_transformation_3 quarter_turn(0, 0, 1, 2, 1, 0, 0, -1, 0, 1, 0, 5);   // x to y to z to x, and a translation
+// x to y to z to x, and a translation
+const K::Aff_transformation_3 quarter_turn(0, 0, 1, 2, 1, 0, 0, -1, 0, 1, 0, 5);
 
 Surface random_surface(int degree, int pieces, bool is_rational, std::mt19937& generator)
 {
@@ -79,7 +83,8 @@ Surface random_surface(int degree, int pieces, bool is_rational, std::mt19937& g
   std::vector<Rational> weights, knots(static_cast<std::size_t>(degree), 0);
   for (int i = 0; i < degree + pieces; ++i)
     for (int j = 0; j < degree + pieces; ++j) {
-      points.emplace_back(3 * i + Rational(offset(generator), 40), 3 * j + Rational(offset(generator), 40), Rational(offset(generator), 10));
+      points.emplace_back(3 * i + Rational(offset(generator), 40), 3 * j + Rational(offset(generator), 40),
+                          Rational(offset(generator), 10));
       if (is_rational)
         weights.emplace_back(weight(generator));
     }
@@ -102,7 +107,8 @@ TEST(Silhouettes, sphere)
   }
   // The polar plane of the eye.
   const Vector to_eye(4, 2, 5);
-  expect_in_plane(expect_silhouettes(sphere, center + to_eye, 1, 0), K::Plane_3(to_eye.x(), to_eye.y(), to_eye.z(), -(to_eye * (center - CGAL::ORIGIN)) - 4));
+  expect_in_plane(expect_silhouettes(sphere, center + to_eye, 1, 0),
+                  K::Plane_3(to_eye.x(), to_eye.y(), to_eye.z(), -(to_eye * (center - CGAL::ORIGIN)) - 4));
   expect_silhouettes(sphere, center + Vector(1, 1, 1), 0, 0);   // from inside
 }
 
@@ -158,7 +164,8 @@ TEST(Silhouettes, random_patches)
       }
     EXPECT_EQ(2 * set.number_of_open_curves(), ends) << round;
     // Nothing depends on the place and the parameters.
-    const Curves turned = SC::silhouettes(patch.transformed(quarter_turn).transposed(), direction.transform(quarter_turn));
+    const Curves turned =
+        SC::silhouettes(patch.transformed(quarter_turn).transposed(), direction.transform(quarter_turn));
     EXPECT_EQ(turned.number_of_closed_curves(), set.number_of_closed_curves()) << round;
     EXPECT_EQ(turned.number_of_open_curves(), set.number_of_open_curves()) << round;
   }
@@ -170,13 +177,16 @@ TEST(Silhouettes, breaks_and_creases)
   std::mt19937 generator(7);
   const Surface patch = random_surface(3, 1, false, generator);
   const Vector direction(1, 2, 0);
-  const Curves curves = SC::silhouettes(patch, direction), in_pieces = SC::silhouettes(patch.with_knot(0, Rational(1, 3)).with_knot(1, Rational(1, 2)), direction);
+  const Curves curves = SC::silhouettes(patch, direction),
+               in_pieces = SC::silhouettes(patch.with_knot(0, Rational(1, 3)).with_knot(1, Rational(1, 2)), direction);
   EXPECT_TRUE(curves.is_complete() && in_pieces.is_complete());
   EXPECT_FALSE(curves.curves().empty());
   EXPECT_EQ(in_pieces.number_of_open_curves(), curves.number_of_open_curves());
   EXPECT_EQ(in_pieces.number_of_closed_curves(), curves.number_of_closed_curves());
   // A roof with a round top over each half: the crease cuts the domain in two.
-  const Surface roofs({2, 1}, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 4, 0}, {1, 0, 2}, {1, 4, 2}, {2, 0, 0}, {2, 4, 0}, {3, 0, 2}, {3, 4, 2}, {4, 0, 0}, {4, 4, 0}});
+  const Surface roofs(
+      {2, 1}, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1},
+      {{0, 0, 0}, {0, 4, 0}, {1, 0, 2}, {1, 4, 2}, {2, 0, 0}, {2, 4, 0}, {3, 0, 2}, {3, 4, 2}, {4, 0, 0}, {4, 4, 0}});
   EXPECT_EQ(expect_silhouettes(roofs, Vector(1, 0, 0), 0, 2).curves()[1].part, 1u);
 }
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams, medial axes and offsets of cubics whose first or last two control points are the same, or whose derivative is zero inside: edges in closed form, Euler's formula, empty disks, and nearest sites by brute force.
+// Voronoi diagrams, medial axes and offsets of cubics whose first or last two control points are the same, or whose
+// derivative is zero inside: edges in closed form, Euler's formula, empty disks, and nearest sites by brute force.
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
@@ -25,7 +26,8 @@ Curve semicubical_parabola() { return bezier({P(0, 0), P(0, 0), P(1. / 3, 0), P(
 Curves outline(double c = 1, double s = 0)
 {
   const auto at = [&](double x, double y) { return P(c * x - s * y, s * x + c * y); };
-  return {bezier({at(0, 0), at(4, 0)}), bezier({at(4, 0), at(4, 2), at(6, 3), at(6, 3)}), bezier({at(6, 3), at(6, 6)}), bezier({at(6, 6), at(0, 6)}), bezier({at(0, 6), at(0, 0)})};
+  return {bezier({at(0, 0), at(4, 0)}), bezier({at(4, 0), at(4, 2), at(6, 3), at(6, 3)}), bezier({at(6, 3), at(6, 6)}),
+          bezier({at(6, 6), at(0, 6)}), bezier({at(0, 6), at(0, 0)})};
 }
 
 double distance_to(const Curves& curves, const P& p)
@@ -46,10 +48,14 @@ void expect_valid(const Diagram& diagram, const Curves& curves)
 
 std::size_t vertices_of_radius_zero(const Diagram& diagram, const P& p)
 {
-  return static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && v.radius < 1e-12 && distance(v.point, p) < 1e-12; }));
+  return static_cast<std::size_t>(
+      std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+        return !v.is_at_infinity && v.radius < 1e-12 && distance(v.point, p) < 1e-12;
+      }));
 }
 
-// On its inner side the largest disks touch the begin, and have the centers (-t^2/2 - 3 t^4/2, t + 2 t^3): the radius is zero in the begin.
+// On its inner side the largest disks touch the begin, and have the centers (-t^2/2 - 3 t^4/2, t + 2 t^3): the radius
+// is zero in the begin.
 TEST(SingularEnds, SemicubicalParabola)
 {
   const Curves curves{semicubical_parabola()};
@@ -60,7 +66,8 @@ TEST(SingularEnds, SemicubicalParabola)
   for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
     const auto& sites = diagram.edges()[e].sites;
     const std::size_t arc = !diagram.sites()[sites[0]].is_point ? 0 : 1;
-    if (diagram.sites()[sites[arc]].is_point || !diagram.sites()[sites[1 - arc]].is_point || diagram.sites()[sites[1 - arc]].point != P(0, 0))
+    if (diagram.sites()[sites[arc]].is_point || !diagram.sites()[sites[1 - arc]].is_point ||
+        diagram.sites()[sites[1 - arc]].point != P(0, 0))
       continue;
     ++edges;
     for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
@@ -72,37 +79,48 @@ TEST(SingularEnds, SemicubicalParabola)
   EXPECT_EQ(edges, 1U);
 }
 
-// A straight line that goes on as the parabola: disks on the inner side touch both, and the edge between these begins in the joint.
+// A straight line that goes on as the parabola: disks on the inner side touch both, and the edge between these begins
+// in the joint.
 TEST(SingularEnds, SmoothJointWithALine)
 {
   const Curves curves{bezier({P(-3, 0), P(0, 0)}), semicubical_parabola()};
   const Diagram diagram = SC::voronoi_diagram(curves);
   expect_valid(diagram, curves);
   EXPECT_EQ(vertices_of_radius_zero(diagram, P(0, 0)), 1U);
-  EXPECT_EQ(std::count_if(diagram.edges().begin(), diagram.edges().end(), [&](const auto& edge) { return !diagram.sites()[edge.sites[0]].is_point && !diagram.sites()[edge.sites[1]].is_point; }), 1);
+  EXPECT_EQ(std::count_if(diagram.edges().begin(), diagram.edges().end(),
+                          [&](const auto& edge) {
+                            return !diagram.sites()[edge.sites[0]].is_point && !diagram.sites()[edge.sites[1]].is_point;
+                          }),
+            1);
 }
 
 // Two such ends that join: as an arch, with an inflection, and at corners.
 TEST(SingularEnds, JointsOfTwo)
 {
   const Curve left = bezier({P(-2, 1), P(-1, 0), P(0, 0), P(0, 0)});
-  for (const Curves& curves : {Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, 1)})}, Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, -1)})},
-                               Curves{left, bezier({P(0, 0), P(0, 0), P(0, -1), P(-2, -3)})}, Curves{left, bezier({P(0, 0), P(0, 0), P(0, 1), P(2, 3)})}})
+  for (const Curves& curves : {Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, 1)})},
+                               Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, -1)})},
+                               Curves{left, bezier({P(0, 0), P(0, 0), P(0, -1), P(-2, -3)})},
+                               Curves{left, bezier({P(0, 0), P(0, 0), P(0, 1), P(2, 3)})}})
     expect_valid(SC::voronoi_diagram(curves), curves);
 }
 
 // An arc that goes on with infinite curvature to the other side, and a sharp corner between two such ends.
 TEST(SingularEnds, InflectionsAndSharpCorners)
 {
-  for (const Curves& curves : {Curves{bezier({P(-3, 0), P(-2, -1), P(-1, -1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, 1), P(2, -1)})}, Curves{bezier({P(-3, 0), P(-2, 1), P(-1, 1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, -1), P(2, -3)})},
-                               Curves{bezier({P(-2, -1), P(-1, -1), P(0, 0), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(-1, 0), P(-2, 1)})}})
+  for (const Curves& curves :
+       {Curves{bezier({P(-3, 0), P(-2, -1), P(-1, -1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, 1), P(2, -1)})},
+        Curves{bezier({P(-3, 0), P(-2, 1), P(-1, 1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, -1), P(2, -3)})},
+        Curves{bezier({P(-2, -1), P(-1, -1), P(0, 0), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(-1, 0), P(-2, 1)})}})
     expect_valid(SC::voronoi_diagram(curves), curves);
 }
 
-// A letter Z: in the corners, the curvature of disks through the bars behind the half-plane of the normal grows to zero, which does not matter.
+// A letter Z: in the corners, the curvature of disks through the bars behind the half-plane of the normal grows to
+// zero, which does not matter.
 TEST(SingularEnds, CornersOfAZ)
 {
-  for (const Curve& stroke : {bezier({P(1, 1), P(0.703125, 0.42578125), P(0.28125, 0), P(0.28125, 0)}), bezier({P(1, 1), P(1, 1), P(0.5, 0.625), P(0.28125, 0)})}) {
+  for (const Curve& stroke : {bezier({P(1, 1), P(0.703125, 0.42578125), P(0.28125, 0), P(0.28125, 0)}),
+                              bezier({P(1, 1), P(1, 1), P(0.5, 0.625), P(0.28125, 0)})}) {
     const Curves curves{bezier({P(0, 1), P(1, 1)}), stroke, bezier({P(0.28125, 0), P(1.28125, 0)})};
     expect_valid(SC::voronoi_diagram(curves), curves);
   }
@@ -149,7 +167,9 @@ TEST(SingularEnds, Outline)
   }
 }
 
-// (1/2 + 4 s^3, 3/4 - 3 s^2), s = t - 1/2, has a cusp: between its sides disks have the centers (1/2, 3/4 - 3 s^2 - 8 s^4). In the second one a disk leaves the end of the curve for the inside of the same arc, just where the one in the cusp begins to matter.
+// (1/2 + 4 s^3, 3/4 - 3 s^2), s = t - 1/2, has a cusp: between its sides disks have the centers (1/2, 3/4 - 3 s^2 - 8
+// s^4). In the second one a disk leaves the end of the curve for the inside of the same arc, just where the one in the
+// cusp begins to matter.
 TEST(SingularEnds, CuspsInside)
 {
   const Curves symmetric{bezier({P(0, 0), P(1, 1), P(0, 1), P(1, 0)})};
@@ -157,7 +177,8 @@ TEST(SingularEnds, CuspsInside)
   expect_valid(diagram, symmetric);
   std::size_t samples = 0;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
-    if (const auto& sites = diagram.edges()[e].sites; !diagram.sites()[sites[0]].is_point && !diagram.sites()[sites[1]].is_point)
+    if (const auto& sites = diagram.edges()[e].sites;
+        !diagram.sites()[sites[0]].is_point && !diagram.sites()[sites[1]].is_point)
       for (const auto& sample : diagram.polyline(e, 0.01, 20)) {
         const double s = sample.parameters[0] - 0.5;
         EXPECT_NEAR(sample.parameters[1], 1 - sample.parameters[0], 1e-9);
@@ -171,7 +192,8 @@ TEST(SingularEnds, CuspsInside)
   EXPECT_TRUE(axis.is_complete());
   EXPECT_EQ(axis.edges().size(), 3U);
   EXPECT_EQ(axis.vertices().size(), 4U);
-  EXPECT_TRUE(std::any_of(axis.vertices().begin(), axis.vertices().end(), [](const auto& v) { return v.radius < 1e-12 && distance(v.point, P(0.5, 0.75)) < 1e-12; }));
+  EXPECT_TRUE(std::any_of(axis.vertices().begin(), axis.vertices().end(),
+                          [](const auto& v) { return v.radius < 1e-12 && distance(v.point, P(0.5, 0.75)) < 1e-12; }));
 
   const Curves oblique{bezier({P(-2, -2), P(-3.5, -1.25), P(-3.625, -1.75), P(-3.375, -1.5)})};
   expect_valid(SC::voronoi_diagram(oblique), oblique);
@@ -189,7 +211,9 @@ TEST(SingularEnds, CurvesThatTurnBack)
 {
   const Curve other = bezier({P(0, 2), P(1, 3)});
   const auto expect_segments = [&](const std::vector<P>& points, const std::vector<P>& ends) {
-    const Curves curves{bezier(points), other}, segments(ends.size() == 2 ? Curves{bezier(ends), other} : Curves{bezier({ends[0], ends[1]}), bezier({ends[1], ends[2]}), other});
+    const Curves curves{bezier(points), other},
+        segments(ends.size() == 2 ? Curves{bezier(ends), other}
+                                  : Curves{bezier({ends[0], ends[1]}), bezier({ends[1], ends[2]}), other});
     const Diagram diagram = SC::voronoi_diagram(curves);
     expect_valid(diagram, curves);
     EXPECT_EQ(counts(diagram), counts(SC::voronoi_diagram(segments)));
@@ -207,7 +231,8 @@ TEST(SingularEnds, CurvesThatTurnBack)
   expect_empty_disks(diagram, irrational, 0.02, 20);
 }
 
-// The medial axis is the part of the diagram inside; all points of the offset have the distance, and its area is that of the region and at most, as Steiner's formula has it for convex regions, a strip along the outline and a disk.
+// The medial axis is the part of the diagram inside; all points of the offset have the distance, and its area is that
+// of the region and at most, as Steiner's formula has it for convex regions, a strip along the outline and a disk.
 TEST(SingularEnds, MedialAxisAndOffset)
 {
   const Curves curves = outline();

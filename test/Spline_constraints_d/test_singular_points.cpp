@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Singular points of curves of solutions: how many branches end in cusps, tacnodes, multiple points, in the plane and in space, on boundaries, breaks and inequalities; what stays undecided.
+// Singular points of curves of solutions: how many branches end in cusps, tacnodes, multiple points, in the plane and
+// in space, on boundaries, breaks and inequalities; what stays undecided.
 
 #include "curve_test_checks.h"
 
@@ -50,10 +51,14 @@ std::vector<Singular_curve> singular_curves()
 P moved(const P& f, const Rational& cosine, const Rational& sine, const Point& origin)
 {
   const P u = P::variable(2), v = P::variable(3), dx = x - P(origin[0]), dy = y - P(origin[1]);
-  return f.substituted(0, u).substituted(1, v).substituted(2, P(cosine) * dx - P(sine) * dy).substituted(3, P(sine) * dx + P(cosine) * dy);
+  return f.substituted(0, u)
+      .substituted(1, v)
+      .substituted(2, P(cosine) * dx - P(sine) * dy)
+      .substituted(3, P(sine) * dx + P(cosine) * dy);
 }
 
-SC::Curve_solution_set_d solved(const std::vector<P>& equations, const std::vector<SC::Constraint_system_d::Domain>& domain)
+SC::Curve_solution_set_d solved(const std::vector<P>& equations,
+                                const std::vector<SC::Constraint_system_d::Domain>& domain)
 {
   SC::Constraint_system_d system(domain);
   for (const P& equation : equations)
@@ -88,7 +93,9 @@ void expect_star(const SC::Curve_solution_set_d& set, const Point& point, std::s
 
 TEST(Isolated_zero_test, radii)
 {
-  const auto is_alone = [](const std::vector<P>& polynomials, const Rational& distance) { return SC::internal::Isolated_zero_test(polynomials, 2).is_alone_in({distance, distance}); };
+  const auto is_alone = [](const std::vector<P>& polynomials, const Rational& distance) {
+    return SC::internal::Isolated_zero_test(polynomials, 2).is_alone_in({distance, distance});
+  };
   EXPECT_TRUE(is_alone({x * x, y * y * y}, 1000));
   EXPECT_TRUE(is_alone({x * x - y * y * y, x * y}, 10));
   EXPECT_TRUE(is_alone({x * x - x, y}, Rational(99, 100)));   // the next zero is (1, 0)
@@ -102,7 +109,8 @@ TEST(Isolated_zero_test, radii)
 TEST(Singular_points, branches_of_known_singularities)
 {
   for (const Singular_curve& curve : singular_curves())
-    expect_star(solved({curve.equation}, {{-1, Rational(9, 8)}, {Rational(-7, 8), 1}}), {0, 0}, curve.branches, curve.name);
+    expect_star(solved({curve.equation}, {{-1, Rational(9, 8)}, {Rational(-7, 8), 1}}), {0, 0}, curve.branches,
+                curve.name);
 }
 
 TEST(Singular_points, rotated_and_moved_to_rational_points)
@@ -110,9 +118,11 @@ TEST(Singular_points, rotated_and_moved_to_rational_points)
   std::mt19937 generator(3);
   std::uniform_int_distribution<int> numerator(-50, 50), denominator(101, 199);
   for (const Singular_curve& curve : singular_curves()) {
-    const Point origin{Rational(numerator(generator)) / denominator(generator), Rational(numerator(generator)) / denominator(generator)};
+    const Point origin{Rational(numerator(generator)) / denominator(generator),
+                       Rational(numerator(generator)) / denominator(generator)};
     const bool is_first = generator() % 2 == 0;
-    const P equation = moved(curve.equation, is_first ? Rational(3, 5) : Rational(5, 13), is_first ? Rational(4, 5) : Rational(12, 13), origin);
+    const P equation = moved(curve.equation, is_first ? Rational(3, 5) : Rational(5, 13),
+                             is_first ? Rational(4, 5) : Rational(12, 13), origin);
     const auto set = solved({equation}, {{-1, Rational(9, 8)}, {Rational(-7, 8), 1}});
     check_chains(set);
     EXPECT_TRUE(set.is_complete()) << curve.name;
@@ -158,9 +168,12 @@ TEST(Singular_points, lines_and_circles_through_one_point)
     std::vector<std::pair<int, int>> normals;
     while (normals.size() < 3u + static_cast<std::size_t>(round % 2)) {
       const std::pair<int, int> normal(number(generator), number(generator));
-      if (std::any_of(normals.begin(), normals.end(), [&](const auto& other) { return other.first * normal.second == other.second * normal.first; }) || normal == std::pair(0, 0))
+      if (std::any_of(normals.begin(), normals.end(),
+                      [&](const auto& other) { return other.first * normal.second == other.second * normal.first; }) ||
+          normal == std::pair(0, 0))
         continue;
-      product *= P(normal.first) * dx + P(normal.second) * dy + (normals.empty() ? dx * dx + dy * dy : P(0));   // a circle, and lines
+      // a circle, and lines
+      product *= P(normal.first) * dx + P(normal.second) * dy + (normals.empty() ? dx * dx + dy * dy : P(0));
       normals.push_back(normal);
     }
     const auto set = solved({product}, {{-20, 21}, {-22, 23}});
@@ -174,17 +187,21 @@ TEST(Singular_points, lines_and_circles_through_one_point)
 
 TEST(Singular_points, in_space)
 {
-  const std::vector<SC::Constraint_system_d::Domain> cube{{-1, Rational(9, 8)}, {-1, Rational(17, 16)}, {Rational(-15, 16), 1}};
+  const std::vector<SC::Constraint_system_d::Domain> cube{
+      {-1, Rational(9, 8)}, {-1, Rational(17, 16)}, {Rational(-15, 16), 1}};
   const P paraboloid = z - x * x - 2 * y * y;
   for (const Singular_curve& curve : singular_curves())
     if (curve.equation.total_degree() <= 3)
-      expect_star(solved({paraboloid + curve.equation, 2 * paraboloid - curve.equation}, cube), {0, 0, 0}, curve.branches, curve.name);
-  expect_star(solved({x * x + y * y - z * z, 5 * x * x - y * y - z * z}, cube), {0, 0, 0}, 8, "cones with the same apex");
+      expect_star(solved({paraboloid + curve.equation, 2 * paraboloid - curve.equation}, cube), {0, 0, 0},
+                  curve.branches, curve.name);
+  expect_star(solved({x * x + y * y - z * z, 5 * x * x - y * y - z * z}, cube), {0, 0, 0}, 8,
+              "cones with the same apex");
 }
 
 TEST(Singular_points, on_the_boundary_of_the_domain)
 {
-  const std::vector<SC::Constraint_system_d::Domain> right{{0, 1}, {-1, Rational(9, 8)}}, upper{{-1, Rational(9, 8)}, {0, 1}};
+  const std::vector<SC::Constraint_system_d::Domain> right{{0, 1}, {-1, Rational(9, 8)}},
+      upper{{-1, Rational(9, 8)}, {0, 1}};
   const P cusp = y * y - x * x * x, lines = pow(x, 3) - 3 * x * y * y;
   expect_star(solved({cusp}, right), {0, 0}, 2, "cusp, its two branches inside");
   expect_star(solved({cusp}, upper), {0, 0}, 1, "cusp, one branch inside");
@@ -226,7 +243,8 @@ TEST(Singular_points, on_inequalities)
 
 TEST(Singular_points, what_stays_undecided)
 {
-  const auto set = solved({y * y - pow(x * x - 2, 3)}, {{-2, Rational(33, 16)}, {-2, 2}});   // cusps at irrational points
+  // cusps at irrational points
+  const auto set = solved({y * y - pow(x * x - 2, 3)}, {{-2, Rational(33, 16)}, {-2, 2}});
   check_chains(set);
   EXPECT_FALSE(set.is_complete());
   EXPECT_TRUE(set.singular_points().empty());

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of what is small beside the rest: narrow gaps, small curves, points next to each other; and of disks that nearly fill a circle.
+// Voronoi diagrams of what is small beside the rest: narrow gaps, small curves, points next to each other; and of disks
+// that nearly fill a circle.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -50,10 +51,13 @@ TEST(SmallFeatures, EndsNextToSegments)
   }
 }
 
-// A wall, and two squares in front of it: the disk in the middle touches the corners of both, in which its contacts go over to their sides, and is the largest one there.
+// A wall, and two squares in front of it: the disk in the middle touches the corners of both, in which its contacts go
+// over to their sides, and is the largest one there.
 TEST(SmallFeatures, DiskBetweenCornersOfSquares)
 {
-  const auto square = [](double x, double y, double size) { return SC::polyline_curve(std::vector<P>{P(x, y), P(x + size, y), P(x + size, y + size), P(x, y + size), P(x, y)}); };
+  const auto square = [](double x, double y, double size) {
+    return SC::polyline_curve(std::vector<P>{P(x, y), P(x + size, y), P(x + size, y + size), P(x, y + size), P(x, y)});
+  };
   const Curves curves{SC::polyline_curve(std::vector<P>{P(-1, 0), P(9, 0)}), square(1, 1, 2), square(5, 1, 2)};
   const auto diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
@@ -83,7 +87,8 @@ TEST(SmallFeatures, CubicBesideASegment)
 {
   for (const double size : {1e-2, 1e-3, 1e-4}) {
     SCOPED_TRACE(size);
-    expect_complete({bezier({{0, 0}, {4, 0}}), bezier({{1, 1}, {1 + size, 1 + size}, {1 + 2 * size, 1}, {1 + 3 * size, 1 + size}})});
+    expect_complete({bezier({{0, 0}, {4, 0}}),
+                     bezier({{1, 1}, {1 + size, 1 + size}, {1 + 2 * size, 1}, {1 + 3 * size, 1 + size}})});
   }
 }
 
@@ -91,13 +96,19 @@ TEST(SmallFeatures, CubicBesideASegment)
 bool is_of(const Diagram& diagram, std::size_t edge, std::size_t curve)
 {
   const auto& sites = diagram.edges()[edge].sites;
-  return std::any_of(sites.begin(), sites.end(), [&](std::size_t s) { return diagram.sites()[s].curve == curve && (curve > 0 || !diagram.sites()[s].is_point); });
+  return std::any_of(sites.begin(), sites.end(), [&](std::size_t s) {
+    return diagram.sites()[s].curve == curve && (curve > 0 || !diagram.sites()[s].is_point);
+  });
 }
 
 // The diagram does not depend on how small a curve is; disks that are large beside it are those of a point.
 TEST(SmallFeatures, SmallCurvesBesideASegment)
 {
-  const std::vector<std::vector<P>> shapes{{P(0, 0), P(1, 1), P(2, 1)}, {P(0, 0), P(1, -1), P(2, -1)}, {P(0, 0), P(1, 1), P(2, 1), P(3, 0)}, {P(0, 0), P(2, 0), P(4, 2), P(6, 3)}, {P(0, 0), P(3, 0), P(0, 3), P(3, 3)}};
+  const std::vector<std::vector<P>> shapes{{P(0, 0), P(1, 1), P(2, 1)},
+                                           {P(0, 0), P(1, -1), P(2, -1)},
+                                           {P(0, 0), P(1, 1), P(2, 1), P(3, 0)},
+                                           {P(0, 0), P(2, 0), P(4, 2), P(6, 3)},
+                                           {P(0, 0), P(3, 0), P(0, 3), P(3, 3)}};
   for (const auto& shape : shapes) {
     SCOPED_TRACE(&shape - shapes.data());
     std::optional<Counts> first;
@@ -124,13 +135,17 @@ TEST(SmallFeatures, SmallCurvesBesideASegment)
   }
 }
 
-// The cubic leaves the circle with nearly the same curvature: disks between both have nearly that of the circle, and the contact runs along all of it.
+// The cubic leaves the circle with nearly the same curvature: disks between both have nearly that of the circle, and
+// the contact runs along all of it.
 TEST(SmallFeatures, DisksNearlyConcentricWithAnArc)
 {
-  expect_complete({SC::circular_arc_curve(P(0, 5), P(-5, 5), P(0, 0)), bezier({{0, 0}, {1.75, 0}, {5.5, 1}, {9.25, -2}}), bezier({{-6.75, -6.25}, {3.5, -5.5}}), bezier({{0.5, -2.75}, {0.875, -4.5}})});
+  expect_complete({SC::circular_arc_curve(P(0, 5), P(-5, 5), P(0, 0)),
+                   bezier({{0, 0}, {1.75, 0}, {5.5, 1}, {9.25, -2}}), bezier({{-6.75, -6.25}, {3.5, -5.5}}),
+                   bezier({{0.5, -2.75}, {0.875, -4.5}})});
 }
 
-// The edge between two points next to each other is a line that doubles cannot follow by its direction: it passes the whole box.
+// The edge between two points next to each other is a line that doubles cannot follow by its direction: it passes the
+// whole box.
 TEST(SmallFeatures, PointsNextToEachOther)
 {
   for (const double gap : {1e-9, 1e-11}) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams where arcs join smoothly, and where disks touch four sites or more: medial axes in closed form, random smooth splines, and the signs of polynomials near a zero of theirs.
+// Voronoi diagrams where arcs join smoothly, and where disks touch four sites or more: medial axes in closed form,
+// random smooth splines, and the signs of polynomials near a zero of theirs.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -63,8 +64,10 @@ TEST(SmoothJoints, Ellipse)
 // Segments and quarters of circles: the axis has its tips in the centers of the circles.
 TEST(SmoothJoints, RoundedRectangle)
 {
-  const Curves curves{bezier({P(2, 0), P(10, 0)}), quarter(P(10, 2), V(0, -2), V(2, 0)), bezier({P(12, 2), P(12, 5)}), quarter(P(10, 5), V(2, 0), V(0, 2)),
-                      bezier({P(10, 7), P(2, 7)}), quarter(P(2, 5), V(0, 2), V(-2, 0)), bezier({P(0, 5), P(0, 2)}), quarter(P(2, 2), V(-2, 0), V(0, -2))};
+  const Curves curves{bezier({P(2, 0), P(10, 0)}),  quarter(P(10, 2), V(0, -2), V(2, 0)),
+                      bezier({P(12, 2), P(12, 5)}), quarter(P(10, 5), V(2, 0), V(0, 2)),
+                      bezier({P(10, 7), P(2, 7)}),  quarter(P(2, 5), V(0, 2), V(-2, 0)),
+                      bezier({P(0, 5), P(0, 2)}),   quarter(P(2, 2), V(-2, 0), V(0, -2))};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   expect_vertices(diagram, 1, {{2, 2}, {2, 2}, {10, 2}, {10, 2}});
@@ -75,8 +78,9 @@ TEST(SmoothJoints, RoundedRectangle)
 
 TEST(SmoothJoints, Stadium)
 {
-  const Curves curves{bezier({P(0, 0), P(10, 0)}), quarter(P(10, 2), V(0, -2), V(2, 0)), quarter(P(10, 2), V(2, 0), V(0, 2)),
-                      bezier({P(10, 4), P(0, 4)}), quarter(P(0, 2), V(0, 2), V(-2, 0)), quarter(P(0, 2), V(-2, 0), V(0, -2))};
+  const Curves curves{bezier({P(0, 0), P(10, 0)}),         quarter(P(10, 2), V(0, -2), V(2, 0)),
+                      quarter(P(10, 2), V(2, 0), V(0, 2)), bezier({P(10, 4), P(0, 4)}),
+                      quarter(P(0, 2), V(0, 2), V(-2, 0)), quarter(P(0, 2), V(-2, 0), V(0, -2))};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_EQ(diagram.edges().size(), 1U);
@@ -85,10 +89,13 @@ TEST(SmoothJoints, Stadium)
   expect_empty_disks(diagram, curves);
 }
 
-// Arcs with a common tangent and any curvatures: the footpoint leaves a joint as the square root of the distance from it.
+// Arcs with a common tangent and any curvatures: the footpoint leaves a joint as the square root of the distance from
+// it.
 TEST(SmoothJoints, Drop)
 {
-  const Curves curves{bezier({P(0, 0), P(3, 0), P(5, 2), P(5, 4)}), bezier({P(5, 4), P(5, 6), P(3, 7), P(0, 7)}), bezier({P(0, 7), P(-3, 7), P(-4, 5), P(-4, 3.5)}), bezier({P(-4, 3.5), P(-4, 1), P(-2, 0), P(0, 0)})};
+  const Curves curves{bezier({P(0, 0), P(3, 0), P(5, 2), P(5, 4)}), bezier({P(5, 4), P(5, 6), P(3, 7), P(0, 7)}),
+                      bezier({P(0, 7), P(-3, 7), P(-4, 5), P(-4, 3.5)}),
+                      bezier({P(-4, 3.5), P(-4, 1), P(-2, 0), P(0, 0)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_EQ(counts(diagram).tips, counts(diagram).branching + 2);   // a tree
@@ -99,18 +106,24 @@ TEST(SmoothJoints, Drop)
 // A line goes on straight, and a curve leaves it: disks on that side go over from the line to the curve.
 TEST(SmoothJoints, Branch)
 {
-  const Curves curves{bezier({P(0, 0), P(12, 0)}), bezier({P(0, 0), P(0, -4)}), bezier({P(0, -4), P(0, -16)}), bezier({P(0, -4), P(0, -8), P(1, -10), P(2, -12)})};
+  const Curves curves{bezier({P(0, 0), P(12, 0)}), bezier({P(0, 0), P(0, -4)}), bezier({P(0, -4), P(0, -16)}),
+                      bezier({P(0, -4), P(0, -8), P(1, -10), P(2, -12)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   expect_euler(diagram);
   expect_empty_disks(diagram, curves);
 }
 
-// Disks in the corner touch the segment that goes on as a curve, but in its joint only larger ones than those that touch the curve.
+// Disks in the corner touch the segment that goes on as a curve, but in its joint only larger ones than those that
+// touch the curve.
 TEST(SmoothJoints, MaximumBehindTheJoint)
 {
-  const Curves curves{bezier({P(0, 32000), P(0, 0)}), bezier({P(0, 0), P(1500, 0)}), bezier({P(1500, 0), P(5500, 0), P(9000, 1800), P(12000, 2500)}),
-                      bezier({P(6000, -4000), P(6000, 31000)}), bezier({P(2814, -6000), P(2814, 639)}), bezier({P(2814, 639), P(15500, 4029)})};
+  const Curves curves{bezier({P(0, 32000), P(0, 0)}),
+                      bezier({P(0, 0), P(1500, 0)}),
+                      bezier({P(1500, 0), P(5500, 0), P(9000, 1800), P(12000, 2500)}),
+                      bezier({P(6000, -4000), P(6000, 31000)}),
+                      bezier({P(2814, -6000), P(2814, 639)}),
+                      bezier({P(2814, 639), P(15500, 4029)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_GT(diagram.edges().size(), 0U);
@@ -118,10 +131,12 @@ TEST(SmoothJoints, MaximumBehindTheJoint)
   expect_empty_disks(diagram, curves);
 }
 
-// Next to the end of a curve, a segment goes on: the disks through its points there have a maximum, and negative curvatures elsewhere, which have one, too.
+// Next to the end of a curve, a segment goes on: the disks through its points there have a maximum, and negative
+// curvatures elsewhere, which have one, too.
 TEST(SmoothJoints, EndNextToSegment)
 {
-  const Curves curves{quarter(P(0, 8), V(-8, 0), V(0, -8)), bezier({P(0, 0), P(0.25, 0), P(3, 0), P(5.75, -3)}), bezier({P(-1, -2.5), P(8, -3.25)}), bezier({P(-1.75, -9), P(-1.125, -10.75)})};
+  const Curves curves{quarter(P(0, 8), V(-8, 0), V(0, -8)), bezier({P(0, 0), P(0.25, 0), P(3, 0), P(5.75, -3)}),
+                      bezier({P(-1, -2.5), P(8, -3.25)}), bezier({P(-1.75, -9), P(-1.125, -10.75)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_GT(diagram.edges().size(), 0U);
@@ -129,7 +144,8 @@ TEST(SmoothJoints, EndNextToSegment)
   expect_empty_disks(diagram, curves);
 }
 
-// Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles are.
+// Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles
+// are.
 TEST(SmoothJoints, RandomClosedSplines)
 {
   std::mt19937 random(5);
@@ -139,7 +155,8 @@ TEST(SmoothJoints, RandomClosedSplines)
     std::vector<double> knots{0};
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * CGAL_PI * i / n, radius = 3 + std::uniform_real_distribution<double>(0, 4)(random);
-      points.emplace_back(std::round(64 * radius * std::cos(angle)) / 64, std::round(64 * radius * std::sin(angle)) / 64);
+      points.emplace_back(std::round(64 * radius * std::cos(angle)) / 64,
+                          std::round(64 * radius * std::sin(angle)) / 64);
       knots.push_back(knots.back() + (4 + std::uniform_int_distribution<int>(0, 7)(random)) / 8.0);
     }
     const Curves curves{Curve::from_periodic(degree, knots, points)};
@@ -182,7 +199,8 @@ TEST(CommonDisks, PointsOfACircle)
   expect_euler(diagram);
 }
 
-// Four squares: one vertex in each, and one between all of them. Footpoints change from sides to corners where the element ends.
+// Four squares: one vertex in each, and one between all of them. Footpoints change from sides to corners where the
+// element ends.
 TEST(CommonDisks, AlignedSquares)
 {
   Curves curves;
@@ -205,15 +223,20 @@ TEST(CommonDisks, NearlyASquare)
   EXPECT_EQ(vertices_of_degree(diagram, 3).size(), 2U);
 }
 
-// Between parallel walls, one of which goes over to a third wall in a corner that is rounder than the unit circle: the unit disk touches the walls where the corner begins and ends, and the other wall.
+// Between parallel walls, one of which goes over to a third wall in a corner that is rounder than the unit circle: the
+// unit disk touches the walls where the corner begins and ends, and the other wall.
 TEST(CommonDisks, TwoJointsAndAWall)
 {
-  const Curves curves{bezier({P(0, 1), P(-0.5625, 1), P(-1, 0.5625), P(-1, 0)}), bezier({P(3, 1), P(0, 1)}), bezier({P(-1, 0), P(-1, -3)}), bezier({P(1, 0.5), P(1, -3)})};
+  const Curves curves{bezier({P(0, 1), P(-0.5625, 1), P(-1, 0.5625), P(-1, 0)}), bezier({P(3, 1), P(0, 1)}),
+                      bezier({P(-1, 0), P(-1, -3)}), bezier({P(1, 0.5), P(1, -3)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   expect_euler(diagram);
   expect_empty_disks(diagram, curves, 0.1, 20);
-  const auto is_common = [](const auto& vertex) { return !vertex.is_at_infinity && vertex.edges.size() == 3 && distance(vertex.point, P(0, 0)) < 1e-9 && std::abs(vertex.radius - 1) < 1e-9; };
+  const auto is_common = [](const auto& vertex) {
+    return !vertex.is_at_infinity && vertex.edges.size() == 3 && distance(vertex.point, P(0, 0)) < 1e-9 &&
+        std::abs(vertex.radius - 1) < 1e-9;
+  };
   EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_common), 1);
 }
 
@@ -223,11 +246,15 @@ SC::internal::Voronoi::Sign_pattern pattern(const SC::Power_polynomial& p, doubl
   return SC::internal::Voronoi::Blown_up_polynomial::without_common_powers(p).pattern({0, a}, {0, b});
 }
 
-// Small ranges on both sides of a joint in which the curvature jumps, the one at the square of the distance of the other: the bounds hold those of points, and tell the second derivative equally well at all distances.
+// Small ranges on both sides of a joint in which the curvature jumps, the one at the square of the distance of the
+// other: the bounds hold those of points, and tell the second derivative equally well at all distances.
 TEST(SmoothJoints, CurvaturesBesideAJoint)
 {
   namespace internal = SC::internal;
-  const auto graph = internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(internal::Voronoi::site_curves(Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}), std::vector<P>());
+  const auto graph = internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(
+      internal::Voronoi::site_curves(
+          Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}),
+      std::vector<P>());
   const internal::Voronoi::Disk_curvature curvature(*graph);
   std::size_t compared = 0;
   std::mt19937 random(1);
@@ -239,9 +266,13 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
     if (!next || next->end.is_end)
       continue;
     for (const double b : {0x1p-6, 0x1p-12, 0x1p-18}) {
-      const auto number = [&](double begin, double width) { return std::uniform_real_distribution<double>(begin, begin + width)(random); };
+      const auto number = [&](double begin, double width) {
+        return std::uniform_real_distribution<double>(begin, begin + width)(random);
+      };
       const double a = b * b, width_u = a / 64, width_v = std::ldexp(b, -20);
-      const auto bounds = [&](const internal::Common::Range& u, const internal::Common::Range& v) { return curvature(curvature.part(f, u), next->end.arc, v, graph->arcs()[next->end.arc].jet(v)); };
+      const auto bounds = [&](const internal::Common::Range& u, const internal::Common::Range& v) {
+        return curvature(curvature.part(f, u), next->end.arc, v, graph->arcs()[next->end.arc].jet(v));
+      };
       const CGAL::Protect_FPU_rounding<true> guard;
       const auto k = bounds({1 - a, 1 - a + width_u}, {b, b + width_v});
       EXPECT_TRUE(std::isfinite(k.du.sup() - k.du.inf()));
@@ -250,7 +281,9 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
         const double u = number(1 - a, width_u), v = number(b, width_v);
         const auto at = bounds({u, u}, {v, v});
         const auto meets = [](const auto& x, const auto& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
-        EXPECT_TRUE(meets(at.value, k.value) && meets(at.du, k.du) && meets(at.dv, k.dv) && meets(at.dvv, k.dvv) && meets(at.duv, k.duv)) << f << " " << u << " " << v;
+        EXPECT_TRUE(meets(at.value, k.value) && meets(at.du, k.du) && meets(at.dv, k.dv) && meets(at.dvv, k.dvv) &&
+                    meets(at.duv, k.duv))
+            << f << " " << u << " " << v;
       }
     }
   }

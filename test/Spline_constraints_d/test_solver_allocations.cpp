@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The node loop of the solver takes no memory: what a walk allocates depends on the depth of the subdivision, not on the number of its nodes.
+// The node loop of the solver takes no memory: what a walk allocates depends on the depth of the subdivision, not on
+// the number of its nodes.
 
 #include "solver_test_checks.h"
 
@@ -47,7 +48,8 @@ struct Run
   int depth;
 };
 
-// One task of the solver without a limit: longer runs are cut into tasks of thousands of nodes, which take memory of their own.
+// One task of the solver without a limit: longer runs are cut into tasks of thousands of nodes, which take memory of
+// their own.
 template <class Traits>
 static Run walk_and_count(const System& system)
 {
@@ -74,7 +76,8 @@ static Run walk_and_count(const System& system)
   return {summary.nodes, summary.restarts, after - before, summary.depth};
 }
 
-// Two curves that run side by side at a distance: nothing to report, and the closer they are the more nodes it takes to see that.
+// Two curves that run side by side at a distance: nothing to report, and the closer they are the more nodes it takes to
+// see that.
 static System parallel_circles(int dimension, const Rational& distance)
 {
   Polynomial square_of_radius;
@@ -127,6 +130,7 @@ TEST_F(Solver_allocations, Intervals)
 
 TEST_F(Solver_allocations, OtherPolicies)
 {
-  using Traits = SC::Solver_traits<double, SC::Normal_cone_test, SC::Projected_polyhedron_reduction, SC::Widest_splitter>;
+  using Traits =
+      SC::Solver_traits<double, SC::Normal_cone_test, SC::Projected_polyhedron_reduction, SC::Widest_splitter>;
   expect_independent_of_nodes<Traits>(2, fraction(1, 10), fraction(1, 100000));
 }

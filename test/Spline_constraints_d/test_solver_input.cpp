@@ -26,7 +26,8 @@ static void expect_invalid(const Call& call, const std::vector<std::string>& wor
     call();
   } catch (const SC::Invalid_input& error) {
     for (const std::string& word : words)
-      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << '"' << error.what() << "\" without " << word;
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+          << '"' << error.what() << "\" without " << word;
     return;
   }
   ADD_FAILURE() << "nothing was thrown";
@@ -60,7 +61,11 @@ TEST(Solver_input, Constraints)
   expect_invalid([&] { system.add(Polynomial::variable(7), Relation::LESS); }, {"unknown 7"});
   const std::vector<Rational> breaks{-1, 0, fraction(3, 4)};
   expect_invalid([&] { system.add(in_pieces(y, 1, breaks), Relation::EQUAL); }, {"unknown 1", "beyond the domain"});
-  expect_invalid([&] { system.add(in_pieces(x, 0, {fraction(-1, 2), 1}), Relation::GREATER); }, {"unknown 0", "beyond the domain"});
+  expect_invalid(
+      [&] {
+        system.add(in_pieces(x, 0, {fraction(-1, 2), 1}), Relation::GREATER);
+      },
+      {"unknown 0", "beyond the domain"});
   EXPECT_TRUE(system.equalities().empty());
   EXPECT_TRUE(system.inequalities().empty());
   system.add(in_pieces(x, 0, {-1, 0, 1}), Relation::EQUAL);
@@ -70,7 +75,9 @@ TEST(Solver_input, Constraints)
 TEST(Solver_input, Terms)
 {
   using Term = SC::Spline_term;
-  const auto invalid = [](Term term, const std::string& word) { expect_invalid([&] { SC::Spline_function{term}; }, {word}); };
+  const auto invalid = [](Term term, const std::string& word) {
+    expect_invalid([&] { SC::Spline_function{term}; }, {word});
+  };
   const std::vector<Rational> zero{0};
   invalid({{0}, {}, {{}}, {zero}}, "differ in number");
   invalid({{0}, {0}, {}, {zero}}, "differ in number");
@@ -110,7 +117,8 @@ TEST(Solver_input, Options)
   for (int bad : {-1, 901})
     invalid({.ladder_precision = bad}, "ladder");
   invalid({.coarsening_step = 0}, "coarsening step");
-  SC::Subdivision_solver_d<> solver({.tolerance = 1e-300, .time_limit = 1e300, .node_limit = 1000000, .precision = 900, .coarsening_step = 1});
+  SC::Subdivision_solver_d<> solver(
+      {.tolerance = 1e-300, .time_limit = 1e300, .node_limit = 1000000, .precision = 900, .coarsening_step = 1});
   EXPECT_EQ(solver(bitangents().system).count(Solution_kind::CERTIFIED), 4u);
 }
 
@@ -120,7 +128,9 @@ TEST(Solver_input, DegenerateSystems)
   System point = with_equalities(System({{fraction(1, 3), fraction(1, 3)}, {0, 1}}), {3 * x - 1, x - 2 * y});
   EXPECT_EQ(solve(point).count(Solution_kind::CERTIFIED), 1u);
   EXPECT_TRUE(verify(point, solve(point)[0]));
-  EXPECT_TRUE(solve(with_equalities(System({{fraction(1, 3), fraction(1, 3)}, {0, 1}}), {3 * x - 1 - Rational(1e-20), x - 2 * y})).empty());
+  EXPECT_TRUE(solve(with_equalities(System({{fraction(1, 3), fraction(1, 3)}, {0, 1}}),
+                                    {3 * x - 1 - Rational(1e-20), x - 2 * y}))
+                  .empty());
   // constants
   EXPECT_TRUE(solve(with_equalities(cube(1, 0, 1), {Polynomial(1)})).empty());
   EXPECT_TRUE(solve(with_equalities(cube(2, 0, 1), {x - y, Polynomial(-3)})).is_complete());
@@ -198,12 +208,17 @@ struct Stop_after
   bool stop() { return left-- <= 0; }
 };
 
-// In the subdivision, before the search for a common factor, on the way to an irrational double root: nothing is lost, and what is missing is seen.
+// In the subdivision, before the search for a common factor, on the way to an irrational double root: nothing is lost,
+// and what is missing is seen.
 TEST(Solver_budget, StoppedAtAnyMoment)
 {
   const Coordinate root = Coordinate::near(std::sqrt(2.0));
-  const std::vector<Problem> problems{{"irrational double root", with_equalities(cube(2, 0, 2), {square(x * x - 2), y - x}), 1, {{root, root}}},
-                                      {"common factor", with_equalities(cube(2, 0, 2), {(x - y) * (x + 3 * y - 2), (x - y) * (x - y + 1)}), 2, {{1, 1}, {fraction(1, 3), fraction(1, 3)}}}};
+  const std::vector<Problem> problems{
+      {"irrational double root", with_equalities(cube(2, 0, 2), {square(x * x - 2), y - x}), 1, {{root, root}}},
+      {"common factor",
+       with_equalities(cube(2, 0, 2), {(x - y) * (x + 3 * y - 2), (x - y) * (x - y + 1)}),
+       2,
+       {{1, 1}, {fraction(1, 3), fraction(1, 3)}}}};
   for (const Problem& problem : problems) {
     bool is_stopped = true;
     for (int questions = 0; is_stopped; ++questions) {
@@ -212,7 +227,8 @@ TEST(Solver_budget, StoppedAtAnyMoment)
       const auto solutions = SC::Subdivision_solver_d<>()(problem.system, visitor);
       expect_nothing_lost(problem.known, solutions);
       is_stopped = visitor.left < 0;
-      EXPECT_TRUE(is_stopped ? questions > 0 || !solutions.is_complete() : solutions.is_complete()) << problem.name << ", " << questions;
+      EXPECT_TRUE(is_stopped ? questions > 0 || !solutions.is_complete() : solutions.is_complete())
+          << problem.name << ", " << questions;
     }
   }
 }
@@ -292,7 +308,8 @@ TEST(Solver_inequalities, SelectSolutions)
 
 TEST(Solver_inequalities, DecideExactlyOnTheBoundary)
 {
-  for (const Polynomial& g : {Polynomial(9 * x - 1), Polynomial(9 * x * x - x), Polynomial(x - y + fraction(8, 9))}) {   // zero at (1/9,1), positive at (1,1/9)
+  // zero at (1/9,1), positive at (1,1/9)
+  for (const Polynomial& g : {Polynomial(9 * x - 1), Polynomial(9 * x * x - x), Polynomial(x - y + fraction(8, 9))}) {
     EXPECT_EQ(count_with(g, Relation::GREATER), 1u);
     EXPECT_EQ(count_with(g, Relation::GREATER_EQUAL), 2u);
     EXPECT_EQ(count_with(g, Relation::LESS), 0u);
@@ -396,7 +413,8 @@ struct Stub_visitor
 };
 
 static_assert(SC::TerminationTest<Test_that_never_decides> && SC::Reduction<Reduction_that_does_nothing> &&
-              SC::Splitter<Splitter_in_turn> && SC::ConstraintSolverTraits<Stub_traits> && SC::SolverVisitor<Stub_visitor>);
+              SC::Splitter<Splitter_in_turn> && SC::ConstraintSolverTraits<Stub_traits> &&
+              SC::SolverVisitor<Stub_visitor>);
 static_assert(!SC::TerminationTest<Stub_visitor> && !SC::Reduction<Stub_visitor> && !SC::Splitter<Stub_visitor> &&
               !SC::ConstraintSolverTraits<Stub_visitor> && !SC::SolverVisitor<Stub_traits>);
 
@@ -409,7 +427,8 @@ static_assert(!SC::ConstraintSolverTraits<Traits_with_int>);
 template <class Traits>
 static void expect_right_with_stubs()
 {
-  for (const Problem& problem : {cyclic_chebyshev(2, 3), cyclic_chebyshev(3, 2), circle_and_ellipse(), bitangents(), katsura_2(), zigzag()}) {
+  for (const Problem& problem :
+       {cyclic_chebyshev(2, 3), cyclic_chebyshev(3, 2), circle_and_ellipse(), bitangents(), katsura_2(), zigzag()}) {
     SCOPED_TRACE(problem.name);
     Stub_visitor visitor;
     const auto solutions = SC::Subdivision_solver_d<Traits>({.node_limit = 100000})(problem.system, visitor);
@@ -429,7 +448,8 @@ TEST(Solver_policies, Stubs)
   expect_right_with_stubs<Stub_traits>();
   expect_right_with_stubs<SC::Solver_traits<double, Test_that_never_decides>>();
   expect_right_with_stubs<SC::Solver_traits<double, SC::Graph_box_test, Excluding_reduction>>();
-  expect_right_with_stubs<SC::Solver_traits<double, SC::Normal_cone_test, Reduction_that_does_nothing, Splitter_in_turn>>();
+  expect_right_with_stubs<
+      SC::Solver_traits<double, SC::Normal_cone_test, Reduction_that_does_nothing, Splitter_in_turn>>();
 }
 
 // The binomials of such degrees leave the range of double.
@@ -442,7 +462,8 @@ TEST(Solver_input, HighDegree)
   std::vector<double> coefficients(layout.size), errors(layout.errors);
   std::vector<long> scale;
   const std::vector<double> lower{0}, upper{1};
-  source.bernstein_coefficients(SC::internal::Cell{0}, std::span<const double>(lower), std::span<const double>(upper), coefficients.data(), errors.data(), scale);
+  source.bernstein_coefficients(SC::internal::Cell{0}, std::span<const double>(lower), std::span<const double>(upper),
+                                coefficients.data(), errors.data(), scale);
   ASSERT_EQ(coefficients.size(), degree + 1u);
   for (int k = 0; k <= degree; ++k)   // -1, but for the last
     EXPECT_NEAR(std::ldexp(coefficients[k], static_cast<int>(scale[0])), k < degree ? -1 : 1, 1e-12) << k;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cubic splines near curves of solutions: their distance from the equations, ends in singular points, smoothness at the seam, images in space.
+// Cubic splines near curves of solutions: their distance from the equations, ends in singular points, smoothness at the
+// seam, images in space.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
@@ -27,7 +28,8 @@ double largest_distance(const SC::Fitted_spline_d& spline, const Distance& dista
   constexpr int count = 3000;
   double result = 0;
   for (int i = 0; i <= count; ++i)
-    result = (std::max)(result, distance(spline(spline.breaks.front() + (spline.breaks.back() - spline.breaks.front()) * i / count)));
+    result = (std::max)(
+        result, distance(spline(spline.breaks.front() + (spline.breaks.back() - spline.breaks.front()) * i / count)));
   return result;
 }
 
@@ -36,7 +38,9 @@ struct Solved
   SC::Constraint_system_d system;
   SC::Curve_solution_set_d set;
 
-  explicit Solved(const std::vector<SC::Constraint>& constraints) : system(make_system(constraints)), set(SC::solve_curves(system)) {}
+  explicit Solved(const std::vector<SC::Constraint>& constraints)
+    : system(make_system(constraints)), set(SC::solve_curves(system))
+  {}
 };
 
 } // namespace
@@ -53,7 +57,8 @@ TEST(Spline_fitting, circle)
     EXPECT_LE(spline.error, tolerance);
     EXPECT_GT(spline.error, 0);
     EXPECT_EQ(spline.control_points.size() + 1, spline.breaks.size());
-    EXPECT_LE(largest_distance(spline, [](const auto& p) { return std::abs(std::hypot(p[0], p[1]) - 2); }), 2 * spline.error);
+    EXPECT_LE(largest_distance(spline, [](const auto& p) { return std::abs(std::hypot(p[0], p[1]) - 2); }),
+              2 * spline.error);
     EXPECT_NEAR(spline.breaks.back(), 4 * std::acos(-1.0), 1e-3);   // the arc length
     pieces = spline.breaks.size();
 
@@ -85,7 +90,9 @@ TEST(Spline_fitting, Viviani_ends_in_the_node)
       EXPECT_NEAR(end.z(), 0, 1e-12);
     }
     // A point is no further from a surface than from the curve in it.
-    const auto distance = [](const std::vector<double>& p) { return (std::max)(std::abs(std::hypot(p[0], p[1], p[2]) - 2), std::abs(std::hypot(p[0] - 1, p[1]) - 1)); };
+    const auto distance = [](const std::vector<double>& p) {
+      return (std::max)(std::abs(std::hypot(p[0], p[1], p[2]) - 2), std::abs(std::hypot(p[0] - 1, p[1]) - 1));
+    };
     EXPECT_LE(largest_distance(spline, distance), 2e-6);
   }
 }
@@ -125,7 +132,11 @@ TEST(Spline_fitting, images_in_space)
   };
   const SC::Fitted_spline_d spline = SC::fit_spline(on_sphere, true, 1e-6);
   EXPECT_LE(spline.error, 1e-6);
-  EXPECT_LE(largest_distance(spline, [](const auto& p) { return std::hypot(std::hypot(p[0], p[1], p[2]) - 1, (p[0] + p[1] + p[2]) / std::sqrt(3)); }), 2e-6);
+  EXPECT_LE(largest_distance(spline,
+                             [](const auto& p) {
+                               return std::hypot(std::hypot(p[0], p[1], p[2]) - 1, (p[0] + p[1] + p[2]) / std::sqrt(3));
+                             }),
+            2e-6);
 }
 
 TEST(Spline_fitting, straight_lines_and_bad_input)
@@ -139,5 +150,10 @@ TEST(Spline_fitting, straight_lines_and_bad_input)
   EXPECT_LE(largest_distance(spline, [](const auto& p) { return std::abs(p[0] - p[1]); }), 1e-14);
   EXPECT_THROW(spline.curve_3<K>(), SC::Invalid_input);
   EXPECT_THROW(SC::fit_spline(line.system, line.set, line.set.curves()[0], 0), SC::Invalid_input);
-  EXPECT_THROW(SC::fit_spline([](double) { return std::vector<K::Point_2>{{1, 1}, {1, 1}}; }, false, 1e-6), SC::Invalid_input);
+  EXPECT_THROW(SC::fit_spline(
+                   [](double) {
+                     return std::vector<K::Point_2>{{1, 1}, {1, 1}};
+                   },
+                   false, 1e-6),
+               SC::Invalid_input);
 }

@@ -46,9 +46,13 @@ void expect_round_trips()
 {
   using FT = typename K::FT;
   const FT third = FT(1) / FT(3), tenth = FT(1) / FT(10);
-  const SC::Bspline_curve_2<K> spline(2, {FT(0), FT(0), FT(0), third, FT(1), FT(1), FT(1)}, {{tenth, FT(-7)}, {FT(1), third}, {FT(2), FT(0)}, {FT(3), FT(1e300)}});
-  expect_same_after_reading(spline, SC::circle_curve<K>(typename K::Point_2(third, tenth), typename K::Point_2(FT(2), FT(1))));
-  const SC::Bspline_curve_3<K> unclamped(2, {FT(0), FT(1), FT(2), FT(3), FT(4), FT(5)}, {{FT(0), FT(1), third}, {tenth, FT(0), FT(0)}, {FT(0), FT(0), FT(-2)}}, {FT(1), third, FT(2)});
+  const SC::Bspline_curve_2<K> spline(2, {FT(0), FT(0), FT(0), third, FT(1), FT(1), FT(1)},
+                                      {{tenth, FT(-7)}, {FT(1), third}, {FT(2), FT(0)}, {FT(3), FT(1e300)}});
+  expect_same_after_reading(spline,
+                            SC::circle_curve<K>(typename K::Point_2(third, tenth), typename K::Point_2(FT(2), FT(1))));
+  const SC::Bspline_curve_3<K> unclamped(2, {FT(0), FT(1), FT(2), FT(3), FT(4), FT(5)},
+                                         {{FT(0), FT(1), third}, {tenth, FT(0), FT(0)}, {FT(0), FT(0), FT(-2)}},
+                                         {FT(1), third, FT(2)});
   expect_same_after_reading(unclamped, unclamped.elevated({4}));
   const auto torus = SC::torus_surface<K>(typename K::Point_3(0, 0, 0), FT(3), FT(1));
   expect_same_after_reading(torus, torus.with_knot(0, third));
@@ -75,9 +79,12 @@ TEST(Spline_streams, BadInput)
   };
   EXPECT_TRUE(reads("1 2 0  1 2 0 0 1 1  0 1  0 -2/3"));
   EXPECT_TRUE(reads("1 2 0  1 2 0 0 1 1  00 010  0 -2/03"));
-  for (const char* text : {"", "1 2 0", "2 2 0  1 2 0 0 1 1  0 1  0 2", "1 3 0  1 2 0 0 1 1  0 1  0 2", "1 2 2  1 2 0 0 1 1  0 1  0 2 1 1", "1 2 0  -1 2 0 0 1 1  0 1  0 2", "1 2 0  1 2 0 0 1 1  0 1  0",
-                           "1 2 0  1 2 0 0 1 1  0 1  0 2/0", "1 2 0  1 2 0 0 1 1  0 1  0 2/", "1 2 0  1 2 0 0 1 1  0 1  0 /2", "1 2 0  1 2 0 0 1 1  0 1  0 --2", "1 2 0  1 2 0 0 1 1  0 1  0 nan",
-                           "1 2 0  1 2 1 1 0 0  0 1  0 2", "1 2 1  1 2 0 0 1 1  0 1  0 2  1 -1", "1 2 0  1 1000000000 0 0 1 1  0 1  0 2"})
+  for (const char* text :
+       {"", "1 2 0", "2 2 0  1 2 0 0 1 1  0 1  0 2", "1 3 0  1 2 0 0 1 1  0 1  0 2", "1 2 2  1 2 0 0 1 1  0 1  0 2 1 1",
+        "1 2 0  -1 2 0 0 1 1  0 1  0 2", "1 2 0  1 2 0 0 1 1  0 1  0", "1 2 0  1 2 0 0 1 1  0 1  0 2/0",
+        "1 2 0  1 2 0 0 1 1  0 1  0 2/", "1 2 0  1 2 0 0 1 1  0 1  0 /2", "1 2 0  1 2 0 0 1 1  0 1  0 --2",
+        "1 2 0  1 2 0 0 1 1  0 1  0 nan", "1 2 0  1 2 1 1 0 0  0 1  0 2", "1 2 1  1 2 0 0 1 1  0 1  0 2  1 -1",
+        "1 2 0  1 1000000000 0 0 1 1  0 1  0 2"})
     EXPECT_FALSE(reads(text)) << text;
 }
 

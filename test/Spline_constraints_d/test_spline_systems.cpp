@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Systems of B-splines: the certified solutions against de Boor's algorithm, and their number against counts that know nothing of breaks: piece by piece, or
-// by Descartes' rule in exact arithmetic.
+// Systems of B-splines: the certified solutions against de Boor's algorithm, and their number against counts that know
+// nothing of breaks: piece by piece, or by Descartes' rule in exact arithmetic.
 
 #include "solver_test_checks.h"
 
@@ -122,8 +122,8 @@ bool meet(const std::vector<std::pair<Coordinate, Coordinate>>& box, const Box& 
   return true;
 }
 
-// The intersections pair by pair of Bézier pieces, each as a polynomial system on the unit square: their boxes on the domains of the curves. A solution on a break comes
-// from the pieces on both sides: boxes that meet are one.
+// The intersections pair by pair of Bézier pieces, each as a polynomial system on the unit square: their boxes on the
+// domains of the curves. A solution on a break comes from the pieces on both sides: boxes that meet are one.
 std::vector<Box> intersections_by_pieces(const Curve& a, const Curve& b)
 {
   std::vector<Box> result;
@@ -182,7 +182,9 @@ std::size_t check_intersection(const Curve& a, const Curve& b, const std::vector
   for (const auto& box : expected)
     EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(), [&](const auto& s) { return meet(s.box(), box); }), 1);
   for (const Point& point : planted)
-    EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(), [&](const auto& s) { return meets(s.box(), point); }), 1) << text_of(point);
+    EXPECT_EQ(std::count_if(solutions.begin(), solutions.end(), [&](const auto& s) { return meets(s.box(), point); }),
+              1)
+        << text_of(point);
   for (const auto& solution : solutions) {
     expect_close_by_de_boor(a, b, solution);
     EXPECT_TRUE(verify(system, solution));
@@ -199,7 +201,8 @@ const Knots kinked_cubic_knots{0, 0, 0, 0, third, third, third, fraction(3, 5), 
 const Knots uniform_knots{-3, -2, -1, 0, 1, 2, 3, 4, 5, 6};
 const Knots quadratic_knots{-1, -1, -1, sevenths, sevenths, third, 2, 2, 2};
 
-// The breaks where the spline is zero and does not cross zero with slopes of one sign on both sides: double roots and touching kinks.
+// The breaks where the spline is zero and does not cross zero with slopes of one sign on both sides: double roots and
+// touching kinks.
 std::size_t count_irregular_breaks(const Spline& f)
 {
   const auto pieces = f.bezier_pieces();
@@ -281,7 +284,8 @@ TEST(Spline_systems, CrossingsInKinks)
   const Curve rising{Spline({2}, {knots}, {-4, -2, 0, 2, 5}), Spline({2}, {knots}, {-4, -1, 0, 1, 5})};
   const Curve falling{Spline({2}, {knots}, {-4, -2, 0, 1, 6}), Spline({2}, {knots}, {4, 1, 0, -1, -3})};
   EXPECT_EQ(check_intersection(rising, falling, {{third, third}}), 1u);
-  const Curve smooth{Spline({3}, {uniform_knots}, {-6, -4, -2, 0, 2, 4}), Spline({3}, {uniform_knots}, {5, 3, 1, -1, -3, -5})};
+  const Curve smooth{Spline({3}, {uniform_knots}, {-6, -4, -2, 0, 2, 4}),
+                     Spline({3}, {uniform_knots}, {5, 3, 1, -1, -3, -5})};
   check_intersection(rising, smooth.moved(-de_boor(smooth.x, 2), -de_boor(smooth.y, 2)), {{third, 2}});
 }
 
@@ -297,7 +301,8 @@ TEST(Spline_systems, OneUnknown)
     return result;
   };
   for (int round = 0; round < 40; ++round) {
-    const Spline f({3}, {cubic_knots}, values(cubic_knots.size() - 4)), g({2}, {quadratic_knots}, values(quadratic_knots.size() - 3));
+    const Spline f({3}, {cubic_knots}, values(cubic_knots.size() - 4)),
+        g({2}, {quadratic_knots}, values(quadratic_knots.size() - 3));
     const Spline h({3}, {uniform_knots}, values(uniform_knots.size() - 4));
     for (const Rational& u : {Rational(0), sevenths, third, fraction(5, 6), Rational(1), fraction(1, 2)})
       total += check_univariate(vanishing_at(f, u), {u});
@@ -308,7 +313,8 @@ TEST(Spline_systems, OneUnknown)
   EXPECT_GE(total, 700u);
   // Kinks at 2/7 with slopes of one sign, however different.
   for (int slope : {1, 5, 1000, 1000000})
-    EXPECT_EQ(check_univariate(Spline({2}, {quadratic_knots}, {-3, -1, 0, slope, slope + 2, slope + 3}), {sevenths}), 1u);
+    EXPECT_EQ(check_univariate(Spline({2}, {quadratic_knots}, {-3, -1, 0, slope, slope + 2, slope + 3}), {sevenths}),
+              1u);
 }
 
 // Differences of polygons on non-dyadic breaks: every break is a kink, and many of them are zero.
@@ -316,7 +322,8 @@ TEST(Spline_systems, Polygons)
 {
   std::mt19937_64 random(4);
   std::uniform_int_distribution<int> height(-3, 3);
-  const Knots first{0, 0, sevenths, third, fraction(3, 5), 1, 1}, second{0, 0, fraction(1, 7), third, fraction(2, 3), 1, 1};
+  const Knots first{0, 0, sevenths, third, fraction(3, 5), 1, 1},
+      second{0, 0, fraction(1, 7), third, fraction(2, 3), 1, 1};
   std::size_t on_breaks = 0, irregular = 0;
   for (int round = 0; round < 400; ++round) {
     std::vector<Rational> a, b;
@@ -328,7 +335,8 @@ TEST(Spline_systems, Polygons)
     std::vector<Rational> zeros;
     bool vanishes_between = false;
     for (const auto& piece : f.bezier_pieces())
-      vanishes_between = vanishes_between || (CGAL::is_zero(piece.coefficients()[0]) && CGAL::is_zero(piece.coefficients()[1]));
+      vanishes_between =
+          vanishes_between || (CGAL::is_zero(piece.coefficients()[0]) && CGAL::is_zero(piece.coefficients()[1]));
     if (vanishes_between)
       continue;
     for (const Rational& u : f.breaks(0))
@@ -342,13 +350,15 @@ TEST(Spline_systems, Polygons)
   EXPECT_GE(irregular, 20u);
 }
 
-// A circle of radius 5 as a rational quadratic spline with double knots, met by cubic splines: as often as these have x^2 + y^2 = 25.
+// A circle of radius 5 as a rational quadratic spline with double knots, met by cubic splines: as often as these have
+// x^2 + y^2 = 25.
 TEST(Spline_systems, RationalCircle)
 {
   using Quotient = SC::Rational_function<Spline>;
   std::vector<Rational> x, y, w;
   const int turn[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  for (int arc = 0, scale = 1; arc < 4; ++arc, scale *= 2) {   // weights 1, 1, 2 of a quarter, times those of the arcs before
+  // weights 1, 1, 2 of a quarter, times those of the arcs before
+  for (int arc = 0, scale = 1; arc < 4; ++arc, scale *= 2) {
     const auto [c, s] = turn[arc];
     const int local[3][3] = {{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
     for (int i = arc == 0 ? 0 : 1; i < 3; ++i) {
@@ -368,14 +378,16 @@ TEST(Spline_systems, RationalCircle)
     const Spline weight = Spline({2}, {knots}, w).embedded(domain, {0});
     const Spline one = Spline({0}, {{0, 1}}, {1}).embedded(domain, {1});
     for (const auto& [numerator, other] : {std::pair(x, curve.x), std::pair(y, curve.y)}) {
-      const Quotient difference = Quotient(Spline({2}, {knots}, numerator).embedded(domain, {0}), weight) - Quotient(other.embedded(domain, {1}), one);
+      const Quotient difference = Quotient(Spline({2}, {knots}, numerator).embedded(domain, {0}), weight) -
+          Quotient(other.embedded(domain, {1}), one);
       system.add(on_variables({0, 1}, difference.numerator()), Relation::EQUAL);
     }
     const auto solutions = solve_with<SC::Certified_solver_traits>(system);
     expect_solved({"rational circle", system, count, {}}, solutions);
     for (const auto& solution : solutions) {
       const Rational s = Rational(solution.point()[1]);
-      const double distance = CGAL::to_double(de_boor(curve.x, s) * de_boor(curve.x, s) + de_boor(curve.y, s) * de_boor(curve.y, s) - 25);
+      const double distance =
+          CGAL::to_double(de_boor(curve.x, s) * de_boor(curve.x, s) + de_boor(curve.y, s) * de_boor(curve.y, s) - 25);
       EXPECT_NEAR(distance, 0, 1e-10);
     }
     total += count;
@@ -400,7 +412,9 @@ TEST(Spline_systems, PiecewiseInequality)
     for (const auto& solution : all) {
       const int sign = CGAL::sign(de_boor(gate, Rational(solution.point()[0])));
       expected += sign > 0;
-      EXPECT_EQ(std::count_if(some.begin(), some.end(), [&](const auto& s) { return contains(s.uniqueness_region(), solution.box()); }), sign > 0);
+      EXPECT_EQ(std::count_if(some.begin(), some.end(),
+                              [&](const auto& s) { return contains(s.uniqueness_region(), solution.box()); }),
+                sign > 0);
     }
     EXPECT_EQ(some.count(Solution_kind::CERTIFIED), expected);
     EXPECT_EQ(some.size(), expected);
@@ -417,8 +431,8 @@ template <class Traits>
 class Spline_systems_of : public testing::Test
 {};
 
-using All_traits = testing::Types<SC::Fast_solver_traits, SC::Certified_solver_traits, SC::Interval_solver_traits, SC::Multiprecision_solver_traits,
-                                  SC::Exact_solver_traits>;
+using All_traits = testing::Types<SC::Fast_solver_traits, SC::Certified_solver_traits, SC::Interval_solver_traits,
+                                  SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
 TYPED_TEST_SUITE(Spline_systems_of, All_traits);
 
 TYPED_TEST(Spline_systems_of, BreaksOfBoth)
@@ -427,6 +441,7 @@ TYPED_TEST(Spline_systems_of, BreaksOfBoth)
   const Curve a{Spline({2}, {knots}, {-4, -1, 2, 4}), Spline({2}, {knots}, {-3, 1, -2, 3})};
   const Curve b{Spline({2}, {others}, {-3, 0, 1, 2, 0}), Spline({2}, {others}, {-4, -2, -1, 1, 4})};
   const std::size_t count = check_intersection<TypeParam>(
-    a, b.moved(de_boor(a.x, third) - de_boor(b.x, sevenths), de_boor(a.y, third) - de_boor(b.y, sevenths)), {{third, sevenths}});
+      a, b.moved(de_boor(a.x, third) - de_boor(b.x, sevenths), de_boor(a.y, third) - de_boor(b.y, sevenths)),
+      {{third, sevenths}});
   EXPECT_GE(count, 1u);
 }

@@ -11,13 +11,15 @@ template <class Policies>
 class Square_problems : public testing::Test
 {};
 
-using Cone_traits = SC::Solver_traits<double, SC::Normal_cone_test, SC::Projected_polyhedron_reduction, SC::Widest_splitter>;
+using Cone_traits =
+    SC::Solver_traits<double, SC::Normal_cone_test, SC::Projected_polyhedron_reduction, SC::Widest_splitter>;
 using All_traits = testing::Types<SC::Certified_solver_traits, Cone_traits>;
 TYPED_TEST_SUITE(Square_problems, All_traits);
 
 TYPED_TEST(Square_problems, CyclicChebyshev)
 {
-  for (const auto& [n, degree] : {std::pair(1, 7), {2, 2}, {2, 3}, {2, 5}, {2, 8}, {3, 2}, {3, 3}, {3, 4}, {4, 2}, {4, 3}, {5, 2}, {6, 2}})
+  for (const auto& [n, degree] :
+       {std::pair(1, 7), {2, 2}, {2, 3}, {2, 5}, {2, 8}, {3, 2}, {3, 3}, {3, 4}, {4, 2}, {4, 3}, {5, 2}, {6, 2}})
     check<TypeParam>(cyclic_chebyshev(n, degree));
 }
 
@@ -72,8 +74,8 @@ TEST(Square_problems_certified, Larger)
 TEST(Square_problems_fast, CertifiedAnswersAreRight)
 {
   std::size_t found = 0, wanted = 0;
-  for (const Problem& problem : {cyclic_chebyshev(2, 3), cyclic_chebyshev(4, 2), mixed_chebyshev(3, 2), bezier_cubics(), curves_of_degree_six(),
-                                 apollonius(), bitangents(), katsura_2(), zigzag()}) {
+  for (const Problem& problem : {cyclic_chebyshev(2, 3), cyclic_chebyshev(4, 2), mixed_chebyshev(3, 2), bezier_cubics(),
+                                 curves_of_degree_six(), apollonius(), bitangents(), katsura_2(), zigzag()}) {
     SCOPED_TRACE(problem.name);
     const auto solutions = solve_with<SC::Fast_solver_traits>(problem.system);
     wanted += problem.count;

@@ -63,7 +63,8 @@ TEST(Plane_patch, is_affine)
   const Surface plane = SC::plane_patch(Point(1, 2, 3), Vector(1, 0, 2), Vector(0, 3, 1));
   EXPECT_EQ(plane(FT(1) / 3, FT(1) / 2), Point(FT(4) / 3, FT(7) / 2, FT(25) / 6));
   EXPECT_EQ(plane.normal(0, 0), CGAL::cross_product(Vector(1, 0, 2), Vector(0, 3, 1)));
-  const auto bilinear = SC::bilinear_surface(CGAL::Epick::Point_3(0, 0, 0), CGAL::Epick::Point_3(0, 1, 0), CGAL::Epick::Point_3(1, 0, 0), CGAL::Epick::Point_3(1, 1, 1));
+  const auto bilinear = SC::bilinear_surface(CGAL::Epick::Point_3(0, 0, 0), CGAL::Epick::Point_3(0, 1, 0),
+                                             CGAL::Epick::Point_3(1, 0, 0), CGAL::Epick::Point_3(1, 1, 1));
   EXPECT_EQ(bilinear(0.5, 0.25), CGAL::Epick::Point_3(0.5, 0.25, 0.125));
 }
 
@@ -93,7 +94,8 @@ TEST(Translational_surface, adds_points)
     EXPECT_EQ(surface(u, v), profile(u) + (path(v) - origin));
     EXPECT_EQ(SC::extruded_surface(profile, Vector(1, 2, 3))(u, v), profile(u) + Vector(1, 2, 3) * v);
   }
-  expect_invalid([] { SC::extruded_surface(SC::segment_curve(Point(0, 0, 0), Point(1, 0, 0)), Vector(0, 0, 0)); }, "zero");
+  expect_invalid([] { SC::extruded_surface(SC::segment_curve(Point(0, 0, 0), Point(1, 0, 0)), Vector(0, 0, 0)); },
+                 "zero");
 }
 
 TEST(Swept_surface, moves_a_profile_with_a_frame)
@@ -102,7 +104,8 @@ TEST(Swept_surface, moves_a_profile_with_a_frame)
   const auto vector = [](const Curve_3& c, const FT& t) { return c(t) - CGAL::ORIGIN; };
   for (int i = 0; i < rounds / 2; ++i) {
     const Curve_2 profile = random.curve<Exact_cartesian, 2>(2);
-    const Curve_3 spine = random.curve<Exact_cartesian, 3>(2), a = random.curve<Exact_cartesian, 3>(2), b = random.curve<Exact_cartesian, 3>(1);
+    const Curve_3 spine = random.curve<Exact_cartesian, 3>(2), a = random.curve<Exact_cartesian, 3>(2),
+                  b = random.curve<Exact_cartesian, 3>(1);
     const Surface surface = SC::swept_surface(profile, spine, a, b);
     const auto [u, v] = random_parameters(random, surface);
     EXPECT_EQ(surface(u, v), spine(v) + vector(a, v) * profile(u).x() + vector(b, v) * profile(u).y());
@@ -135,7 +138,9 @@ TEST(Surface_of_revolution, keeps_height_and_distance)
 
 TEST(Sphere_surface, satisfies_its_equation)
 {
-  check_implicit(SC::sphere_surface(Point(1, 2, 3), FT(5) / FT(2)), [](const Point& p) { return FT(CGAL::squared_distance(p, Point(1, 2, 3)) - FT(25) / FT(4)); }, 5);
+  check_implicit(
+      SC::sphere_surface(Point(1, 2, 3), FT(5) / FT(2)),
+      [](const Point& p) { return FT(CGAL::squared_distance(p, Point(1, 2, 3)) - FT(25) / FT(4)); }, 5);
   // The radius is the root of 14.
   const Surface sphere = SC::sphere_surface(Point(0, 0, 0), Point(1, 2, 3));
   check_implicit(sphere, [](const Point& p) { return FT(CGAL::squared_distance(p, Point(0, 0, 0)) - 14); }, 6);
@@ -151,10 +156,14 @@ TEST(Sphere_surface, satisfies_its_equation)
 
 TEST(Cylinder_and_cone, satisfy_their_equations)
 {
-  check_implicit(SC::cylinder_surface(Point(1, 0, 0), FT(3), FT(4)), [](const Point& p) { return FT(square(p.x() - 1) + square(p.y()) - 9); }, 7);
+  check_implicit(
+      SC::cylinder_surface(Point(1, 0, 0), FT(3), FT(4)),
+      [](const Point& p) { return FT(square(p.x() - 1) + square(p.y()) - 9); }, 7);
   // Around the line through (0,0,1) along (1,1,1), at the squared distance of (2,0,1).
   const Vector axis(1, 1, 1);
-  const auto squared_distance = [&](const Point& p) { return CGAL::cross_product(p - Point(0, 0, 1), axis).squared_length(); };
+  const auto squared_distance = [&](const Point& p) {
+    return CGAL::cross_product(p - Point(0, 0, 1), axis).squared_length();
+  };
   const FT radius = squared_distance(Point(2, 0, 1));
   const Surface cylinder = SC::cylinder_surface(Point(0, 0, 1), axis, Point(2, 0, 1));
   check_implicit(cylinder, [&](const Point& p) { return FT(squared_distance(p) - radius); }, 8);
@@ -164,7 +173,8 @@ TEST(Cylinder_and_cone, satisfy_their_equations)
 
   // Apex (0,0,2), downwards, radius 1 at height 0: x^2 + y^2 = (1 - z/2)^2.
   const Surface cone = SC::cone_surface(Point(0, 0, 2), Vector(0, 0, -1), Point(1, 0, 0));
-  check_implicit(cone, [](const Point& p) { return FT(square(p.x()) + square(p.y()) - square(FT(1) - p.z() / FT(2))); }, 9);
+  check_implicit(
+      cone, [](const Point& p) { return FT(square(p.x()) + square(p.y()) - square(FT(1) - p.z() / FT(2))); }, 9);
   EXPECT_EQ(cone(3, 0), Point(0, 0, 2));
   EXPECT_EQ(cone(2, 1), Point(-1, 0, 0));
 }
@@ -172,7 +182,8 @@ TEST(Cylinder_and_cone, satisfy_their_equations)
 TEST(Torus_surface, satisfies_its_equation)
 {
   const auto torus_equation = [](const Point& p, const FT& R2, const FT& r2) {
-    return FT(square(CGAL::squared_distance(p, Point(0, 0, 0)) + R2 - r2) - FT(4) * R2 * (square(p.x()) + square(p.y())));
+    return FT(square(CGAL::squared_distance(p, Point(0, 0, 0)) + R2 - r2) -
+              FT(4) * R2 * (square(p.x()) + square(p.y())));
   };
   const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(3), FT(1));
   check_implicit(torus, [&](const Point& p) { return torus_equation(p, 9, 1); }, 10);
@@ -184,7 +195,9 @@ TEST(Torus_surface, satisfies_its_equation)
   EXPECT_EQ(torus.gaussian_curvature(0, 2), FT(-1) / 2);
   EXPECT_EQ(torus.gaussian_curvature(FT(1) / 3, 1), 0);
   // Spine through (1,1,0): R^2 = 2, r = R / 2.
-  check_implicit(SC::torus_surface(Point(0, 0, 0), Vector(0, 0, 2), Point(1, 1, 0), FT(1) / FT(2)), [&](const Point& p) { return torus_equation(p, 2, FT(1) / 2); }, 11);
+  check_implicit(
+      SC::torus_surface(Point(0, 0, 0), Vector(0, 0, 2), Point(1, 1, 0), FT(1) / FT(2)),
+      [&](const Point& p) { return torus_equation(p, 2, FT(1) / 2); }, 11);
 }
 
 TEST(Pipe_surface, keeps_its_distance_from_the_spine)
@@ -200,7 +213,8 @@ TEST(Pipe_surface, keeps_its_distance_from_the_spine)
     }
   };
   // A planar cubic, a B-spline and a circle.
-  const Curve_3 cubic = SC::bezier_curve<Exact_cartesian>({Point(0, 0, 0), Point(3, 0, 0), Point(4, 2, 0), Point(7, 7, 0)});
+  const Curve_3 cubic =
+      SC::bezier_curve<Exact_cartesian>({Point(0, 0, 0), Point(3, 0, 0), Point(4, 2, 0), Point(7, 7, 0)});
   check(SC::pipe_surface(cubic, Vector(0, 0, FT(1) / 4)), cubic, FT(1) / 16);
   const Curve_3 spline(2, {0, 0, 0, 1, 2, 2, 2}, {{0, 0, 0}, {4, 0, 4}, {8, 0, 0}, {16, 0, 8}});
   check(SC::pipe_surface(spline, Vector(0, -1, 0)), spline, 1);
@@ -216,7 +230,8 @@ TEST(Pipe_surface, keeps_its_distance_from_the_spine)
   expect_invalid([&] { SC::pipe_surface(cubic, Vector(0, 1, 1)); }, "right angle");
   expect_invalid([&] { SC::pipe_surface(cubic, Vector(0, 0, 0)); }, "zero");
   expect_invalid([&] { SC::pipe_surface(cubic, SC::segment_curve(Point(0, 0, 1), Point(0, 0, 2))); }, "not constant");
-  expect_invalid([&] { SC::pipe_surface(spline, SC::segment_curve(Point(0, 0, 1), Point(0, 0, 1))); }, "different domains");
+  expect_invalid([&] { SC::pipe_surface(spline, SC::segment_curve(Point(0, 0, 1), Point(0, 0, 1))); },
+                 "different domains");
   const Curve_3 corner = SC::polyline_curve<Exact_cartesian>({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0)});
   expect_invalid([&] { SC::pipe_surface(corner, Vector(0, 0, 1)); }, "continuously differentiable");
 }
@@ -236,11 +251,13 @@ TEST(Canal_surface, touches_its_spheres)
     }
   };
   // Normals (-2t, 1, 1 + t) of the parabola (t, t^2, 0) and what they leave for the spine, (3 t, t^2 - 1, -1 - t).
-  const Curve_3 spine = SC::bezier_curve<Exact_cartesian>({Point(0, -1, -1), Point(FT(3) / 2, -1, FT(-3) / 2), Point(3, 0, -2)});
+  const Curve_3 spine =
+      SC::bezier_curve<Exact_cartesian>({Point(0, -1, -1), Point(FT(3) / 2, -1, FT(-3) / 2), Point(3, 0, -2)});
   const Curve_3 arm = SC::segment_curve(Point(0, 1, 1), Point(-2, 1, 2));
   check(SC::canal_surface(spine, arm), spine, arm);
   // Spheres that grow along a line: a cone.
-  const Curve_3 line = SC::segment_curve(Point(0, 0, 5), Point(0, 0, 10)), growing = SC::segment_curve(Point(FT(12) / 5, 0, FT(-9) / 5), Point(FT(24) / 5, 0, FT(-18) / 5));
+  const Curve_3 line = SC::segment_curve(Point(0, 0, 5), Point(0, 0, 10)),
+                growing = SC::segment_curve(Point(FT(12) / 5, 0, FT(-9) / 5), Point(FT(24) / 5, 0, FT(-18) / 5));
   const Surface cone = SC::canal_surface(line, growing);
   check(cone, line, growing);
   EXPECT_EQ(cone.gaussian_curvature(FT(1) / 3, FT(1) / 2), 0);
@@ -260,7 +277,8 @@ void check_in_kernel(double tolerance)
   for (int i = 0; i <= 8; ++i) {
     const NT u = 0.5 * i, v = 0.25 * i;
     const auto t = torus(u, v) - P(1, 2, 3);
-    EXPECT_LE(CGAL::abs(NT(CGAL::square(t.squared_length() + 8) - 36 * (t.x() * t.x() + t.y() * t.y()))), NT(tolerance));
+    EXPECT_LE(CGAL::abs(NT(CGAL::square(t.squared_length() + 8) - 36 * (t.x() * t.x() + t.y() * t.y()))),
+              NT(tolerance));
     EXPECT_LE(CGAL::abs(NT(CGAL::squared_distance(sphere(u, v), P(1, 2, 3)) - 6)), NT(tolerance));
     const P c = cylinder(u, v / 2);
     EXPECT_LE(CGAL::abs(NT(c.x() * c.x() + c.y() * c.y() - 4)), NT(tolerance));
@@ -290,8 +308,14 @@ TEST(Surface_constructors, reject_bad_input)
   expect_invalid([&] { SC::torus_surface(origin, up, Point(0, 0, 3), FT(1)); }, "on the axis");
   expect_invalid([&] { SC::torus_surface(origin, up, Point(1, 0, 3), FT(1)); }, "plane");
   expect_invalid([&] { SC::torus_surface(origin, FT(1), FT(0)); }, "minor radius");
-  expect_invalid([&] { SC::surface_of_revolution(SC::segment_curve(origin, Point(1, 0, 0)), origin, Vector(0, 0, 0)); }, "direction");
-  expect_invalid([&] { SC::bilinear_surface(Double_point(0, nan, 0), Double_point(0, 0, 0), Double_point(0, 0, 0), Double_point(0, 0, 0)); }, "control point 0");
+  expect_invalid([&] { SC::surface_of_revolution(SC::segment_curve(origin, Point(1, 0, 0)), origin, Vector(0, 0, 0)); },
+                 "direction");
+  expect_invalid(
+      [&] {
+        SC::bilinear_surface(Double_point(0, nan, 0), Double_point(0, 0, 0), Double_point(0, 0, 0),
+                             Double_point(0, 0, 0));
+      },
+      "control point 0");
 }
 
 } // namespace

@@ -36,14 +36,16 @@ FT ratio(int a, int b) { return FT(a) / FT(b); }
 
 Function polynomial(const std::vector<int>& degrees, const std::vector<FT>& power)
 {
-  return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power), std::vector<Range>(degrees.size(), Range(0, 1)));
+  return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power),
+                               std::vector<Range>(degrees.size(), Range(0, 1)));
 }
 
 const Function t = polynomial({1}, {0, 1}), one = polynomial({0}, {1});
 const Function u = polynomial({1, 0}, {0, 1}), v = polynomial({0, 1}, {0, 1}), one_on_square = polynomial({0, 0}, {1});
 
 // The graph of u^2 v, as a bicubic.
-const Surface graph = Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, u * u * v}, one_on_square).elevated({3, 3});
+const Surface graph =
+    Surface::from_homogeneous_coordinates({u + v * FT(0), u* FT(0) + v, u* u* v}, one_on_square).elevated({3, 3});
 
 // The curve (t, 1-t), lifted by a height above the graph.
 Curve curve_above_graph(const Function& height)
@@ -72,7 +74,8 @@ CGAL::Aff_transformation_3<K> random_map(Random_source& random)
 }
 
 template <class Intersections>
-void expect_kinds(const Intersections& found, std::size_t transversal, std::size_t tangent = 0, std::size_t end_points = 0, std::size_t overlaps = 0)
+void expect_kinds(const Intersections& found, std::size_t transversal, std::size_t tangent = 0,
+                  std::size_t end_points = 0, std::size_t overlaps = 0)
 {
   EXPECT_TRUE(found.is_complete()) << found.summary();
   EXPECT_EQ(found.count(Intersection_kind::TRANSVERSAL), transversal);
@@ -129,11 +132,13 @@ TEST(Surface_intersections, PolesOfASphere)
   EXPECT_EQ(crossings[0].is_at_end(1, 1) + crossings[1].is_at_end(1, 1), 1);
 }
 
-// (s^3 - s, 0, s^2) for s in [-2,2] crosses itself at the pole, where x^2 + z^2 - 1 = (s^2 - 1) (s^4 + 1) is zero, and nowhere else.
+// (s^3 - s, 0, s^2) for s in [-2,2] crosses itself at the pole, where x^2 + z^2 - 1 = (s^2 - 1) (s^4 + 1) is zero, and
+// nowhere else.
 TEST(Surface_intersections, CurveTwiceThroughAPole)
 {
   const Function s = t * FT(4) - FT(2);
-  const auto found = SC::intersections(Curve::from_homogeneous_coordinates({s * s * s - s, s * FT(0), s * s}, one), unit_sphere);
+  const auto found =
+      SC::intersections(Curve::from_homogeneous_coordinates({s * s * s - s, s * FT(0), s * s}, one), unit_sphere);
   expect_kinds(found, 0, 0, 2);
   EXPECT_TRUE(holds(found[0].parameter_range(0), ratio(1, 4)) && holds(found[1].parameter_range(0), ratio(3, 4)));
 }
@@ -157,7 +162,8 @@ TEST(Surface_intersections, CylinderWithItsSeam)
   const Surface cylinder = SC::cylinder_surface(Point(0, 0, 0), FT(5), FT(2));
   const auto through_seam = SC::intersections(K::Ray_3(Point(7, 0, 1), Point(5, 0, 1)), cylinder);
   expect_kinds(through_seam, 1, 0, 1);
-  EXPECT_TRUE(holds(through_seam[0].parameter_range(0), 1) && through_seam[0].is_at_end(1, 0) && !through_seam[0].is_at_end(1, 1));
+  EXPECT_TRUE(holds(through_seam[0].parameter_range(0), 1) && through_seam[0].is_at_end(1, 0) &&
+              !through_seam[0].is_at_end(1, 1));
   EXPECT_EQ(through_seam[0].parameter_range(1, 0), Range(0, 0));
   // Along a ruling: a part of it, and the seam, found from both sides.
   const auto ruling = SC::intersections(K::Segment_3(Point(3, 4, 1), Point(3, 4, 5)), cylinder);
@@ -171,7 +177,8 @@ TEST(Surface_intersections, CylinderWithItsSeam)
   EXPECT_TRUE(edge[0].is_at_end(1, 1) && !edge[0].is_at_end(1, 0));
 }
 
-// Lines of a surface where one parameter is constant, forwards and backwards, with other parameters, and longer than the surface.
+// Lines of a surface where one parameter is constant, forwards and backwards, with other parameters, and longer than
+// the surface.
 TEST(Surface_intersections, IsoparametricCurves)
 {
   const auto overlap_with = [](const auto& curve, const auto& surface) {
@@ -186,7 +193,8 @@ TEST(Surface_intersections, IsoparametricCurves)
   EXPECT_EQ(around.parameter_range(1, 0), Range(0, 4));
   EXPECT_EQ(around.parameter_range(1, 1), Range(ratio(1, 3), ratio(1, 3)));
 
-  const std::vector<Point> net{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {1, 0, 1}, {1, 1, 3}, {1, 2, 1}, {2, 0, 0}, {2, 1, 1}, {2, 2, 2}};
+  const std::vector<Point> net{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {1, 0, 1}, {1, 1, 3},
+                               {1, 2, 1}, {2, 0, 0}, {2, 1, 1}, {2, 2, 2}};
   const Surface surface({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, net);
   const auto line = surface.iso_curve(0, ratio(1, 3));
   const auto backwards = overlap_with(line.reversed(0).with_domain(0, FT(2), FT(5)).elevated({4}), surface);
@@ -199,7 +207,9 @@ TEST(Surface_intersections, IsoparametricCurves)
 // C = S(q) for the graph S, and the images of both.
 TEST(Surface_intersections, CurvesAlongASurface)
 {
-  const auto along = [](const Function& q, const Function& r) { return Curve::from_homogeneous_coordinates({q, r, q * q * r}, one); };
+  const auto along = [](const Function& q, const Function& r) {
+    return Curve::from_homogeneous_coordinates({q, r, q * q * r}, one);
+  };
   Random_source random(5);
   const auto map = random_map(random);
   const auto overlap_with = [&](const Curve& curve, const Surface& surface) {
@@ -218,16 +228,22 @@ TEST(Surface_intersections, CurvesAlongASurface)
   expect_ranges(overlap_with(along(t, FT(1) - t), graph), unit, unit, unit);
   expect_ranges(overlap_with(along(t, t * t), graph), unit, unit, unit);
   expect_ranges(overlap_with(along(t, t * t * t), graph), unit, unit, unit);
-  expect_ranges(overlap_with(along(t, FT(2) * t - ratio(1, 2)), graph), Range(ratio(1, 4), ratio(3, 4)), Range(ratio(1, 4), ratio(3, 4)), unit);
-  expect_ranges(overlap_with(along(t, t * t * ratio(16, 9)), graph), Range(0, ratio(3, 4)), Range(0, ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, FT(2) * t - ratio(1, 2)), graph), Range(ratio(1, 4), ratio(3, 4)),
+                Range(ratio(1, 4), ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, t * t * ratio(16, 9)), graph), Range(0, ratio(3, 4)), Range(0, ratio(3, 4)),
+                unit);
   expect_ranges(overlap_with(along(t, FT(1) - t), graph.with_knot(0, ratio(1, 2))), unit, unit, unit);
 
-  const auto vertex = overlap_with(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1))), graph);   // both ends and the vertex within the range, which is an enclosure
+  // both ends and the vertex within the range, which is an enclosure
+  const auto vertex = overlap_with(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1))), graph);
   EXPECT_TRUE(holds(vertex.parameter_range(1, 1), FT(0)) && holds(vertex.parameter_range(1, 1), FT(1)));
 
   const Function weight = FT(1) + t * (FT(1) - t), weight_on_square = one_on_square + u * v;
-  const Surface rational = Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, u * u * v}, weight_on_square);
-  expect_ranges(overlap_with(Curve::from_homogeneous_coordinates({t, FT(1) - t, t * t * (FT(1) - t)}, weight), rational), unit, unit, unit);
+  const Surface rational =
+      Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, u * u * v}, weight_on_square);
+  expect_ranges(
+      overlap_with(Curve::from_homogeneous_coordinates({t, FT(1) - t, t * t * (FT(1) - t)}, weight), rational), unit,
+      unit, unit);
 
   // It enters and leaves the surface.
   const auto twice = SC::intersections(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1)) * ratio(25, 9)), graph);
@@ -243,7 +259,8 @@ TEST(Surface_intersections, CurvesAlongASurface)
   EXPECT_NEAR(CGAL::to_double(irrational[0].parameter_range(0).second), 0.5 * std::sqrt(2), 1e-12);
 }
 
-// A circle that is no line of the parameters, on a sphere and on parts of it: inside where its points satisfy inequalities.
+// A circle that is no line of the parameters, on a sphere and on parts of it: inside where its points satisfy
+// inequalities.
 TEST(Surface_intersections, CirclesOnASphere)
 {
   const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), FT(3));
@@ -271,7 +288,10 @@ TEST(Surface_intersections, CirclesOnASphere)
         const CGAL::Sign own = CGAL::sign(circle(at).z() - height);
         const bool is_inside = own == side || own == CGAL::ZERO;
         inside += is_inside;
-        EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece.parameter_range(0), at); }), is_inside) << at;
+        EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(),
+                              [&](const auto& piece) { return holds(piece.parameter_range(0), at); }),
+                  is_inside)
+            << at;
       }
     }
   }
@@ -279,11 +299,15 @@ TEST(Surface_intersections, CirclesOnASphere)
 
   // Another radius, and a circle beside the part.
   expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 1, 1), Point(1, 0, 2)), sphere), 0);
-  const Surface lower = sphere.restricted(1, begin, FT((begin + end) / 2)), upper = sphere.restricted(1, FT((begin + end) / 2), end);
-  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 0, 1), Point(1, 2, 2)), sphere(FT(0), begin).z() < 0 ? lower : upper), 0);
+  const Surface lower = sphere.restricted(1, begin, FT((begin + end) / 2)),
+                upper = sphere.restricted(1, FT((begin + end) / 2), end);
+  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 0, 1), Point(1, 2, 2)),
+                                 sphere(FT(0), begin).z() < 0 ? lower : upper),
+               0);
 }
 
-// Ellipses on a cylinder that is too short for them, and on a cone; a circle of Villarceau on one half of a torus. A part of the curve is on the surface where its points are between two heights.
+// Ellipses on a cylinder that is too short for them, and on a cone; a circle of Villarceau on one half of a torus. A
+// part of the curve is on the surface where its points are between two heights.
 TEST(Surface_intersections, ConicsOnCylindersConesAndTori)
 {
   struct Problem
@@ -296,9 +320,11 @@ TEST(Surface_intersections, ConicsOnCylindersConesAndTori)
   const Curve villarceau = SC::circle_curve(Point(0, 3, 0), Vector(-3, 0, 4), Point(0, -2, 0));
   const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(5), FT(3));
   const std::vector<Problem> problems{
-    {SC::ellipse_curve<K>(Point(0, 0, 0), Vector(1, 0, 3), Vector(0, 1, 0)), SC::cylinder_surface(Point(0, 0, -2), FT(1), FT(4)), 2, -2, 2, 2},
-    {SC::ellipse_curve<K>(Point(ratio(3, 2), 0, ratio(5, 2)), Vector(ratio(5, 2), 0, ratio(3, 2)), Vector(0, 2, 0)), SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 3)), 2, 0, 3, 1},
-    {villarceau, torus.restricted(0, 0, 2), 1, 0, 10, 1}};
+      {SC::ellipse_curve<K>(Point(0, 0, 0), Vector(1, 0, 3), Vector(0, 1, 0)),
+       SC::cylinder_surface(Point(0, 0, -2), FT(1), FT(4)), 2, -2, 2, 2},
+      {SC::ellipse_curve<K>(Point(ratio(3, 2), 0, ratio(5, 2)), Vector(ratio(5, 2), 0, ratio(3, 2)), Vector(0, 2, 0)),
+       SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 3)), 2, 0, 3, 1},
+      {villarceau, torus.restricted(0, 0, 2), 1, 0, 10, 1}};
   for (const Problem& problem : problems) {
     const auto pieces = SC::intersections(problem.curve, problem.surface);
     EXPECT_TRUE(pieces.is_complete()) << pieces.summary();
@@ -309,12 +335,16 @@ TEST(Surface_intersections, ConicsOnCylindersConesAndTori)
       const FT at = ratio(k, 16), height = problem.curve(at).cartesian(problem.axis);
       const bool is_inside = problem.lower <= height && height <= problem.upper;
       inside += is_inside;
-      EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece.parameter_range(0), at); }), is_inside) << at;
+      EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(),
+                            [&](const auto& piece) { return holds(piece.parameter_range(0), at); }),
+                is_inside)
+          << at;
     }
     EXPECT_GT(inside, 10);
   }
   // Off the surface by little, the curve meets it in points, if at all.
-  const auto moved = villarceau.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, ratio(1, 1000), 0)));
+  const auto moved =
+      villarceau.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, ratio(1, 1000), 0)));
   EXPECT_EQ(SC::intersections(moved, torus).count(Intersection_kind::OVERLAP), 0u);
 }
 
@@ -342,7 +372,8 @@ TEST(Surface_intersections, CurveWeavesThroughABicubic)
     expect_kinds(five, 5);
     ASSERT_EQ(five.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i)
-      EXPECT_TRUE(holds(five[i].parameter_range(0), zeros[i]) && holds(five[i].parameter_range(1, 0), zeros[i]) && holds(five[i].parameter_range(1, 1), FT(1 - zeros[i])));
+      EXPECT_TRUE(holds(five[i].parameter_range(0), zeros[i]) && holds(five[i].parameter_range(1, 0), zeros[i]) &&
+                  holds(five[i].parameter_range(1, 1), FT(1 - zeros[i])));
     // Ends of the curve, an edge and a corner of the surface at common points.
     const auto ends = SC::intersections(moved.restricted(zeros[0], zeros[4]), surface);
     expect_kinds(ends, 3, 0, 2);
@@ -352,13 +383,15 @@ TEST(Surface_intersections, CurveWeavesThroughABicubic)
     EXPECT_TRUE(edge[0].is_at_end(0, 0) && !edge[0].is_at_end(0, 1) && !edge[0].is_at_end(1));
     const auto corner = SC::intersections(moved, surface.restricted(0, zeros[2], 1).restricted(1, zeros[2], 1));
     expect_kinds(corner, 0, 0, 1);
-    EXPECT_TRUE(corner[0].is_at_end(1, 0) && corner[0].is_at_end(1, 1) && holds(corner[0].parameter_range(0), zeros[2]));
+    EXPECT_TRUE(corner[0].is_at_end(1, 0) && corner[0].is_at_end(1, 1) &&
+                holds(corner[0].parameter_range(0), zeros[2]));
   }
 }
 
 TEST(Surface_intersections, CurveTouchesABicubic)
 {
-  const auto touching = SC::intersections(curve_above_graph(product_of_zeros({ratio(1, 3), ratio(1, 3), ratio(2, 3)})), graph);
+  const auto touching =
+      SC::intersections(curve_above_graph(product_of_zeros({ratio(1, 3), ratio(1, 3), ratio(2, 3)})), graph);
   expect_kinds(touching, 1, 1);
   EXPECT_EQ(touching[0].multiplicity(), 2);
   EXPECT_TRUE(holds(touching[0].parameter_range(0), ratio(1, 3)));
@@ -373,27 +406,46 @@ TEST(Surface_intersections, PlantedPoints)
   Random_geometry random(11);
   for (int round = 0; round < 12; ++round) {
     const bool is_rational = round % 3 == 0;
-    const Surface surface({2, 2 + round % 2}, std::vector<FT>{0, 0, 0, ratio(1, 2), 1, 1, 1}, round % 2 == 0 ? std::vector<FT>{0, 0, 0, 1, 1, 1} : std::vector<FT>{0, 0, 0, 0, 1, 1, 1, 1},
-                          random.points<K, 3>(12 + 4 * (round % 2)), is_rational ? random.weights(12 + 4 * (round % 2)) : std::vector<FT>());
+    const Surface surface({2, 2 + round % 2}, std::vector<FT>{0, 0, 0, ratio(1, 2), 1, 1, 1},
+                          round % 2 == 0 ? std::vector<FT>{0, 0, 0, 1, 1, 1} : std::vector<FT>{0, 0, 0, 0, 1, 1, 1, 1},
+                          random.points<K, 3>(12 + 4 * (round % 2)),
+                          is_rational ? random.weights(12 + 4 * (round % 2)) : std::vector<FT>());
     Curve curve(3, {0, 0, 0, 0, 1, 1, 1, 1}, random.points<K, 3>(4));
-    const FT a = round % 4 == 1 ? FT(1) : ratio(random.integer(1, 9), 10), b = ratio(random.integer(1, 9), 10), s = round % 4 == 2 ? FT(0) : ratio(random.integer(1, 9), 10);
+    const FT a = round % 4 == 1 ? FT(1) : ratio(random.integer(1, 9), 10), b = ratio(random.integer(1, 9), 10),
+             s = round % 4 == 2 ? FT(0) : ratio(random.integer(1, 9), 10);
     curve = curve.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, surface(a, b) - curve(s)));
     const auto found = SC::intersections(curve, surface);
     ASSERT_TRUE(found.is_complete()) << round << ' ' << found.summary();
-    EXPECT_EQ(std::count_if(found.begin(), found.end(), [&](const auto& x) {
-      return holds(x.parameter_range(0), s) && holds(x.parameter_range(1, 0), a) && holds(x.parameter_range(1, 1), b) && x.is_at_end(0) == (s == 0) && x.is_at_end(1) == (a == 1);
-    }), 1) << round;
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [&](const auto& x) {
+                              return holds(x.parameter_range(0), s) && holds(x.parameter_range(1, 0), a) &&
+                                  holds(x.parameter_range(1, 1), b) && x.is_at_end(0) == (s == 0) &&
+                                  x.is_at_end(1) == (a == 1);
+                            }),
+              1)
+        << round;
     const auto map = random_map(random);
     const auto images = SC::intersections(surface.transformed(map), curve.transformed(map));
     EXPECT_EQ(images.size(), found.size());
-    for (const Intersection_kind kind : {Intersection_kind::TRANSVERSAL, Intersection_kind::END_POINT, Intersection_kind::TANGENT})
+    for (const Intersection_kind kind :
+         {Intersection_kind::TRANSVERSAL, Intersection_kind::END_POINT, Intersection_kind::TANGENT})
       EXPECT_EQ(images.count(kind), found.count(kind)) << round;
     // The point, also off by little.
     const auto point = SC::intersections(curve(s), surface);
     EXPECT_TRUE(point.is_complete());
-    EXPECT_EQ(std::count_if(point.begin(), point.end(), [&](const auto& x) { return holds(x.parameter_range(1, 0), a) && holds(x.parameter_range(1, 1), b); }), 1) << round;
+    EXPECT_EQ(std::count_if(point.begin(), point.end(),
+                            [&](const auto& x) {
+                              return holds(x.parameter_range(1, 0), a) && holds(x.parameter_range(1, 1), b);
+                            }),
+              1)
+        << round;
     const auto off = SC::intersections(curve(s) + Vector(FT(1e-50), FT(2e-50), 0), surface);
-    EXPECT_TRUE(off.is_complete() && std::none_of(off.begin(), off.end(), [&](const auto& x) { return holds(x.parameter_range(1, 0), a) && holds(x.parameter_range(1, 1), b); })) << round;
+    EXPECT_TRUE(off.is_complete() &&
+                std::none_of(off.begin(), off.end(),
+                             [&](const auto& x) {
+                               return holds(x.parameter_range(1, 0), a) && holds(x.parameter_range(1, 1), b);
+                             }))
+        << round;
   }
 }
 
@@ -434,8 +486,12 @@ TEST(Surface_intersections, ObjectsOfAKernel)
   EXPECT_EQ(quarter[0].parameter_range(1), Range(0, 1));
 
   expect_kinds(SC::intersections(K::Segment_3(Point(0, 0, 0), Point(2, 1, 3)), K::Sphere_3(Point(0, 0, 0), 3)), 1);
-  expect_kinds(SC::intersections(K::Triangle_3(Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)), K::Segment_3(Point(1, 1, -1), Point(1, 1, 2))), 1);
-  expect_kinds(SC::intersections(K::Triangle_3(Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)), K::Line_3(Point(0, 0, 0), Point(1, 1, 2))), 0, 0, 1);
+  expect_kinds(SC::intersections(K::Triangle_3(Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)),
+                                 K::Segment_3(Point(1, 1, -1), Point(1, 1, 2))),
+               1);
+  expect_kinds(SC::intersections(K::Triangle_3(Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)),
+                                 K::Line_3(Point(0, 0, 0), Point(1, 1, 2))),
+               0, 0, 1);
 
   const auto plane_circle = SC::circle_curve(K::Point_2(0, 0), FT(5));
   const auto chord = SC::intersections(K::Line_2(K::Point_2(-7, 3), K::Point_2(-6, 3)), plane_circle);
@@ -445,13 +501,15 @@ TEST(Surface_intersections, ObjectsOfAKernel)
   expect_kinds(ray, 1);
   EXPECT_TRUE(holds(ray[0].parameter_range(0), 2));
   expect_kinds(SC::intersections(K::Ray_2(K::Point_2(4, 3), K::Point_2(5, 3)), plane_circle), 0, 0, 1);
-  expect_kinds(SC::intersections(K::Circle_2(K::Point_2(6, 0), 25), K::Segment_2(K::Point_2(3, 9), K::Point_2(3, 0))), 1);
+  expect_kinds(SC::intersections(K::Circle_2(K::Point_2(6, 0), 25), K::Segment_2(K::Point_2(3, 9), K::Point_2(3, 0))),
+               1);
 }
 
 TEST(Surface_intersections, KernelOfLazyNumbers)
 {
   using E = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto found = SC::intersections(E::Ray_3(E::Point_3(0, 0, 0), E::Vector_3(0, 0, 3)), E::Sphere_3(E::Point_3(0, 0, 0), 9));
+  const auto found =
+      SC::intersections(E::Ray_3(E::Point_3(0, 0, 0), E::Vector_3(0, 0, 3)), E::Sphere_3(E::Point_3(0, 0, 0), 9));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].point(), E::Point_3(0, 0, 3));
 }
@@ -462,7 +520,8 @@ TEST(Surface_intersections, BadInput)
   expect_invalid([&] { SC::intersections(K::Plane_3(0, 0, 0, 1), unit_sphere.iso_curve(0, 1)); }, "degenerate");
   expect_invalid([&] { SC::intersections(Point(0, 0, 0), unit_sphere, {.tolerance = -1}); }, "tolerance");
   using D = Double_cartesian;
-  expect_invalid([&] { SC::intersections(D::Point_3(0, 0, NAN), SC::sphere_surface(D::Point_3(0, 0, 0), 1.)); }, "finite");
+  expect_invalid([&] { SC::intersections(D::Point_3(0, 0, NAN), SC::sphere_surface(D::Point_3(0, 0, 0), 1.)); },
+                 "finite");
 }
 
 } // namespace

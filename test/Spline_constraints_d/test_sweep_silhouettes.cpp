@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Silhouettes of the envelopes of moving surfaces: of spheres, which touch known tubes, along lines, an arc and a path with a corner, growing ones, and rotations.
+// Silhouettes of the envelopes of moving surfaces: of spheres, which touch known tubes, along lines, an arc and a path
+// with a corner, growing ones, and rotations.
 
 #include "surface_test_names.h"
 
@@ -50,7 +51,8 @@ TEST(Sweep_silhouettes, cylinder)
       EXPECT_NEAR(std::abs(CGAL::to_double(sample.point.y())), std::sqrt(8.0) / 3, tiny);
       EXPECT_NEAR(CGAL::to_double(sample.point.z()), 2 * sample.parameters[2], tiny);
     }
-  silhouettes({line(Point(0, 0, 0), Point(0, 0, 2)), {}}, Point(Rational(1, 3), Rational(1, 5), 9), 0, 0);   // from inside of the tube
+  // from inside of the tube
+  silhouettes({line(Point(0, 0, 0), Point(0, 0, 2)), {}}, Point(Rational(1, 3), Rational(1, 5), 9), 0, 0);
 }
 
 TEST(Sweep_silhouettes, bent_paths)
@@ -74,7 +76,9 @@ TEST(Sweep_silhouettes, bent_paths)
 TEST(Sweep_silhouettes, growing_and_turning)
 {
   // A sphere that grows from the radius 1 to 2 while it moves by 3: a cone with the half angle of the sine 1/3.
-  const auto scaled = [](int i) { return line(Point(i == 0, i == 1, i == 2), Point(2 * (i == 0), 2 * (i == 1), 2 * (i == 2))); };
+  const auto scaled = [](int i) {
+    return line(Point(i == 0, i == 1, i == 2), Point(2 * (i == 0), 2 * (i == 1), 2 * (i == 2)));
+  };
   const SC::Affine_motion<K> growth{line(Point(0, 0, 0), Point(0, 0, 3)), {scaled(0), scaled(1), scaled(2)}};
   const Point eye(9, 1, 1), apex(0, 0, -3);
   const Curves cone = silhouettes(growth, eye, 0, 2);
@@ -83,9 +87,11 @@ TEST(Sweep_silhouettes, growing_and_turning)
       const Vector from_apex = sample.point - apex;
       EXPECT_NEAR(CGAL::to_double(from_apex.z()) / length(from_apex), std::sqrt(8.0) / 3, tiny);
     }
-  // Sheared, the sphere is an ellipsoid, of which the cofactors give the normals: its silhouette on the way along x is in the polar plane of the eye.
+  // Sheared, the sphere is an ellipsoid, of which the cofactors give the normals: its silhouette on the way along x is
+  // in the polar plane of the eye.
   const auto fixed = [](const Point& p) { return line(p, p); };
-  const SC::Affine_motion<K> shear{line(Point(0, 0, 0), Point(4, 0, 0)), {fixed(Point(1, 0, 0)), fixed(Point(0, 1, 0)), fixed(Point(0, 1, 2))}};
+  const SC::Affine_motion<K> shear{line(Point(0, 0, 0), Point(4, 0, 0)),
+                                   {fixed(Point(1, 0, 0)), fixed(Point(0, 1, 0)), fixed(Point(0, 1, 2))}};
   const Point beside(2, 5, 3);
   const Curves tube = silhouettes(shear, beside, 0, 2);
   for (const SC::Surface_curve& curve : tube.curves())
@@ -98,7 +104,8 @@ TEST(Sweep_silhouettes, growing_and_turning)
 
 TEST(Sweep_silhouettes, bad_input)
 {
-  const Curve path = line(Point(0, 0, 0), Point(0, 0, 2)), other = Curve(1, {0, 0, 2, 2}, {Point(1, 0, 0), Point(1, 0, 0)});
+  const Curve path = line(Point(0, 0, 0), Point(0, 0, 2)),
+              other = Curve(1, {0, 0, 2, 2}, {Point(1, 0, 0), Point(1, 0, 0)});
   EXPECT_THROW(SC::sweep_silhouettes(sphere, {path, {path}}, {Point(3, 0, 0)}), SC::Invalid_input);
   EXPECT_THROW(SC::sweep_silhouettes(sphere, {path, {path, path, other}}, {Point(3, 0, 0)}), SC::Invalid_input);
   EXPECT_THROW(SC::sweep_silhouettes(sphere, {path, {}}, {Point(3, 0, 0)}, {.tolerance = -1}), SC::Invalid_input);

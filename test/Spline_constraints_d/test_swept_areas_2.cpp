@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Swept areas: of squares and a disk in closed form; of a star along cubics, sums of points are inside, and what no point of the star passes is outside; of arcs along cubics, by random points and their share.
+// Swept areas: of squares and a disk in closed form; of a star along cubics, sums of points are inside, and what no
+// point of the star passes is outside; of arcs along cubics, by random points and their share.
 #include "polygon_area.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -31,7 +32,10 @@ Curve segment(const P& p, const P& q) { return SC::segment_curve(p, q); }
 Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
 Curve circle(double radius) { return SC::ellipse_curve(P(0, 0), K::Vector_2(radius, 0), K::Vector_2(0, radius)); }
 SC::Planar_region_2<K> disk(double radius) { return SC::planar_region(circle(radius)); }
-SC::Planar_region_2<K> unit_square() { return SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0)})); }
+SC::Planar_region_2<K> unit_square()
+{
+  return SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0)}));
+}
 
 double area(const Sum& sum, double error = 1e-6) { return total_area(sum.polygons_with_holes(error)); }
 
@@ -53,7 +57,9 @@ TEST(SweptAreas, OfRegionsAlongSegments)
 TEST(SweptAreas, AlongACircle)
 {
   const double r = 5, last = std::sqrt(r * r - 0.25);
-  const auto integral = [&](double t) { return t / 2 * std::sqrt(r * r - t * t) + r * r / 2 * std::asin(t / r) - t / 2; };
+  const auto integral = [&](double t) {
+    return t / 2 * std::sqrt(r * r - t * t) + r * r / 2 * std::asin(t / r) - t / 2;
+  };
   const Sum ring = SC::swept_area(unit_square(), circle(r));
   expect_area(ring, CGAL_PI * r * r + 4 * r + 1 - 4 * (integral(last) - integral(0.5)), 2);
   EXPECT_EQ(ring.boundaries()[0].is_hole + ring.boundaries()[1].is_hole, 1);
@@ -61,19 +67,26 @@ TEST(SweptAreas, AlongACircle)
   EXPECT_TRUE(CGAL::certainly_not(ring.has_in_interior(P(0, 0))));
 }
 
-// Along a closed path, which leaves a hole, and around the corner of an open one, where two hexagons overlap in the square and a triangle.
+// Along a closed path, which leaves a hole, and around the corner of an open one, where two hexagons overlap in the
+// square and a triangle.
 TEST(SweptAreas, AlongPolylines)
 {
-  const double outer = 8 + 4 + 4 + 1;   // of the sum with all that is inside of the path: its area, width and height, and the square
-  expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(2, 0), P(4, 2), P(2, 4), P(0, 2), P(2, 0)})), outer - 2, 2);
-  expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(0, 0), P(3, 1), P(1, 4)})), 5 + 6 - 1 - 3 / 11.0, 1);
+  // of the sum with all that is inside of the path: its area, width and height, and the square
+  const double outer = 8 + 4 + 4 + 1;
+  expect_area(
+      SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(2, 0), P(4, 2), P(2, 4), P(0, 2), P(2, 0)})),
+      outer - 2, 2);
+  expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(0, 0), P(3, 1), P(1, 4)})),
+              5 + 6 - 1 - 3 / 11.0, 1);
 }
 
-// Of a round hole there remains what is inside of all disks around the path. Next to its inflection this turns very little; where it is as curved as the hole, its envelope has a cusp.
+// Of a round hole there remains what is inside of all disks around the path. Next to its inflection this turns very
+// little; where it is as curved as the hole, its envelope has a cusp.
 TEST(SweptAreas, AlongAnInflection)
 {
   const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
-  const SC::Planar_region_2<K> frame(std::vector<Curve>{SC::polyline_curve(std::vector<P>{P(-5, -5), P(5, -5), P(5, 5), P(-5, 5), P(-5, -5)}), circle(2)});
+  const SC::Planar_region_2<K> frame(std::vector<Curve>{
+      SC::polyline_curve(std::vector<P>{P(-5, -5), P(5, -5), P(5, 5), P(-5, 5), P(-5, -5)}), circle(2)});
   const Sum sum = SC::swept_area(frame, path);
   EXPECT_TRUE(sum.is_complete());
   ASSERT_EQ(sum.boundaries().size(), 2u);
@@ -85,7 +98,8 @@ TEST(SweptAreas, AlongAnInflection)
         farthest = std::max(farthest, CGAL::squared_distance(P(x, y), path(i / 64.0)));
       if (std::abs(std::sqrt(farthest) - 2) < 0.05)
         continue;
-      const CGAL::Uncertain<bool> answer = sum.has_in_interior(P(x, y));   // not known where the path touches the circle
+      // not known where the path touches the circle
+      const CGAL::Uncertain<bool> answer = sum.has_in_interior(P(x, y));
       EXPECT_FALSE(CGAL::certainly(answer != (farthest > 4)));
       (farthest > 4 ? inside : outside) += answer.is_certain();
     }
@@ -122,13 +136,17 @@ TEST(SweptAreas, AlongCubics)
       steps.push_back(path(i / 300.0));
     for (const P& p : random_points(random, 50)) {
       const auto is_passed_by = [&](const CGAL::Polygon_2<K>& polygon) {
-        return std::any_of(steps.begin(), steps.end(), [&](const P& q) { return polygon.bounded_side(CGAL::ORIGIN + (p - q)) == CGAL::ON_BOUNDED_SIDE; });
+        return std::any_of(steps.begin(), steps.end(), [&](const P& q) {
+          return polygon.bounded_side(CGAL::ORIGIN + (p - q)) == CGAL::ON_BOUNDED_SIDE;
+        });
       };
       const bool is_inside = is_passed_by(star(1));
       if (!is_inside && is_passed_by(star(1.1)))
         continue;   // near the boundary
       const bool is_in_polygons = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) {
-        return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE && std::all_of(polygon.holes_begin(), polygon.holes_end(), [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
+        return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE &&
+            std::all_of(polygon.holes_begin(), polygon.holes_end(),
+                        [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
       });
       EXPECT_EQ(is_in_polygons, is_inside);
       EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(p) == is_inside));
@@ -139,7 +157,9 @@ TEST(SweptAreas, AlongCubics)
   EXPECT_GT(outside, 20);
 }
 
-// Two squares with a common corner, from which the path leads through both sides of what they cover: sums of this corner and a part of the path are there in both directions, and the part ends where the path has the direction of a diagonal, at no rational parameter.
+// Two squares with a common corner, from which the path leads through both sides of what they cover: sums of this
+// corner and a part of the path are there in both directions, and the part ends where the path has the direction of a
+// diagonal, at no rational parameter.
 TEST(SweptAreas, OfSquaresWithACommonCorner)
 {
   const std::vector<P> outline{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0), P(-1, 0), P(-1, -1), P(0, -1), P(0, 0)};
@@ -172,16 +192,19 @@ TEST(SweptAreas, OfSquaresWithACommonCorner)
   EXPECT_GT(outside, 40);
 }
 
-// A hole with a side that has exactly the direction of the path in its inflection: the sums of the side and this point are inside, as the path crosses the side there.
+// A hole with a side that has exactly the direction of the path in its inflection: the sums of the side and this point
+// are inside, as the path crosses the side there.
 TEST(SweptAreas, OfASideAlongAnInflection)
 {
-  const std::vector<P> hole{P(-4, 2), P(4, -2), P(5, 4), P(-4, 4)}, frame{P(-9, -9), P(9, -9), P(9, 9), P(-9, 9), P(-9, -9)};
+  const std::vector<P> hole{P(-4, 2), P(4, -2), P(5, 4), P(-4, 4)},
+      frame{P(-9, -9), P(9, -9), P(9, 9), P(-9, 9), P(-9, -9)};
   const auto closed = [](std::vector<P> points) {
     points.push_back(P(points.front()));
     return SC::polyline_curve(points);
   };
   const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
-  const Sum sum = SC::swept_area(SC::Planar_region_2<K>(std::vector<Curve>{SC::polyline_curve(frame), closed(hole)}), path);
+  const Sum sum =
+      SC::swept_area(SC::Planar_region_2<K>(std::vector<Curve>{SC::polyline_curve(frame), closed(hole)}), path);
   EXPECT_TRUE(sum.is_complete());
   EXPECT_EQ(sum.boundaries().size(), 2U);
   const auto polygons = sum.polygons_with_holes(1e-3);
@@ -198,7 +221,8 @@ TEST(SweptAreas, OfASideAlongAnInflection)
         return true;
       };
       const bool is_hole = is_open(P(x, y));
-      if (is_open(P(x - 0.03, y)) != is_hole || is_open(P(x + 0.03, y)) != is_hole || is_open(P(x, y - 0.03)) != is_hole || is_open(P(x, y + 0.03)) != is_hole)
+      if (is_open(P(x - 0.03, y)) != is_hole || is_open(P(x + 0.03, y)) != is_hole ||
+          is_open(P(x, y - 0.03)) != is_hole || is_open(P(x, y + 0.03)) != is_hole)
         continue;
       EXPECT_EQ(polygons[0].holes_begin()->bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE, is_hole);
       ++(is_hole ? open : covered);
@@ -207,7 +231,8 @@ TEST(SweptAreas, OfASideAlongAnInflection)
   EXPECT_GT(covered, 50);
 }
 
-// Sides of the parallelogram are vertical, as is the path in its inflection: a corner of it begins there with exactly this direction, and one ends with it. The path has x' >= 0, so that all vertical sections are connected.
+// Sides of the parallelogram are vertical, as is the path in its inflection: a corner of it begins there with exactly
+// this direction, and one ends with it. The path has x' >= 0, so that all vertical sections are connected.
 TEST(SweptAreas, OfAParallelogramAlongAnInflection)
 {
   constexpr int sections = 200, steps = 4000;
@@ -216,7 +241,8 @@ TEST(SweptAreas, OfAParallelogramAlongAnInflection)
   for (int k = 0; k <= steps; ++k)
     places.push_back(path(static_cast<double>(k) / steps));
   for (const double scale : {1.0, 0.125}) {
-    const SC::Planar_region_2<K> parallelogram = SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(scale, scale / 2), P(scale, 1.5 * scale), P(0, scale), P(0, 0)}));
+    const SC::Planar_region_2<K> parallelogram = SC::planar_region(
+        SC::polyline_curve(std::vector<P>{P(0, 0), P(scale, scale / 2), P(scale, 1.5 * scale), P(0, scale), P(0, 0)}));
     double expected = 0;
     for (int i = 0; i < sections; ++i) {
       const double x = (i + 0.5) / sections * (1 + scale);
@@ -239,14 +265,19 @@ TEST(SweptAreas, OfCurvesAlongCurves)
 {
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);
   expect_area(SC::swept_area(bezier({P(0, 0), P(1, 2), P(2, 0)}), segment(P(0, 0), P(0, 1))), 2, 1);
-  expect_area(SC::swept_area(segment(P(0, 0), P(0, 1)), circle(3)), 6 + 9 * CGAL_PI - (18 * std::acos(1 / 6.0) - 0.5 * std::sqrt(35)), 2);   // of the hull of the disks in both places, without what they have in common
-  expect_area(SC::swept_area(bezier({P(0, 0), P(0, 0), P(1, 2), P(1, 2)}), segment(P(0, 0), P(3, 1))), 5, 1);   // a segment, whose derivative is zero in both ends
+  // of the hull of the disks in both places, without what they have in common
+  expect_area(SC::swept_area(segment(P(0, 0), P(0, 1)), circle(3)),
+              6 + 9 * CGAL_PI - (18 * std::acos(1 / 6.0) - 0.5 * std::sqrt(35)), 2);
+  // a segment, whose derivative is zero in both ends
+  expect_area(SC::swept_area(bezier({P(0, 0), P(0, 0), P(1, 2), P(1, 2)}), segment(P(0, 0), P(3, 1))), 5, 1);
   const Sum flat = SC::swept_area(segment(P(0, 0), P(1, 1)), segment(P(0, 0), P(2, 2)));
   EXPECT_TRUE(flat.is_complete());
   EXPECT_TRUE(flat.boundaries().empty());
 }
 
-// The boundary passes cusps and swallowtails of the envelope. A random point is inside just if the path crosses the arc that is reflected in it, whose height over the x-axis is known; near the boundary this is not asked. The area is the share of those points.
+// The boundary passes cusps and swallowtails of the envelope. A random point is inside just if the path crosses the arc
+// that is reflected in it, whose height over the x-axis is known; near the boundary this is not asked. The area is the
+// share of those points.
 TEST(SweptAreas, OfArcsAlongCubics)
 {
   const auto height = [](double x) {
@@ -290,7 +321,8 @@ TEST(SweptAreas, OfArcsAlongCubics)
       const double x = query(random_queries), y = query(random_queries), error = 0.05;
       const bool is_inside = is_covered(x, y);
       inside += is_inside;
-      if (i >= asked_of_each || is_covered(x - error, y) != is_inside || is_covered(x + error, y) != is_inside || is_covered(x, y - error) != is_inside || is_covered(x, y + error) != is_inside)
+      if (i >= asked_of_each || is_covered(x - error, y) != is_inside || is_covered(x + error, y) != is_inside ||
+          is_covered(x, y - error) != is_inside || is_covered(x, y + error) != is_inside)
         continue;
       EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(P(x, y)) == is_inside)) << run << ": " << x << ", " << y;
       ++asked;
@@ -306,10 +338,15 @@ TEST(SweptAreas, BadInput)
 {
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(0, 0)})), SC::Invalid_input);
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(1, 1), P(0, 0)})), SC::Invalid_input);   // turns back
-  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(3, 0), P(-1, 0), P(1, 0)})), SC::Invalid_input);   // on its line
-  EXPECT_TRUE(SC::swept_area(unit_square(), segment(P(0, 0), P(1e-300, 1))).is_complete());   // a coordinate that is small beside others
+  // on its line
+  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(3, 0), P(-1, 0), P(1, 0)})), SC::Invalid_input);
+  // a coordinate that is small beside others
+  EXPECT_TRUE(SC::swept_area(unit_square(), segment(P(0, 0), P(1e-300, 1))).is_complete());
   for (const double size : {1e-300, 1e-200, 1e-100, 1e100, 1e150, 1e200, 1e300}) {
-    EXPECT_THROW(SC::swept_area(SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(size, 0), P(0, size), P(0, 0)})), segment(P(0, 0), P(size, 3 * size))), SC::Invalid_input);
+    EXPECT_THROW(
+        SC::swept_area(SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(size, 0), P(0, size), P(0, 0)})),
+                       segment(P(0, 0), P(size, 3 * size))),
+        SC::Invalid_input);
   }
   for (const double size : {1e100, 1e150, 1e200, 1e300})
     EXPECT_THROW(SC::swept_area(disk(1), segment(P(0, 0), P(size, 0))), SC::Invalid_input);

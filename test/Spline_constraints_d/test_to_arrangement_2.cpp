@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Arrangements of curves of solutions: faces by Euler's formula, nodes, nested circles at any precision of chords, isolated points, labels.
+// Arrangements of curves of solutions: faces by Euler's formula, nodes, nested circles at any precision of chords,
+// isolated points, labels.
 
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
@@ -28,7 +29,8 @@ std::size_t vertices_of_degree(const SC::Polyline_arrangement_2& arrangement, st
 }
 
 // Euler: V - E + F = 1 + C; and every edge has a label that is right.
-void expect_arrangement(const SC::Solution_arrangement_2& result, std::size_t faces, std::size_t components, std::size_t nodes)
+void expect_arrangement(const SC::Solution_arrangement_2& result, std::size_t faces, std::size_t components,
+                        std::size_t nodes)
 {
   const SC::Polyline_arrangement_2& a = result.arrangement;
   EXPECT_TRUE(result.is_crossing_free);
@@ -38,8 +40,10 @@ void expect_arrangement(const SC::Solution_arrangement_2& result, std::size_t fa
   for (auto e = a.edges_begin(); e != a.edges_end(); ++e) {
     ASSERT_EQ(e->curve().data().size(), 1u);
     const SC::Chord_label label = *e->curve().data().begin();
-    const Point &from = result.polylines[label.curve][label.chord], &to = result.polylines[label.curve][label.chord + 1];
-    EXPECT_TRUE((e->source()->point() == from && e->target()->point() == to) || (e->source()->point() == to && e->target()->point() == from));
+    const Point &from = result.polylines[label.curve][label.chord],
+                &to = result.polylines[label.curve][label.chord + 1];
+    EXPECT_TRUE((e->source()->point() == from && e->target()->point() == to) ||
+                (e->source()->point() == to && e->target()->point() == from));
   }
 }
 
@@ -64,7 +68,10 @@ TEST(To_arrangement_2, figure_eight_and_crossing_circles)
 TEST(To_arrangement_2, faces_do_not_depend_on_the_chords)
 {
   auto [x, y] = SC::unknowns({-3, 3}, {-3, 3});
-  const auto rings = (x*x + y*y - 4) * (x*x + y*y - Rational(39, 10)) * (square(x - Rational(7, 5)) + square(y - Rational(27, 20)) - Rational(1, 10000)) == 0;   // the third one is 0.01 wide, at 0.02 from the second
+  // the third one is 0.01 wide, at 0.02 from the second
+  const auto rings = (x * x + y * y - 4) * (x * x + y * y - Rational(39, 10)) *
+          (square(x - Rational(7, 5)) + square(y - Rational(27, 20)) - Rational(1, 10000)) ==
+      0;
   for (const double error : {1e9, 1e-2}) {
     const auto result = arrangement_of(rings, error);
     expect_arrangement(result, 4, 3, 0);
@@ -93,7 +100,8 @@ TEST(To_arrangement_2, polylines)
   EXPECT_EQ(vertices_of_degree(arrangement, 4), 1u);
   EXPECT_EQ(vertices_of_degree(arrangement, 0), 1u);
 
-  const std::vector<std::vector<CGAL::Simple_cartesian<double>::Point_2>> overlap{{{0, 0}, {2, 0}}, {{1, 0}, {3, 0}}}, bad{{{0, 0}, {1e308 * 10, 0}}};
+  const std::vector<std::vector<CGAL::Simple_cartesian<double>::Point_2>> overlap{{{0, 0}, {2, 0}}, {{1, 0}, {3, 0}}},
+      bad{{{0, 0}, {1e308 * 10, 0}}};
   const SC::Polyline_arrangement_2 shared = SC::to_arrangement(overlap);
   std::size_t both = 0;
   for (auto e = shared.edges_begin(); e != shared.edges_end(); ++e)

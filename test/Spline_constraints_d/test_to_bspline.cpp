@@ -148,7 +148,8 @@ TEST(To_bspline_curve, converts_arcs_of_circular_kernels)
   // From the lower to the upper end of the chord x = 2, whose coordinates are 2 +- sqrt(24); and where the root is 4.
   const C::Circular_arc_2 irrational(circle, C::Line_2(1, 0, -2), true, C::Line_2(1, 0, -2), false);
   expect_invalid([&] { SC::to_bspline_curve(irrational); }, "no rational coordinates");
-  const auto upright = SC::to_bspline_curve(C::Circular_arc_2(circle, C::Line_2(1, 0, -4), true, C::Line_2(1, 0, -4), false));
+  const auto upright =
+      SC::to_bspline_curve(C::Circular_arc_2(circle, C::Line_2(1, 0, -4), true, C::Line_2(1, 0, -4), false));
   EXPECT_EQ(CGAL::midpoint(upright.source(), upright.target()), C::Point_2(4, 2));
   EXPECT_EQ(CGAL::squared_distance(upright.source(), upright.target()), 64);
 
@@ -168,8 +169,15 @@ TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
 {
   const K::Point_3 center(1, 2, 3);
   const E::Vector_3 diagonal(1, 1, 1), slanted(2, 3, 6), upright(0, 0, -5);
-  for (const auto& [normal, squared_radius] : std::vector<std::pair<E::Vector_3, int>>{
-         {diagonal, 6}, {diagonal, 8}, {diagonal, 26}, {slanted, 5}, {slanted, 8}, {slanted, 26}, {upright, 5}, {upright, 8}, {upright, 26}}) {
+  for (const auto& [normal, squared_radius] : std::vector<std::pair<E::Vector_3, int>>{{diagonal, 6},
+                                                                                       {diagonal, 8},
+                                                                                       {diagonal, 26},
+                                                                                       {slanted, 5},
+                                                                                       {slanted, 8},
+                                                                                       {slanted, 26},
+                                                                                       {upright, 5},
+                                                                                       {upright, 8},
+                                                                                       {upright, 26}}) {
     const E::Circle_3 circle(E::Point_3(1, 2, 3), squared_radius, normal);
     const auto curve = SC::to_bspline_curve(circle);
     EXPECT_TRUE(curve.is_closed());
@@ -177,7 +185,8 @@ TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
       EXPECT_TRUE(circle.has_on(curve(FT(tenths) / 10)));
     EXPECT_GT(curve.binormal(FT(1) / 2) * normal, 0);
   }
-  expect_invalid([&] { SC::to_bspline_curve(E::Circle_3(E::Point_3(1, 2, 3), 5, diagonal)); }, "no point with rational coordinates was found");
+  expect_invalid([&] { SC::to_bspline_curve(E::Circle_3(E::Point_3(1, 2, 3), 5, diagonal)); },
+                 "no point with rational coordinates was found");
   expect_invalid([&] { SC::to_bspline_curve(K::Circle_3(center, 3, K::Vector_3(0, 0, 1))); }, "there is no point");
   const auto rounded = SC::to_bspline_curve(CGAL::Epick::Circle_3({0, 0, 0}, 3, CGAL::Epick::Vector_3(0, 0, 1)));
   EXPECT_NEAR(CGAL::squared_distance(rounded(0.3), CGAL::Epick::Point_3(0, 0, 0)), 3, 1e-14);
@@ -191,19 +200,23 @@ TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
   EXPECT_EQ(quarter.target(), target);
   EXPECT_EQ(quarter.domain().second, 1);
   EXPECT_EQ(SC::circular_arc_curve(center, K::Vector_3(0, 0, -7), source, target).domain().second, 3);
-  expect_invalid([&] { SC::circular_arc_curve(center, K::Vector_3(0, 0, 7), source, K::Point_3(1, 6, 3)); }, "not on the circle");
+  expect_invalid([&] { SC::circular_arc_curve(center, K::Vector_3(0, 0, 7), source, K::Point_3(1, 6, 3)); },
+                 "not on the circle");
 
   using S = CGAL::Exact_spherical_kernel_3;
   const S::Circle_3 circle(S::Point_3(1, 2, 3), 9, S::Vector_3(0, 0, -1));
-  const auto arc = SC::to_bspline_curve(S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)), S::Circular_arc_point_3(S::Point_3(1, 5, 3))));
+  const auto arc = SC::to_bspline_curve(S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)),
+                                                          S::Circular_arc_point_3(S::Point_3(1, 5, 3))));
   EXPECT_EQ(arc.source(), S::Point_3(4, 2, 3));
   EXPECT_EQ(arc.target(), S::Point_3(1, 5, 3));
   EXPECT_EQ(arc.domain().second, 1);
 
   const S::Circle_3 tilted(S::Point_3(1, 2, 3), 6, S::Vector_3(-1, -1, -1));
   const S::Circular_arc_point_3 begin(S::Point_3(2, 3, 1)), middle(S::Point_3(3, 1, 2));
-  for (const auto& original : {S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)), S::Circular_arc_point_3(S::Point_3(1, 5, 3))),
-                               S::Circular_arc_3(tilted, begin, middle), S::Circular_arc_3(tilted, middle, begin), S::Circular_arc_3(tilted, begin)}) {
+  for (const auto& original : {S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)),
+                                                 S::Circular_arc_point_3(S::Point_3(1, 5, 3))),
+                               S::Circular_arc_3(tilted, begin, middle), S::Circular_arc_3(tilted, middle, begin),
+                               S::Circular_arc_3(tilted, begin)}) {
     const auto curve = SC::to_bspline_curve(original);
     for (const auto& one : {curve, curve.reversed()}) {
       const auto back = SC::to_circular_arc(one);
@@ -285,7 +298,9 @@ TEST(To_bspline_surface, converts_objects_of_kernels)
     centers.push_back(face(0.5, 0.5));
     EXPECT_GT(face.normal(0.5, 0.5) * (centers.back() - middle), 0);
   }
-  EXPECT_EQ(centers, (std::vector<CGAL::Epick::Point_3>{{0, 1, 1.5}, {1, 1, 1.5}, {0.5, 0, 1.5}, {0.5, 2, 1.5}, {0.5, 1, 0}, {0.5, 1, 3}}));
+  EXPECT_EQ(centers,
+            (std::vector<CGAL::Epick::Point_3>{
+                {0, 1, 1.5}, {1, 1, 1.5}, {0.5, 0, 1.5}, {0.5, 2, 1.5}, {0.5, 1, 0}, {0.5, 1, 3}}));
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Offsets, Minkowski sums and regions as general polygons of segments and circular arcs: areas against closed forms, points against distances, and Boolean operations of CGAL.
+// Offsets, Minkowski sums and regions as general polygons of segments and circular arcs: areas against closed forms,
+// points against distances, and Boolean operations of CGAL.
 
 #include "geometry_test_tools.h"
 
@@ -35,18 +36,24 @@ using Traits = CGAL::Gps_circle_segment_traits_2<Exact_cartesian>;
 using Polygons = std::vector<Traits::Polygon_with_holes_2>;
 using Polygon_set = CGAL::General_polygon_set_2<Traits>;
 
-SC::Planar_region_2<K> polygon(const std::vector<Point>& points) { return SC::planar_region(CGAL::Polygon_2<K>(points.begin(), points.end())); }
+SC::Planar_region_2<K> polygon(const std::vector<Point>& points)
+{
+  return SC::planar_region(CGAL::Polygon_2<K>(points.begin(), points.end()));
+}
 
 // The area between x-monotone arcs and the x-axis, with that between arcs and their chords.
 double area(const Traits::Polygon_2& polygon)
 {
   double result = 0;
   for (auto arc = polygon.curves_begin(); arc != polygon.curves_end(); ++arc) {
-    const double x = CGAL::to_double(arc->source().x()), y = CGAL::to_double(arc->source().y()), x1 = CGAL::to_double(arc->target().x()), y1 = CGAL::to_double(arc->target().y());
+    const double x = CGAL::to_double(arc->source().x()), y = CGAL::to_double(arc->source().y()),
+                 x1 = CGAL::to_double(arc->target().x()), y1 = CGAL::to_double(arc->target().y());
     result += (x * y1 - x1 * y) / 2;
     if (arc->is_circular()) {
-      const double radius = std::sqrt(CGAL::to_double(arc->supporting_circle().squared_radius())), angle = 2 * std::asin(std::min(1.0, std::hypot(x1 - x, y1 - y) / (2 * radius)));
-      result += (arc->orientation() == CGAL::COUNTERCLOCKWISE ? 1 : -1) * radius * radius * (angle - std::sin(angle)) / 2;
+      const double radius = std::sqrt(CGAL::to_double(arc->supporting_circle().squared_radius())),
+                   angle = 2 * std::asin(std::min(1.0, std::hypot(x1 - x, y1 - y) / (2 * radius)));
+      result +=
+          (arc->orientation() == CGAL::COUNTERCLOCKWISE ? 1 : -1) * radius * radius * (angle - std::sin(angle)) / 2;
     }
   }
   return result;
@@ -92,21 +99,25 @@ TEST(Circular_polygons, offset_of_a_square)
 // The sum of a disk and a ring is a ring; without two disks that cut into it, points are where distances tell.
 TEST(Circular_polygons, sum_with_a_hole_and_a_difference)
 {
-  const auto ring = SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 5.0), SC::circle_curve(Point(0, 0), 3.0)});
-  const Polygons sum = SC::to_circular_polygons<Traits>(SC::minkowski_sum(ring, SC::planar_region(SC::circle_curve(Point(0, 0), 1.0))), 1e-3);
+  const auto ring =
+      SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 5.0), SC::circle_curve(Point(0, 0), 3.0)});
+  const Polygons sum = SC::to_circular_polygons<Traits>(
+      SC::minkowski_sum(ring, SC::planar_region(SC::circle_curve(Point(0, 0), 1.0))), 1e-3);
   ASSERT_EQ(sum.size(), 1u);
   EXPECT_EQ(sum[0].number_of_holes(), 1u);
   EXPECT_NEAR(total_area_of(sum), 32 * CGAL_PI, 1e-4);
   Polygon_set set = set_of(sum);
   for (const double x : {-6, 6})
-    for (const auto& disk : SC::to_circular_polygons<Traits>(SC::trimmed_offset(std::vector<Curve>(), 1.5, {Point(x, 0)}), 1e-3))
+    for (const auto& disk :
+         SC::to_circular_polygons<Traits>(SC::trimmed_offset(std::vector<Curve>(), 1.5, {Point(x, 0)}), 1e-3))
       set.difference(disk);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-7, 7);
   int inside = 0;
   for (int i = 0; i < 100; ++i) {
     const Point p(coordinate(random), coordinate(random));
-    const double radius = std::hypot(p.x(), p.y()), other = std::min(std::hypot(p.x() - 6, p.y()), std::hypot(p.x() + 6, p.y()));
+    const double radius = std::hypot(p.x(), p.y()),
+                 other = std::min(std::hypot(p.x() - 6, p.y()), std::hypot(p.x() + 6, p.y()));
     if (std::min({std::abs(radius - 2), std::abs(radius - 6), std::abs(other - 1.5)}) > 1e-3) {
       EXPECT_EQ(is_inside(set, p), radius > 2 && radius < 6 && other > 1.5) << p;
       inside += is_inside(set, p);
@@ -115,10 +126,12 @@ TEST(Circular_polygons, sum_with_a_hole_and_a_difference)
   EXPECT_GT(inside, 30);
 }
 
-// Free curves: all vertices have the distance of the offset from the curves, the area is that of fine chords, and arcs are fewer than chords.
+// Free curves: all vertices have the distance of the offset from the curves, the area is that of fine chords, and arcs
+// are fewer than chords.
 TEST(Circular_polygons, offset_of_free_curves)
 {
-  const std::vector<Curve> curves{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 5}, {5, -4}, {7, 2}}), SC::bezier_curve(std::vector<Point>{{7, 2}, {4, 9}, {-3, 4}, {0, 0}})};
+  const std::vector<Curve> curves{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 5}, {5, -4}, {7, 2}}),
+                                  SC::bezier_curve(std::vector<Point>{{7, 2}, {4, 9}, {-3, 4}, {0, 0}})};
   const auto region = SC::planar_region(curves);
   std::vector<Point> samples;
   for (const Curve& curve : curves)
@@ -132,9 +145,11 @@ TEST(Circular_polygons, offset_of_free_curves)
     ASSERT_EQ(polygons.size(), 1u);
     const auto chords = offset.polygons_with_holes(error);
     EXPECT_LT(polygons[0].outer_boundary().size(), chords[0].outer_boundary().size() / 2);
-    EXPECT_NEAR(total_area_of(polygons), CGAL::to_double(offset.polygons_with_holes(1e-5)[0].outer_boundary().area()), 20 * error);
+    EXPECT_NEAR(total_area_of(polygons), CGAL::to_double(offset.polygons_with_holes(1e-5)[0].outer_boundary().area()),
+                20 * error);
     EXPECT_TRUE(is_inside(set_of(polygons), Point(2, 2.5)));
-    for (auto arc = polygons[0].outer_boundary().curves_begin(); arc != polygons[0].outer_boundary().curves_end(); ++arc) {
+    for (auto arc = polygons[0].outer_boundary().curves_begin(); arc != polygons[0].outer_boundary().curves_end();
+         ++arc) {
       const Point p(CGAL::to_double(arc->source().x()), CGAL::to_double(arc->source().y()));
       double nearest = 1e9;
       for (const Point& sample : samples)
@@ -144,13 +159,22 @@ TEST(Circular_polygons, offset_of_free_curves)
   }
 }
 
-// A boundary that is thinner than the error, and a hole that chords cut: both are refined until edges meet in their ends only, as CGAL finds, too.
+// A boundary that is thinner than the error, and a hole that chords cut: both are refined until edges meet in their
+// ends only, as CGAL finds, too.
 TEST(Circular_polygons, refined_until_edges_do_not_cross)
 {
-  const auto leaf = [](double height) { return SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 2}, {4, 0}}), SC::bezier_curve(std::vector<Point>{{4, 0}, {2, height}, {0, 0}})}); };
-  const auto sweep = SC::swept_area(polygon({{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}}), SC::bezier_curve(std::vector<Point>{{0, 0}, {9, 7}, {-4, 7}, {5, 0}}));
-  const double area_of_sweep = CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].outer_boundary().area()) + CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].holes_begin()->area());
-  for (const auto& [polygons, area, error] : {std::tuple(SC::to_circular_polygons<Traits>(leaf(2.01), 1e-3), 4 * 0.01 / 3, 3e-3), std::tuple(SC::to_circular_polygons<Traits>(leaf(1.5), 1e-3), 4 * 0.5 / 3, 1e-2), std::tuple(SC::to_circular_polygons<Traits>(sweep, 0.1), area_of_sweep, 1.0)}) {
+  const auto leaf = [](double height) {
+    return SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 2}, {4, 0}}),
+                                                SC::bezier_curve(std::vector<Point>{{4, 0}, {2, height}, {0, 0}})});
+  };
+  const auto sweep = SC::swept_area(polygon({{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}}),
+                                    SC::bezier_curve(std::vector<Point>{{0, 0}, {9, 7}, {-4, 7}, {5, 0}}));
+  const double area_of_sweep = CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].outer_boundary().area()) +
+      CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].holes_begin()->area());
+  for (const auto& [polygons, area, error] :
+       {std::tuple(SC::to_circular_polygons<Traits>(leaf(2.01), 1e-3), 4 * 0.01 / 3, 3e-3),
+        std::tuple(SC::to_circular_polygons<Traits>(leaf(1.5), 1e-3), 4 * 0.5 / 3, 1e-2),
+        std::tuple(SC::to_circular_polygons<Traits>(sweep, 0.1), area_of_sweep, 1.0)}) {
     ASSERT_EQ(polygons.size(), 1u);
     EXPECT_TRUE(CGAL::is_valid_polygon_with_holes(polygons[0], Traits()));
     EXPECT_NEAR(total_area_of(polygons), area, error);
@@ -160,11 +184,14 @@ TEST(Circular_polygons, refined_until_edges_do_not_cross)
 // Boundaries that touch: in corners there is a result, with a common tangent there is none.
 TEST(Circular_polygons, boundaries_that_touch)
 {
-  const Polygons eight = SC::to_circular_polygons<Traits>(polygon({{0, 0}, {2, 1}, {2, -1}, {0, 0}, {-2, -1}, {-2, 1}}), 1e-3);
+  const Polygons eight =
+      SC::to_circular_polygons<Traits>(polygon({{0, 0}, {2, 1}, {2, -1}, {0, 0}, {-2, -1}, {-2, 1}}), 1e-3);
   EXPECT_EQ(eight.size(), 2u);
   EXPECT_EQ(total_area_of(eight), 4);
-  const auto disk_with_hole = SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(1, 0), 1.0)});
-  expect_invalid([&] { SC::to_circular_polygons<Traits>(disk_with_hole, 1e-2); }, "to_circular_polygons: edges meet elsewhere");
+  const auto disk_with_hole =
+      SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(1, 0), 1.0)});
+  expect_invalid([&] { SC::to_circular_polygons<Traits>(disk_with_hole, 1e-2); },
+                 "to_circular_polygons: edges meet elsewhere");
 }
 
 // No more than the concept asks for: a square with another one in it.
@@ -172,7 +199,9 @@ struct Frame
 {
   std::vector<CGAL::Polygon_with_holes_2<K>> polygons_with_holes(double) const
   {
-    const auto square = [](double side) { return std::vector<Point>{{-side, -side}, {side, -side}, {side, side}, {-side, side}}; };
+    const auto square = [](double side) {
+      return std::vector<Point>{{-side, -side}, {side, -side}, {side, side}, {-side, side}};
+    };
     const auto outer = square(2), inner = square(1);
     CGAL::Polygon_2<K> hole(inner.begin(), inner.end());
     hole.reverse_orientation();

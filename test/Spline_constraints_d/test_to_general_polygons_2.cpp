@@ -33,22 +33,29 @@ using Point = Kernel::Point_2;
 using Curve = SC::Bspline_curve_2<Kernel>;
 using Circle_traits = CGAL::Gps_circle_segment_traits_2<Kernel>;
 using Nt_traits = CGAL::CORE_algebraic_number_traits;
-using Bezier_traits = CGAL::Gps_traits_2<CGAL::Arr_Bezier_curve_traits_2<CGAL::Cartesian<Nt_traits::Rational>, CGAL::Cartesian<Nt_traits::Algebraic>, Nt_traits>>;
+using Bezier_traits =
+    CGAL::Gps_traits_2<CGAL::Arr_Bezier_curve_traits_2<CGAL::Cartesian<Nt_traits::Rational>,
+                                                       CGAL::Cartesian<Nt_traits::Algebraic>, Nt_traits>>;
 
 std::vector<Circle_traits::Polygon_with_holes_2> circular_polygons(const SC::Planar_region_2<Kernel>& region)
 {
-  return SC::to_general_polygons<Circle_traits>(region, [](const auto& piece) { return SC::to_circle_segment_traits_curves<Circle_traits::Curve_2>(piece); });
+  return SC::to_general_polygons<Circle_traits>(
+      region, [](const auto& piece) { return SC::to_circle_segment_traits_curves<Circle_traits::Curve_2>(piece); });
 }
 
 std::vector<Bezier_traits::Polygon_with_holes_2> bezier_polygons(const SC::Planar_region_2<Kernel>& region)
 {
-  return SC::to_general_polygons<Bezier_traits>(region, [](const auto& piece) { return SC::to_bezier_traits_curves<Bezier_traits::Curve_2>(piece); });
+  return SC::to_general_polygons<Bezier_traits>(
+      region, [](const auto& piece) { return SC::to_bezier_traits_curves<Bezier_traits::Curve_2>(piece); });
 }
 
 // A half disk with a round hole, and a disk in that.
 TEST(General_polygons, circles_and_segments)
 {
-  const std::vector<Curve> curves{SC::circular_arc_curve(Point(0, 0), Point(10, 0), Point(-10, 0)), SC::segment_curve<Kernel>(Point(-10, 0), Point(10, 0)), SC::circle_curve(Point(0, 5), Exact_rational(3)), SC::circle_curve(Point(0, 5), Exact_rational(1))};
+  const std::vector<Curve> curves{SC::circular_arc_curve(Point(0, 0), Point(10, 0), Point(-10, 0)),
+                                  SC::segment_curve<Kernel>(Point(-10, 0), Point(10, 0)),
+                                  SC::circle_curve(Point(0, 5), Exact_rational(3)),
+                                  SC::circle_curve(Point(0, 5), Exact_rational(1))};
   const auto region = SC::planar_region(curves);
   const auto polygons = circular_polygons(region);
   ASSERT_EQ(polygons.size(), 2u);
@@ -71,7 +78,9 @@ TEST(General_polygons, circles_and_segments)
 // A part of y = x^2, and x = y (1 - y), which has a vertical tangent: two arcs.
 TEST(General_polygons, bezier_curves)
 {
-  const auto parabola = SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{Point(-1, 1), Point(0, -1), Point(1, 1)}), SC::segment_curve<Kernel>(Point(1, 1), Point(-1, 1))});
+  const auto parabola = SC::planar_region(
+      std::vector<Curve>{SC::bezier_curve(std::vector<Point>{Point(-1, 1), Point(0, -1), Point(1, 1)}),
+                         SC::segment_curve<Kernel>(Point(1, 1), Point(-1, 1))});
   const auto polygons = bezier_polygons(parabola);
   ASSERT_EQ(polygons.size(), 1u);
   const auto& outer = polygons[0].outer_boundary();
@@ -83,16 +92,22 @@ TEST(General_polygons, bezier_curves)
   EXPECT_EQ(arcs[0].target(), arcs[1].source());
   EXPECT_EQ(arcs[1].target(), arcs[0].source());
   EXPECT_EQ(arcs[0].degree() + arcs[1].degree(), 3);
-  const auto turning = SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{Point(0, 0), Point(1, 1), Point(0, 2)}), SC::segment_curve<Kernel>(Point(0, 2), Point(0, 0))});
+  const auto turning =
+      SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{Point(0, 0), Point(1, 1), Point(0, 2)}),
+                                           SC::segment_curve<Kernel>(Point(0, 2), Point(0, 0))});
   EXPECT_EQ(bezier_polygons(turning)[0].outer_boundary().size(), 3u);
 }
 
 // A square with a square hole, and a disk: polygons next to the sum, joined with a disk in the hole.
 TEST(General_polygons, minkowski_sum)
 {
-  const auto outline = [](int size) { return SC::polyline_curve<Kernel>({Point(-size, -size), Point(size, -size), Point(size, size), Point(-size, size), Point(-size, -size)}); };
+  const auto outline = [](int size) {
+    return SC::polyline_curve<Kernel>(
+        {Point(-size, -size), Point(size, -size), Point(size, size), Point(-size, size), Point(-size, -size)});
+  };
   const auto frame = SC::planar_region(std::vector<Curve>{outline(6), outline(5)});
-  const auto polygons = SC::minkowski_sum(frame, SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(1)))).polygons_with_holes(0.125);
+  const auto polygons = SC::minkowski_sum(frame, SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(1))))
+                            .polygons_with_holes(0.125);
   ASSERT_EQ(polygons.size(), 1u);
   const auto general = circular_polygons(SC::planar_region(polygons.front()));
   ASSERT_EQ(general.size(), 1u);
@@ -105,9 +120,12 @@ TEST(General_polygons, minkowski_sum)
 
 TEST(General_polygons, other_curves_are_refused)
 {
-  const auto parabola = SC::planar_region(std::vector<Curve>{SC::segment_curve<Kernel>(Point(1, 1), Point(-1, 1)), SC::bezier_curve(std::vector<Point>{Point(-1, 1), Point(0, -1), Point(1, 1)})});
+  const auto parabola = SC::planar_region(
+      std::vector<Curve>{SC::segment_curve<Kernel>(Point(1, 1), Point(-1, 1)),
+                         SC::bezier_curve(std::vector<Point>{Point(-1, 1), Point(0, -1), Point(1, 1)})});
   expect_invalid([&] { circular_polygons(parabola); }, "curve 1 is no curve of the traits class");
-  expect_invalid([&] { bezier_polygons(SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(1)))); }, "curve 0 is no curve of the traits class");
+  expect_invalid([&] { bezier_polygons(SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(1)))); },
+                 "curve 0 is no curve of the traits class");
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Trimmed alpha-sectors: of points, segments and circles in closed form; of cubics, no point of either is nearer than the samples tell, and the chains go around what is nearer to one of them.
+// Trimmed alpha-sectors: of points, segments and circles in closed form; of cubics, no point of either is nearer than
+// the samples tell, and the chains go around what is nearer to one of them.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -72,10 +73,16 @@ std::vector<P> points_along(const Curve& curve)
   return result;
 }
 
-// The chains go around the points that are nearer to one of the operands, and no others. Returns the numbers of points that are inside, and outside.
-std::array<std::size_t, 2> check_sides(const Sector& sector, double alpha, const Sites& sites, const std::vector<P>& places)
+// The chains go around the points that are nearer to one of the operands, and no others. Returns the numbers of points
+// that are inside, and outside.
+std::array<std::size_t, 2> check_sides(const Sector& sector, double alpha, const Sites& sites,
+                                       const std::vector<P>& places)
 {
-  const auto distance_from = [](const P& p, const std::vector<P>& points) { return distance(p, *std::min_element(points.begin(), points.end(), [&](const P& q, const P& r) { return distance(p, q) < distance(p, r); })); };
+  const auto distance_from = [](const P& p, const std::vector<P>& points) {
+    return distance(p, *std::min_element(points.begin(), points.end(), [&](const P& q, const P& r) {
+                      return distance(p, q) < distance(p, r);
+                    }));
+  };
   const auto chains = polygons(sector);
   std::array<std::size_t, 2> result{};
   for (const P& p : places) {
@@ -89,7 +96,10 @@ std::array<std::size_t, 2> check_sides(const Sector& sector, double alpha, const
   return result;
 }
 
-Curve circle(const P& center, double radius) { return SC::ellipse_curve(center, K::Vector_2(radius, 0), K::Vector_2(0, radius)); }
+Curve circle(const P& center, double radius)
+{
+  return SC::ellipse_curve(center, K::Vector_2(radius, 0), K::Vector_2(0, radius));
+}
 
 // The circle of Apollonius 3 |P - a| = |P - b|, with the first point on its right.
 TEST(TrimmedAlphaSectors, TwoPoints)
@@ -112,7 +122,8 @@ TEST(TrimmedAlphaSectors, TwoPoints)
   EXPECT_EQ(winding_number(polygons(near_b), b), 1);
 }
 
-// y = 0 and y = 2, both for -1 <= x <= 1: where both are nearest inside, y = 1/2 and y = -1; else circles of Apollonius, as both corners are on one vertical line.
+// y = 0 and y = 2, both for -1 <= x <= 1: where both are nearest inside, y = 1/2 and y = -1; else circles of
+// Apollonius, as both corners are on one vertical line.
 TEST(TrimmedAlphaSectors, ParallelSegments)
 {
   const Sector sector = SC::trimmed_alpha_sector(bezier({P(-1, 0), P(1, 0)}), bezier({P(-1, 2), P(1, 2)}), 0.25);
@@ -133,12 +144,14 @@ TEST(TrimmedAlphaSectors, ParallelSegments)
   EXPECT_GT(inner, 4U);
 }
 
-// Three times as far from the line y = 0 as from (0,3): an ellipse of eccentricity 1/3. The other way round: a hyperbola, and circles around the ends.
+// Three times as far from the line y = 0 as from (0,3): an ellipse of eccentricity 1/3. The other way round: a
+// hyperbola, and circles around the ends.
 TEST(TrimmedAlphaSectors, SegmentAndPoint)
 {
   const Curve segment = bezier({P(-4, 0), P(4, 0)});
   const P focus(0, 3);
-  const Sector ellipse = SC::trimmed_alpha_sector(focus, segment, 0.25), around = SC::trimmed_alpha_sector(segment, focus, 0.25);
+  const Sector ellipse = SC::trimmed_alpha_sector(focus, segment, 0.25),
+               around = SC::trimmed_alpha_sector(segment, focus, 0.25);
   EXPECT_TRUE(ellipse.is_complete());
   EXPECT_TRUE(around.is_complete());
   EXPECT_EQ(ellipse.chains().size(), 1U);
@@ -178,7 +191,8 @@ TEST(TrimmedAlphaSectors, Circles)
   EXPECT_GT(inside, 10U);
 }
 
-// At the corners of a square the sector with its center goes over from one side to another one: of the side from above and below, hyperbolas or ellipses. Three contacts or more at once are decided exactly.
+// At the corners of a square the sector with its center goes over from one side to another one: of the side from above
+// and below, hyperbolas or ellipses. Three contacts or more at once are decided exactly.
 TEST(TrimmedAlphaSectors, SquareAndItsCenter)
 {
   const Curve square = SC::polyline_curve(std::vector<P>{P(-2, -2), P(2, -2), P(2, 2), P(-2, 2), P(-2, -2)});
@@ -194,7 +208,8 @@ TEST(TrimmedAlphaSectors, SquareAndItsCenter)
   }
 }
 
-// Samples are proved to be at their distances from both curves; the chains go around the points that are nearer to one of them, and no others. A rigid motion and the exchange of both change nothing.
+// Samples are proved to be at their distances from both curves; the chains go around the points that are nearer to one
+// of them, and no others. A rigid motion and the exchange of both change nothing.
 TEST(TrimmedAlphaSectors, RandomCubics)
 {
   std::mt19937 random(11);
@@ -212,12 +227,14 @@ TEST(TrimmedAlphaSectors, RandomCubics)
       all[shift > 0] = points_along(curves.back());
     }
     const double alpha = (3 + 3 * run) / 16.0;
-    const Sector sector = SC::trimmed_alpha_sector(curves[0], curves[1], alpha), exchanged = SC::trimmed_alpha_sector(curves[1], curves[0], 1 - alpha);
+    const Sector sector = SC::trimmed_alpha_sector(curves[0], curves[1], alpha),
+                 exchanged = SC::trimmed_alpha_sector(curves[1], curves[0], 1 - alpha);
     EXPECT_TRUE(sector.is_complete());
     EXPECT_EQ(sector.chains().size(), exchanged.chains().size());
     EXPECT_EQ(sector.arcs().size(), exchanged.arcs().size());
     if (run == 0) {
-      const Sector moved = SC::trimmed_alpha_sector(curves[0].transformed(motion), curves[1].transformed(motion), alpha);
+      const Sector moved =
+          SC::trimmed_alpha_sector(curves[0].transformed(motion), curves[1].transformed(motion), alpha);
       EXPECT_TRUE(moved.is_complete());
       EXPECT_EQ(moved.chains().size(), sector.chains().size());
       EXPECT_EQ(moved.arcs().size(), sector.arcs().size());
@@ -243,42 +260,53 @@ TEST(TrimmedAlphaSectors, RandomCubics)
   EXPECT_GT(outside, 50U);
 }
 
-// Where a segment meets another operand, chains come to that point and leave it. Around each end of the segment there is one.
+// Where a segment meets another operand, chains come to that point and leave it. Around each end of the segment there
+// is one.
 TEST(TrimmedAlphaSectors, SegmentsThatMeet)
 {
   const Curve segment = bezier({P(-1, 0), P(1, 0)});
-  const auto check = [](const Sector& sector, std::size_t number_of_chains, const P& common, const auto& other_distance) {
+  const auto check = [](const Sector& sector, std::size_t number_of_chains, const P& common,
+                        const auto& other_distance) {
     EXPECT_TRUE(sector.is_complete());
     EXPECT_EQ(sector.chains().size(), number_of_chains);
     double nearest = 1;
     for (const Sector::Chain& chain : sector.chains())
       EXPECT_TRUE(chain.is_closed);
     for (const auto& sample : samples(sector)) {
-      EXPECT_NEAR(3 * std::hypot((std::max)(std::abs(sample.point.x()) - 1, 0.0), sample.point.y()), other_distance(sample.point), 1e-9);
+      EXPECT_NEAR(3 * std::hypot((std::max)(std::abs(sample.point.x()) - 1, 0.0), sample.point.y()),
+                  other_distance(sample.point), 1e-9);
       nearest = (std::min)(nearest, distance(sample.point, common));
     }
     EXPECT_LT(nearest, 1e-12);
   };
   const P origin(0, 0), end(1, 0), middle(0.5, 0);
-  check(SC::trimmed_alpha_sector(segment, bezier({P(0, -4), P(0, 4)}), 0.25), 2, origin, [](const P& p) { return std::abs(p.x()); });
-  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(0, 4)}), 0.25), 2, origin, [](const P& p) { return p.y() > 0 ? std::abs(p.x()) : std::hypot(p.x(), p.y()); });
-  check(SC::trimmed_alpha_sector(segment, bezier({P(1, 0), P(1, 4)}), 0.25), 1, end, [&](const P& p) { return p.y() > 0 ? std::abs(p.x() - 1) : distance(p, end); });
-  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(4, 0)}), 0.25), 1, origin, [&](const P& p) { return p.x() > 0 ? std::abs(p.y()) : distance(p, origin); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, -4), P(0, 4)}), 0.25), 2, origin,
+        [](const P& p) { return std::abs(p.x()); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(0, 4)}), 0.25), 2, origin,
+        [](const P& p) { return p.y() > 0 ? std::abs(p.x()) : std::hypot(p.x(), p.y()); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(1, 0), P(1, 4)}), 0.25), 1, end,
+        [&](const P& p) { return p.y() > 0 ? std::abs(p.x() - 1) : distance(p, end); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(4, 0)}), 0.25), 1, origin,
+        [&](const P& p) { return p.x() > 0 ? std::abs(p.y()) : distance(p, origin); });
   check(SC::trimmed_alpha_sector(segment, middle, 0.25), 2, middle, [&](const P& p) { return distance(p, middle); });
   const Sector none = SC::trimmed_alpha_sector(middle, segment, 0.25);   // the point itself is nowhere nearer
   EXPECT_TRUE(none.is_complete());
   EXPECT_TRUE(none.chains().empty());
 }
 
-// The two arms of a corner in one end of a segment that leaves it: for 1/8 there are curves within the corner, for 5/16 there are none.
+// The two arms of a corner in one end of a segment that leaves it: for 1/8 there are curves within the corner, for 5/16
+// there are none.
 TEST(TrimmedAlphaSectors, CornerThatMeets)
 {
-  const Curve corner = SC::polyline_curve(std::vector<P>{P(3, -1), P(0, 0), P(3, 1)}), other = bezier({P(0, 0), P(-2, 0)});
+  const Curve corner = SC::polyline_curve(std::vector<P>{P(3, -1), P(0, 0), P(3, 1)}),
+              other = bezier({P(0, 0), P(-2, 0)});
   for (const double alpha : {0.125, 0.3125}) {
     const Sector sector = SC::trimmed_alpha_sector(corner, other, alpha);
     EXPECT_TRUE(sector.is_complete());
     EXPECT_EQ(sector.chains().size(), alpha == 0.125 ? 2U : 1U);
-    EXPECT_EQ(check_sides(sector, alpha, {points_along(corner), points_along(other)}, {P(3, 0.875), P(3, 1.125), P(2, -0.75), P(2.5, 0), P(2, 0), P(-1, 0), P(1, 2)})[0], alpha == 0.125 ? 3U : 5U);
+    EXPECT_EQ(check_sides(sector, alpha, {points_along(corner), points_along(other)},
+                          {P(3, 0.875), P(3, 1.125), P(2, -0.75), P(2.5, 0), P(2, 0), P(-1, 0), P(1, 2)})[0],
+              alpha == 0.125 ? 3U : 5U);
   }
 }
 
@@ -306,8 +334,10 @@ TEST(TrimmedAlphaSectors, RandomCubicsThatCross)
   EXPECT_GT(inside, 20U);
 }
 
-// Samples are as far from both curves as points along these tell, chains are closed and go around what they should, and come to a common point. Returns how many points are inside.
-std::size_t check_curves_that_meet(const Curve& a, const Curve& b, double alpha, const P& common, const std::vector<P>& places)
+// Samples are as far from both curves as points along these tell, chains are closed and go around what they should, and
+// come to a common point. Returns how many points are inside.
+std::size_t check_curves_that_meet(const Curve& a, const Curve& b, double alpha, const P& common,
+                                   const std::vector<P>& places)
 {
   const Sector sector = SC::trimmed_alpha_sector(a, b, alpha);
   EXPECT_TRUE(sector.is_complete());
@@ -336,17 +366,23 @@ std::vector<P> random_places(std::mt19937& random, double first, double last)
   return result;
 }
 
-// Curves that touch have chains on both sides of the first one, on both sides of the common point. Disks on axes of symmetry touch several things at once, as the common point.
+// Curves that touch have chains on both sides of the first one, on both sides of the common point. Disks on axes of
+// symmetry touch several things at once, as the common point.
 TEST(TrimmedAlphaSectors, CurvesThatTouch)
 {
   std::mt19937 random(7);
-  const Curve parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(-1, 0), P(1, 0)}), line = bezier({P(-3, 0), P(4, 0)});
+  const Curve parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(-1, 0), P(1, 0)}),
+              line = bezier({P(-3, 0), P(4, 0)});
   const Curve square = SC::polyline_curve(std::vector<P>{P(-1, -1), P(1, -1), P(1, 1), P(-1, 1), P(-1, -1)});
-  const std::vector<P> round_outline{P(1, 0), P(2, 0), P(3, 0), P(4, 0), P(4, 1), P(4, 2), P(4, 3), P(4, 4), P(3, 4), P(2, 4), P(1, 4), P(0, 4), P(0, 3), P(0, 2), P(0, 1), P(0, 0), P(1, 0)};
-  const Curve rounded(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 8}, round_outline), rectangle = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, 4), P(0, 4), P(0, 0)});
+  const std::vector<P> round_outline{P(1, 0), P(2, 0), P(3, 0), P(4, 0), P(4, 1), P(4, 2), P(4, 3), P(4, 4), P(3, 4),
+                                     P(2, 4), P(1, 4), P(0, 4), P(0, 3), P(0, 2), P(0, 1), P(0, 0), P(1, 0)};
+  const Curve rounded(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 8}, round_outline),
+      rectangle = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, 4), P(0, 4), P(0, 0)});
   std::size_t inside = 0;
   for (const double alpha : {0.125, 0.45, 0.75}) {
-    const auto check = [&](const Curve& a, const Curve& b, const P& common) { inside += check_curves_that_meet(a, b, alpha, common, random_places(random, -3, 4)); };
+    const auto check = [&](const Curve& a, const Curve& b, const P& common) {
+      inside += check_curves_that_meet(a, b, alpha, common, random_places(random, -3, 4));
+    };
     check(parabola, segment, P(0, 0));
     check(parabola, bezier({P(0, 0), P(1, 0)}), P(0, 0));
     check(circle(P(0, 0), 1), circle(P(3, 0), 2), P(1, 0));
@@ -375,12 +411,14 @@ TEST(TrimmedAlphaSectors, RandomCubicsWithACommonTangent)
       }
       curves.push_back(bezier(control_points));
     }
-    inside += check_curves_that_meet(curves[0], curves[1], (run % 2 == 0 ? 3 : 11) / 16.0, P(0, 0), random_places(random, -4, 16));
+    inside += check_curves_that_meet(curves[0], curves[1], (run % 2 == 0 ? 3 : 11) / 16.0, P(0, 0),
+                                     random_places(random, -4, 16));
   }
   EXPECT_GT(inside, 20U);
 
   // Where one begins on the other one, that goes on as before.
-  const Curve through = bezier({P(1, 8), P(7, 14), P(4, 3), P(15, 14)}), from = bezier({P(6.125, 9.125), P(8.875, 7.875), P(7, 16), P(9, 4)});
+  const Curve through = bezier({P(1, 8), P(7, 14), P(4, 3), P(15, 14)}),
+              from = bezier({P(6.125, 9.125), P(8.875, 7.875), P(7, 16), P(9, 4)});
   for (const double alpha : {0.375, 0.5625})
     EXPECT_GT(check_curves_that_meet(through, from, alpha, P(6.125, 9.125), random_places(random, -4, 16)), 0U);
 }
@@ -410,7 +448,8 @@ TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
     inside += check_curve_and_point(cusp, P(2, -2), alpha, random_places(random, -4, 8));
   EXPECT_GT(inside, 10U);
 
-  // A straight one, which covers a part of itself twice: where it turns the derivative is zero, and disks go over from its side to the point.
+  // A straight one, which covers a part of itself twice: where it turns the derivative is zero, and disks go over from
+  // its side to the point.
   const Curve straight = bezier({P(0, 0), P(12, 0), P(9, 0)});
   inside = 0;
   for (const double alpha : {0.125, 0.375, 0.75})
@@ -418,20 +457,25 @@ TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
   EXPECT_GT(inside, 10U);
 }
 
-// Four arcs of one curve meet in a point, two in each direction: beside it, and where the other curve comes there, those behind others are not touched, by disks of either operand.
+// Four arcs of one curve meet in a point, two in each direction: beside it, and where the other curve comes there,
+// those behind others are not touched, by disks of either operand.
 TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
 {
   std::mt19937 random(5);
-  const Curve parabolas(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
-  const std::vector<P> loop{P(6, 11), P(5, 16), P(14, 2), P(8, 8), P(4, 12), P(9, 13), P(13, 15), P(17, 17), P(4, 12), P(8, 8), P(14, 2), P(8, 7), P(7, 11)};
+  const Curve parabolas(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                        std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
+  const std::vector<P> loop{P(6, 11),  P(5, 16), P(14, 2), P(8, 8),  P(4, 12), P(9, 13), P(13, 15),
+                            P(17, 17), P(4, 12), P(8, 8),  P(14, 2), P(8, 7),  P(7, 11)};
   const Curve cubics(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, loop);
   std::size_t inside = 0;
   for (const double alpha : {0.125, 0.25, 0.75}) {
     for (const P& point : {P(0.25, 2.5), P(-2, 0.125), P(3, 0.5)})
       inside += check_curve_and_point(parabolas, point, alpha, random_places(random, -3, 4));
     inside += check_curve_and_point(cubics, P(1, 5), alpha, random_places(random, 0, 16));
-    inside += check_curves_that_meet(parabolas, bezier({P(-1, -2), P(1, 2)}), alpha, P(0, 0), random_places(random, -3, 4));
-    inside += check_curves_that_meet(parabolas, bezier({P(0, 0), P(1, 2), P(2, 0), P(3, 3)}), alpha, P(0, 0), random_places(random, -3, 4));
+    inside +=
+        check_curves_that_meet(parabolas, bezier({P(-1, -2), P(1, 2)}), alpha, P(0, 0), random_places(random, -3, 4));
+    inside += check_curves_that_meet(parabolas, bezier({P(0, 0), P(1, 2), P(2, 0), P(3, 3)}), alpha, P(0, 0),
+                                     random_places(random, -3, 4));
   }
   EXPECT_GT(inside, 100U);
 }

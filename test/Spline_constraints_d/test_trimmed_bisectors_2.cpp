@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Trimmed bisectors: of points, segments and circles in closed form; of cubics, all samples are as far from both curves, and no point of them is nearer; a line across the bisector changes sides there.
+// Trimmed bisectors: of points, segments and circles in closed form; of cubics, all samples are as far from both
+// curves, and no point of them is nearer; a line across the bisector changes sides there.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -22,7 +23,10 @@ using Samples = std::vector<SC::Voronoi_sample_2<K>>;
 
 constexpr double error = 0.01, most_radius = 20;
 
-Curve circle(const P& center, double radius) { return SC::ellipse_curve(center, K::Vector_2(radius, 0), K::Vector_2(0, radius)); }
+Curve circle(const P& center, double radius)
+{
+  return SC::ellipse_curve(center, K::Vector_2(radius, 0), K::Vector_2(0, radius));
+}
 
 Samples samples(const Bisector& bisector, const Bisector::Chain& chain)
 {
@@ -43,7 +47,8 @@ Samples samples(const Bisector& bisector)
 
 bool ends_at_infinity(const Bisector& bisector, const Bisector::Chain& chain)
 {
-  return bisector.diagram().vertices()[chain.vertices[0]].is_at_infinity && bisector.diagram().vertices()[chain.vertices[1]].is_at_infinity;
+  return bisector.diagram().vertices()[chain.vertices[0]].is_at_infinity &&
+      bisector.diagram().vertices()[chain.vertices[1]].is_at_infinity;
 }
 
 // Positive on the left of a polyline.
@@ -53,7 +58,8 @@ double side_of(const Samples& polyline, const P& p)
   for (std::size_t i = 1; i < polyline.size(); ++i)
     if (distance(polyline[i].point, p) < distance(polyline[nearest].point, p))
       nearest = i;
-  return CGAL::to_double(CGAL::determinant(polyline[nearest].point - polyline[nearest - 1].point, p - polyline[nearest - 1].point));
+  return CGAL::to_double(
+      CGAL::determinant(polyline[nearest].point - polyline[nearest - 1].point, p - polyline[nearest - 1].point));
 }
 
 TEST(TrimmedBisectors, TwoPoints)
@@ -100,7 +106,8 @@ TEST(TrimmedBisectors, SegmentAndPoint)
 {
   const Curve segment = bezier({P(-4, 0), P(4, 0)});
   for (const bool is_first : {true, false}) {
-    const Bisector bisector = is_first ? SC::trimmed_bisector(P(0, -2), segment) : SC::trimmed_bisector(segment, P(0, -2));
+    const Bisector bisector =
+        is_first ? SC::trimmed_bisector(P(0, -2), segment) : SC::trimmed_bisector(segment, P(0, -2));
     EXPECT_TRUE(bisector.is_complete());
     ASSERT_EQ(bisector.chains().size(), 1U);
     EXPECT_EQ(bisector.chains()[0].arcs.size(), 3U);
@@ -122,7 +129,8 @@ TEST(TrimmedBisectors, SegmentAndPoint)
   }
 }
 
-// Of circles with radii 1 and 2, one is nearer by 1 from its center on a branch of a hyperbola; within the other circle, the sum of both is the sum or difference of radii.
+// Of circles with radii 1 and 2, one is nearer by 1 from its center on a branch of a hyperbola; within the other
+// circle, the sum of both is the sum or difference of radii.
 TEST(TrimmedBisectors, Circles)
 {
   const P c(-3, 0), d(3.25, 1.375);
@@ -152,10 +160,12 @@ TEST(TrimmedBisectors, Circles)
     EXPECT_NEAR(distance(sample.point, P(0, 0)) + distance(sample.point, P(1, 2)), 5, 1e-9);
 }
 
-// Segments that share the end (0,0), with a right angle between them; the first curve goes around the corner, where points are as far from the common end as from it.
+// Segments that share the end (0,0), with a right angle between them; the first curve goes around the corner, where
+// points are as far from the common end as from it.
 TEST(TrimmedBisectors, CommonEnd)
 {
-  const Curve a = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, -4), P(-6, -4)}), b = bezier({P(0, 0), P(0, 4)});
+  const Curve a = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, -4), P(-6, -4)}),
+              b = bezier({P(0, 0), P(0, 4)});
   const Bisector bisector = SC::trimmed_bisector(a, b);
   EXPECT_TRUE(bisector.is_complete());
   ASSERT_EQ(bisector.chains().size(), 2U);
@@ -192,7 +202,8 @@ void expect_trimmed(const Bisector& bisector, const std::vector<Curve>& curves)
   ASSERT_GT(all.size(), 20U);
   for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 8)
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(SC::distance_range(all[i].point, curves[k]).first, all[i].radius, 1e-8 * (1 + all[i].radius)) << "sample " << i;
+      EXPECT_NEAR(SC::distance_range(all[i].point, curves[k]).first, all[i].radius, 1e-8 * (1 + all[i].radius))
+          << "sample " << i;
       if (!std::isnan(all[i].parameters[k])) {
         EXPECT_NEAR(distance(curves[k](all[i].parameters[k]), all[i].point), all[i].radius, 1e-8 * (1 + all[i].radius));
       }
@@ -201,7 +212,8 @@ void expect_trimmed(const Bisector& bisector, const std::vector<Curve>& curves)
 
 TEST(TrimmedBisectors, TwoCubics)
 {
-  const std::vector<Curve> curves{bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), bezier({P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
+  const std::vector<Curve> curves{bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}),
+                                  bezier({P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
   const Bisector bisector = SC::trimmed_bisector(curves[0], curves[1]);
   EXPECT_TRUE(bisector.is_complete());
   ASSERT_EQ(bisector.chains().size(), 1U);
@@ -209,7 +221,8 @@ TEST(TrimmedBisectors, TwoCubics)
   expect_trimmed(bisector, curves);
 }
 
-// The segments (0,0)-(4,0) and (1,-2)-(3,2), which cross in (2,0): lines through that point next to it, one chain in each angle; where an end is nearest, other curves go on to infinity.
+// The segments (0,0)-(4,0) and (1,-2)-(3,2), which cross in (2,0): lines through that point next to it, one chain in
+// each angle; where an end is nearest, other curves go on to infinity.
 TEST(TrimmedBisectors, CrossingSegments)
 {
   const std::vector<Curve> segments{bezier({P(0, 0), P(4, 0)}), bezier({P(1, -2), P(3, 2)})};
@@ -239,16 +252,21 @@ TEST(TrimmedBisectors, CrossingSegments)
   EXPECT_GE(near, 4U);
 }
 
-// Radii 5 around (-2,0) and (2,0): outside of both, or within both, the y-axis; within one of them, the ellipse whose foci are the centers.
+// Radii 5 around (-2,0) and (2,0): outside of both, or within both, the y-axis; within one of them, the ellipse whose
+// foci are the centers.
 TEST(TrimmedBisectors, CrossingCircles)
 {
-  const Bisector bisector = SC::trimmed_bisector(SC::ellipse_curve(P(-2, 0), K::Vector_2(3, 4), K::Vector_2(-4, 3)), SC::ellipse_curve(P(2, 0), K::Vector_2(4, 3), K::Vector_2(-3, 4)));
+  const Bisector bisector = SC::trimmed_bisector(SC::ellipse_curve(P(-2, 0), K::Vector_2(3, 4), K::Vector_2(-4, 3)),
+                                                 SC::ellipse_curve(P(2, 0), K::Vector_2(4, 3), K::Vector_2(-3, 4)));
   EXPECT_TRUE(bisector.is_complete());
   std::size_t on_axis = 0, on_ellipse = 0, inner = 0;
   for (const auto& chain : bisector.chains()) {
     const Samples all = samples(bisector, chain);
-    const bool is_axis = std::all_of(all.begin(), all.end(), [](const auto& sample) { return std::abs(sample.point.x()) < 1e-9; });
-    const bool is_ellipse = std::all_of(all.begin(), all.end(), [](const auto& sample) { return std::abs(sample.point.x() * sample.point.x() / 25 + sample.point.y() * sample.point.y() / 21 - 1) < 1e-9; });
+    const bool is_axis =
+        std::all_of(all.begin(), all.end(), [](const auto& sample) { return std::abs(sample.point.x()) < 1e-9; });
+    const bool is_ellipse = std::all_of(all.begin(), all.end(), [](const auto& sample) {
+      return std::abs(sample.point.x() * sample.point.x() / 25 + sample.point.y() * sample.point.y() / 21 - 1) < 1e-9;
+    });
     EXPECT_NE(is_axis, is_ellipse);
     const auto& ends = bisector.diagram().vertices();
     inner += is_axis && !ends[chain.vertices[0]].is_at_infinity && !ends[chain.vertices[1]].is_at_infinity;
@@ -260,10 +278,12 @@ TEST(TrimmedBisectors, CrossingCircles)
   EXPECT_EQ(inner, 1U);
 }
 
-// The bisector of a circle and its tangent is a parabola, in two chains that begin in the contact; the common normal there is no part of it.
+// The bisector of a circle and its tangent is a parabola, in two chains that begin in the contact; the common normal
+// there is no part of it.
 TEST(TrimmedBisectors, CircleAndTangent)
 {
-  const Bisector bisector = SC::trimmed_bisector(SC::bezier_curve(std::vector<P>{P(-8, 0), P(8, 0)}), SC::ellipse_curve(P(0, 1), K::Vector_2(1, 0), K::Vector_2(0, 1)));
+  const Bisector bisector = SC::trimmed_bisector(SC::bezier_curve(std::vector<P>{P(-8, 0), P(8, 0)}),
+                                                 SC::ellipse_curve(P(0, 1), K::Vector_2(1, 0), K::Vector_2(0, 1)));
   EXPECT_TRUE(bisector.is_complete());
   std::size_t inner = 0;
   for (const auto& chain : bisector.chains())
@@ -312,7 +332,8 @@ TEST(TrimmedBisectors, SeparatesWhatIsNearer)
       for (int i = 0; i <= 200; ++i)
         points[k].push_back(curves[k](i / 200.0));
     for (int i = 0; i < 50; ++i) {
-      const K::Segment_2 segment(P(coordinate(random), 2 * coordinate(random)), P(coordinate(random), 2 * coordinate(random)));
+      const K::Segment_2 segment(P(coordinate(random), 2 * coordinate(random)),
+                                 P(coordinate(random), 2 * coordinate(random)));
       const double before = least_distance(segment.source(), points[0]) - least_distance(segment.source(), points[1]);
       const double after = least_distance(segment.target(), points[0]) - least_distance(segment.target(), points[1]);
       if (std::abs(before) < 0.1 || std::abs(after) < 0.1)
@@ -328,7 +349,8 @@ TEST(TrimmedBisectors, SeparatesWhatIsNearer)
   EXPECT_GT(segments, 50);
 }
 
-// Random cubics that cross: samples are as far from both, and no point is nearer; on a segment, the nearer curve changes with each crossing of the bisector.
+// Random cubics that cross: samples are as far from both, and no point is nearer; on a segment, the nearer curve
+// changes with each crossing of the bisector.
 TEST(TrimmedBisectors, CrossingCubics)
 {
   std::mt19937 random(7);
@@ -340,7 +362,8 @@ TEST(TrimmedBisectors, CrossingCubics)
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<P> control_points;
       for (int i = 0; i < 4; ++i)
-        control_points.push_back(k == 0 ? P(4 + coordinate(random) / 5, 10. / 3 * i) : P(10. / 3 * i, coordinate(random)));
+        control_points.push_back(k == 0 ? P(4 + coordinate(random) / 5, 10. / 3 * i)
+                                        : P(10. / 3 * i, coordinate(random)));
       curves.push_back(bezier(control_points));
       for (int i = 0; i <= 400; ++i)
         points[k].push_back(curves[k](i / 400.0));
@@ -351,7 +374,8 @@ TEST(TrimmedBisectors, CrossingCubics)
     expect_trimmed(bisector, curves);
     std::vector<K::Segment_2> chords;
     for (const auto& chain : bisector.chains()) {
-      crossing_chains += bisector.diagram().vertices()[chain.vertices[0]].radius == 0 || bisector.diagram().vertices()[chain.vertices[1]].radius == 0;
+      crossing_chains += bisector.diagram().vertices()[chain.vertices[0]].radius == 0 ||
+          bisector.diagram().vertices()[chain.vertices[1]].radius == 0;
       for (const auto& polyline : bisector.polylines(chain, error, 50))
         for (std::size_t i = 1; i < polyline.size(); ++i)
           chords.emplace_back(polyline[i - 1].point, polyline[i].point);
@@ -362,7 +386,8 @@ TEST(TrimmedBisectors, CrossingCubics)
       const double after = least_distance(segment.target(), points[0]) - least_distance(segment.target(), points[1]);
       if (std::abs(before) < 0.1 || std::abs(after) < 0.1)
         continue;
-      const auto crossings = std::count_if(chords.begin(), chords.end(), [&](const K::Segment_2& chord) { return CGAL::do_intersect(segment, chord); });
+      const auto crossings = std::count_if(
+          chords.begin(), chords.end(), [&](const K::Segment_2& chord) { return CGAL::do_intersect(segment, chord); });
       EXPECT_EQ(crossings % 2 == 1, before * after < 0);
       ++segments;
     }
@@ -386,7 +411,8 @@ TEST(TrimmedBisectors, SelfBisectorOfALoop)
 // A point, whose normals are a circle, beside curves with cusps between them.
 TEST(TrimmedBisectors, PointBesideACurveThatTouchesItself)
 {
-  const Curve curve(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
+  const Curve curve(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                    std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
   const P point(0.25, 2.5);
   const Bisector bisector = SC::trimmed_bisector(curve, point);
   EXPECT_TRUE(bisector.is_complete());
@@ -412,7 +438,8 @@ TEST(TrimmedBisectors, CoincidentOperands)
   EXPECT_TRUE(SC::trimmed_bisector(segment, P(1, 0)).is_complete());
 }
 
-// A part of y = x^2: the line above its center of curvature (0, 1/2), where arcs are nearest up to the normals of the ends, which meet in (0, 9/2).
+// A part of y = x^2: the line above its center of curvature (0, 1/2), where arcs are nearest up to the normals of the
+// ends, which meet in (0, 9/2).
 TEST(TrimmedBisectors, SelfBisectorOfAParabola)
 {
   const Bisector bisector = SC::trimmed_self_bisector(bezier({P(-2, 4), P(0, -4), P(2, 4)}));
@@ -425,7 +452,9 @@ TEST(TrimmedBisectors, SelfBisectorOfAParabola)
   EXPECT_NEAR(distance((is_upward ? all.front() : all.back()).point, P(0, 0.5)), 0, 1e-9);
   for (const auto& sample : all) {
     EXPECT_NEAR(sample.point.x(), 0, 1e-9);
-    EXPECT_NEAR(sample.radius, sample.point.y() < 4.5 ? std::sqrt(sample.point.y() - 0.25) : std::hypot(2, sample.point.y() - 4), 1e-9);
+    EXPECT_NEAR(sample.radius,
+                sample.point.y() < 4.5 ? std::sqrt(sample.point.y() - 0.25) : std::hypot(2, sample.point.y() - 4),
+                1e-9);
   }
 }
 

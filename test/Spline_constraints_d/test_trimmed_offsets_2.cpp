@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Trimmed offsets: areas in closed form, events at known radii and parameters; of curves that cross each other, every point has the distance, the area is that found by random points, and motions do not change anything.
+// Trimmed offsets: areas in closed form, events at known radii and parameters; of curves that cross each other, every
+// point has the distance, the area is that found by random points, and motions do not change anything.
 #include "polygon_area.h"
 #include "region_of_a_drawing.h"
 
@@ -102,7 +103,8 @@ TEST(TrimmedOffsets, SegmentHasRoundEnds)
 {
   const Offset offset = SC::trimmed_offset(Curves{bezier({P(1, 1), P(4, 5)})}, 2);
   EXPECT_EQ(counts(offset), (Counts{1, 0, 4}));
-  EXPECT_EQ(std::count_if(offset.arcs().begin(), offset.arcs().end(), [](const auto& arc) { return arc.is_circular; }), 2);
+  EXPECT_EQ(std::count_if(offset.arcs().begin(), offset.arcs().end(), [](const auto& arc) { return arc.is_circular; }),
+            2);
   EXPECT_NEAR(area(offset), 20 + 4 * pi, tolerance);
 }
 
@@ -113,8 +115,10 @@ TEST(TrimmedOffsets, CurvesThatOverlap)
   EXPECT_TRUE(segments.is_complete());
   EXPECT_EQ(counts(segments).components, 1U);
   EXPECT_NEAR(area(segments), 6 + pi, tolerance);
-  const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), backward = bezier({P(3, 0), P(2, -2), P(1, 2), P(0, 0)}), segment = bezier({P(1, -1), P(0.5, 2)});
-  const Offset twice = SC::trimmed_offset(Curves{cubic, backward, segment, segment}, 0.25), once = SC::trimmed_offset(Curves{cubic, segment}, 0.25);
+  const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}),
+              backward = bezier({P(3, 0), P(2, -2), P(1, 2), P(0, 0)}), segment = bezier({P(1, -1), P(0.5, 2)});
+  const Offset twice = SC::trimmed_offset(Curves{cubic, backward, segment, segment}, 0.25),
+               once = SC::trimmed_offset(Curves{cubic, segment}, 0.25);
   EXPECT_TRUE(twice.is_complete());
   EXPECT_EQ(counts(twice), counts(once));
   EXPECT_EQ(area(twice), area(once));
@@ -147,16 +151,19 @@ TEST(TrimmedOffsets, Triangle)
 // Two rooms and a corridor that is two units wide.
 TEST(TrimmedOffsets, InnerOffsetFallsIntoParts)
 {
-  const Curves walls = polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)});
+  const Curves walls = polygon_sides(
+      {P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)});
   EXPECT_EQ(counts(SC::trimmed_offset(walls, 0.75)).holes, 1U);
   EXPECT_EQ(counts(SC::trimmed_offset(walls, 1.25)).holes, 2U);
   EXPECT_EQ(counts(SC::trimmed_offset(walls, 3)).holes, 0U);
 }
 
-// Two rooms and a corridor, as a region that shrinks, and grows with round corners; area and perimeter are 68 and 48, there are eight convex corners and four reflex ones.
+// Two rooms and a corridor, as a region that shrinks, and grows with round corners; area and perimeter are 68 and 48,
+// there are eight convex corners and four reflex ones.
 TEST(TrimmedOffsets, RegionShrinksAndGrows)
 {
-  const auto rooms = SC::planar_region(polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)}));
+  const auto rooms = SC::planar_region(polygon_sides(
+      {P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)}));
   const Offset grown = SC::trimmed_offset(rooms, 0.5);
   EXPECT_EQ(counts(grown), (Counts{1, 0, 20}));
   EXPECT_NEAR(area(grown), 68 + 48 * 0.5 + 8 * pi / 16 - 4 * 0.25, tolerance);
@@ -196,7 +203,8 @@ TEST(TrimmedOffsets, OutlinesThatTouch)
   EXPECT_NEAR(area(grown), 2 + 8 * 0.25 + (1.5 * pi - 2) / 16, tolerance);
   EXPECT_EQ(counts(shrunk), (Counts{2, 0, 8}));
   EXPECT_NEAR(area(shrunk), 0.5, tolerance);
-  const auto frame = outline({P(0, 0), P(6, 0), P(6, 6), P(0, 6), P(0, 0), P(2, 2), P(2, 4), P(4, 4), P(4, 2), P(2, 2), P(0, 0)});
+  const auto frame =
+      outline({P(0, 0), P(6, 0), P(6, 6), P(0, 6), P(0, 0), P(2, 2), P(2, 4), P(4, 4), P(4, 2), P(2, 2), P(0, 0)});
   const Offset thin = SC::trimmed_offset(frame, -0.5);
   EXPECT_EQ(counts(thin), (Counts{1, 1, 12}));
   EXPECT_NEAR(area(thin), 25 - 4 - 4 - pi / 4, tolerance);
@@ -205,17 +213,22 @@ TEST(TrimmedOffsets, OutlinesThatTouch)
 // The area that two disks have in common whose centers have the distance 1 or more.
 double area_of_lens(double r, double s, double d)
 {
-  const auto segment = [](double radius, double height) { return radius * radius * std::acos(height / radius) - height * std::sqrt(radius * radius - height * height); };
+  const auto segment = [](double radius, double height) {
+    return radius * radius * std::acos(height / radius) - height * std::sqrt(radius * radius - height * height);
+  };
   const double x = (d * d + r * r - s * s) / (2 * d);
   return segment(r, x) + segment(s, d - x);
 }
 
-// A hole that touches the boundary from inside, two disks that touch, and curves: two circles and a line through one point, with one tangent there, and a segment that crosses one of them.
+// A hole that touches the boundary from inside, two disks that touch, and curves: two circles and a line through one
+// point, with one tangent there, and a segment that crosses one of them.
 TEST(TrimmedOffsets, CurvesThatTouch)
 {
   const auto circle = [](double x, double r) { return SC::circle_curve(P(x, 0), r); };
-  const auto crescent = SC::planar_region(Curves{circle(0, 2), circle(1, 1)}), eight = SC::planar_region(Curves{circle(-1, 1), circle(1, 1)});
-  const Offset thin = SC::trimmed_offset(crescent, -0.25), thick = SC::trimmed_offset(crescent, 0.25), greater = SC::trimmed_offset(eight, 0.25);
+  const auto crescent = SC::planar_region(Curves{circle(0, 2), circle(1, 1)}),
+             eight = SC::planar_region(Curves{circle(-1, 1), circle(1, 1)});
+  const Offset thin = SC::trimmed_offset(crescent, -0.25), thick = SC::trimmed_offset(crescent, 0.25),
+               greater = SC::trimmed_offset(eight, 0.25);
   EXPECT_EQ(counts(thin), (Counts{1, 0, counts(thin).arcs}));
   EXPECT_NEAR(area(thin), pi * 1.75 * 1.75 - area_of_lens(1.75, 1.25, 1), tolerance);
   EXPECT_EQ(counts(thick), (Counts{1, 1, counts(thick).arcs}));
@@ -223,14 +236,17 @@ TEST(TrimmedOffsets, CurvesThatTouch)
   EXPECT_EQ(counts(greater), (Counts{1, 0, counts(greater).arcs}));
   EXPECT_NEAR(area(greater), 2 * pi * 1.25 * 1.25 - area_of_lens(1.25, 1.25, 2), tolerance);
 
-  const Offset curves = SC::trimmed_offset(Curves{circle(1, 1), circle(-1, 1), bezier({P(0, -3), P(0, 3)}), bezier({P(1, 0), P(3, 0)})}, 0.25);
+  const Offset curves = SC::trimmed_offset(
+      Curves{circle(1, 1), circle(-1, 1), bezier({P(0, -3), P(0, 3)}), bezier({P(1, 0), P(3, 0)})}, 0.25);
   EXPECT_EQ(counts(curves), (Counts{1, 2, counts(curves).arcs}));
 }
 
-// Segments point to where their offset crosses that of a circle: to a disk that touches their ends in the middle of the half circle around these, and the circle at a rational parameter.
+// Segments point to where their offset crosses that of a circle: to a disk that touches their ends in the middle of the
+// half circle around these, and the circle at a rational parameter.
 TEST(TrimmedOffsets, CrossingsAheadOfEnds)
 {
-  const Offset offset = SC::trimmed_offset(Curves{SC::circle_curve(P(0, 0), 4), bezier({P(1, 4), P(2, 4)}), bezier({P(1, -4), P(2, -4)})}, 1);
+  const Offset offset = SC::trimmed_offset(
+      Curves{SC::circle_curve(P(0, 0), 4), bezier({P(1, 4), P(2, 4)}), bezier({P(1, -4), P(2, -4)})}, 1);
   EXPECT_EQ(counts(offset), (Counts{1, 1, counts(offset).arcs}));
   for (const double y : {4.0, -4.0}) {
     bool is_end_of_arc = false;
@@ -239,9 +255,13 @@ TEST(TrimmedOffsets, CrossingsAheadOfEnds)
     EXPECT_TRUE(is_end_of_arc);
   }
 
-  // Around the upper segment from (3,4) on, as far as (1,4) + (cos a, sin a) on the circle of radius 5; twice, and two parts of that circle.
-  const double a = std::atan2(4, 1) + std::acos(3.5 / std::sqrt(17.0)), end = std::atan2(4 + std::sin(a), 1 + std::cos(a)), begin = std::atan2(4, 3);
-  const auto around = [](double x, double y, double from, double to) { return (to - from + x * (std::sin(to) - std::sin(from)) - y * (std::cos(to) - std::cos(from))) / 2; };
+  // Around the upper segment from (3,4) on, as far as (1,4) + (cos a, sin a) on the circle of radius 5; twice, and two
+  // parts of that circle.
+  const double a = std::atan2(4, 1) + std::acos(3.5 / std::sqrt(17.0)),
+               end = std::atan2(4 + std::sin(a), 1 + std::cos(a)), begin = std::atan2(4, 3);
+  const auto around = [](double x, double y, double from, double to) {
+    return (to - from + x * (std::sin(to) - std::sin(from)) - y * (std::cos(to) - std::cos(from))) / 2;
+  };
   const double upper = around(2, 4, 0, pi / 2) + 5. / 2 + around(1, 4, pi / 2, a);
   EXPECT_NEAR(area(offset), 2 * upper + 25. / 2 * (2 * (pi - end) + 2 * begin) - 9 * pi, tolerance);
 }
@@ -265,10 +285,12 @@ std::array<double, 2> distances(const Offset& offset, const Curves& curves)
   return result;
 }
 
-// A curve that begins in the inside of a segment, at a parameter that no double is, nearly in its direction: disks around the begin hold the segment, which is on a line through it.
+// A curve that begins in the inside of a segment, at a parameter that no double is, nearly in its direction: disks
+// around the begin hold the segment, which is on a line through it.
 TEST(TrimmedOffsets, BeginInSegment)
 {
-  const Curves curves{bezier({P(2.6, 0.4), P(2.5, 1.1)}), bezier({P(2.54, 0.8200000000000001), P(2.59, 0.47), P(5.2, 6.9)})};
+  const Curves curves{bezier({P(2.6, 0.4), P(2.5, 1.1)}),
+                      bezier({P(2.54, 0.8200000000000001), P(2.59, 0.47), P(5.2, 6.9)})};
   const Offset offset = SC::trimmed_offset(curves, 0.3);
   EXPECT_GE(offset.arcs().size(), 8U);   // the sides and ends of both curves, but for where they are covered
   const auto [least, greatest] = distances(offset, curves);
@@ -279,7 +301,8 @@ TEST(TrimmedOffsets, BeginInSegment)
 // A tangent of two circles, with ends that are rounded: it misses the circles by 10^-16, or ends inside of them.
 TEST(TrimmedOffsets, TangentWithRoundedEnds)
 {
-  const Curves curves{SC::circle_curve(P(0.3, 0.2), 1.5), SC::circle_curve(P(8.6, 0.2), 2.5), bezier({P(0.11927710843373496, 1.6890732810926157), P(8.2987951807228928, 2.6817888018210261)})};
+  const Curves curves{SC::circle_curve(P(0.3, 0.2), 1.5), SC::circle_curve(P(8.6, 0.2), 2.5),
+                      bezier({P(0.11927710843373496, 1.6890732810926157), P(8.2987951807228928, 2.6817888018210261)})};
   const Offset offset = SC::trimmed_offset(curves, 0.5);
   const Counts found = counts(offset);
   EXPECT_EQ(found, (Counts{1, 2, found.arcs}));   // both circles inside, and all around
@@ -288,7 +311,8 @@ TEST(TrimmedOffsets, TangentWithRoundedEnds)
   EXPECT_LT(greatest, 0.5 + 1e-3);
 }
 
-// A curve that leaves the begin of a segment on one side, and crosses it to the other one, where disks that touch the segment touch it.
+// A curve that leaves the begin of a segment on one side, and crosses it to the other one, where disks that touch the
+// segment touch it.
 TEST(TrimmedOffsets, CurvesThatCrossAgain)
 {
   const Curves curves{bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, -1), P(4, 1)})};
@@ -301,7 +325,8 @@ TEST(TrimmedOffsets, CurvesThatCrossAgain)
   }
 }
 
-// Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances, areas, and the numbers of components and holes.
+// Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances,
+// areas, and the numbers of components and holes.
 TEST(TrimmedOffsets, RoundDistances)
 {
   struct Expected
@@ -313,7 +338,8 @@ TEST(TrimmedOffsets, RoundDistances)
     const auto region = SC::planar_region(curves);
     for (const Expected& expected : all) {
       const Offset offset = SC::trimmed_offset(region, expected.distance);
-      EXPECT_EQ(counts(offset), (Counts{expected.components, expected.holes, offset.arcs().size()})) << expected.distance;
+      EXPECT_EQ(counts(offset), (Counts{expected.components, expected.holes, offset.arcs().size()}))
+          << expected.distance;
       EXPECT_NEAR(area(offset), expected.area, tolerance) << expected.distance;
     }
   };
@@ -329,16 +355,25 @@ TEST(TrimmedOffsets, RoundDistances)
   check(squares({{0, 0, 3}, {6, 7, 3}}), {{2.5, 78 + 12.5 * pi, 1, 0}});   // corners 3 and 4 apart touch
   check(squares({{0, 0, 6}, {2, 2, 2}}), {{1, 60 + pi, 1, 0}, {-1, 4 * corner, 4, 0}});   // a frame
   check(polygon_sides({P(0, 0), P(10, 0), P(10, 2), P(0, 2)}), {{-1, 0, 0, 0}});
-  check(polygon_sides({P(0, 0), P(6, 0), P(6, 6), P(4, 6), P(4, 2), P(2, 2), P(2, 6), P(0, 6)}), {{1, 60 + pi - 2 * corner, 1, 0}, {-1, 2 * corner, 2, 0}});   // U
+  // U
+  check(polygon_sides({P(0, 0), P(6, 0), P(6, 6), P(4, 6), P(4, 2), P(2, 2), P(2, 6), P(0, 6)}),
+        {{1, 60 + pi - 2 * corner, 1, 0}, {-1, 2 * corner, 2, 0}});
   check(polygon_sides({P(0, 0), P(4, 0), P(4, 2), P(2, 2), P(2, 4), P(0, 4)}), {{-1, corner, 1, 0}});   // L
-  check(polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)}), {{-1, 24 + 4 * corner, 2, 0}});   // the rooms, and the corridor is closed
+  // the rooms, and the corridor is closed
+  check(polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4),
+                       P(5, 6), P(0, 6)}),
+        {{-1, 24 + 4 * corner, 2, 0}});
   check(polygon_sides({P(0, 0), P(4, 0), P(0, 3)}), {{-1, 0, 0, 0}});   // the inscribed circle
   const auto circle = [](double x, double r) { return SC::circle_curve(P(x, 0), r); };
   check({circle(0, 1), circle(4, 1)}, {{1, 8 * pi, 1, 0}, {-1, 0, 0, 0}});
   check({circle(0, 3), circle(0, 1)}, {{1, 16 * pi, 1, 0}, {-1, 0, 0, 0}});   // a ring
-  const auto quarter = [](double x, double y, const P& from, const P& to) { return SC::circular_arc_curve(P(x, y), from, to); };
-  check({bezier({P(1, 0), P(5, 0)}), quarter(5, 1, P(5, 0), P(6, 1)), bezier({P(6, 1), P(6, 3)}), quarter(5, 3, P(6, 3), P(5, 4)), bezier({P(5, 4), P(1, 4)}), quarter(1, 3, P(1, 4), P(0, 3)), bezier({P(0, 3), P(0, 1)}), quarter(1, 1, P(0, 1), P(1, 0))},
-        {{-1, 8, 1, 0}});   // round corners that become sharp
+  const auto quarter = [](double x, double y, const P& from, const P& to) {
+    return SC::circular_arc_curve(P(x, y), from, to);
+  };
+  check({bezier({P(1, 0), P(5, 0)}), quarter(5, 1, P(5, 0), P(6, 1)), bezier({P(6, 1), P(6, 3)}),
+         quarter(5, 3, P(6, 3), P(5, 4)), bezier({P(5, 4), P(1, 4)}), quarter(1, 3, P(1, 4), P(0, 3)),
+         bezier({P(0, 3), P(0, 1)}), quarter(1, 1, P(0, 1), P(1, 0))},
+        {{-1, 8, 1, 0}}); // round corners that become sharp
 }
 
 TEST(TrimmedOffsets, RegionOfADrawing)
@@ -348,7 +383,9 @@ TEST(TrimmedOffsets, RegionOfADrawing)
     const Offset offset = SC::trimmed_offset(region, distance);
     EXPECT_EQ(counts(offset).components, 1U);
     EXPECT_EQ(counts(offset).holes, 1U);
-    EXPECT_NEAR(area(offset), 12 * (2 + distance) + pi * ((2 + distance) * (2 + distance) - (1 - distance) * (1 - distance)), tolerance);
+    EXPECT_NEAR(area(offset),
+                12 * (2 + distance) + pi * ((2 + distance) * (2 + distance) - (1 - distance) * (1 - distance)),
+                tolerance);
   }
 }
 
@@ -417,14 +454,18 @@ double distance(const P& p, const std::vector<P>& points)
   return std::sqrt(least);
 }
 
-// Where the first or last two control points of a cubic coincide, as in many drawings, its derivative is zero and its curvature infinite. Convex regions grow by their length times the distance, and a disk; what is left of them inside has the distance.
+// Where the first or last two control points of a cubic coincide, as in many drawings, its derivative is zero and its
+// curvature infinite. Convex regions grow by their length times the distance, and a disk; what is left of them inside
+// has the distance.
 TEST(TrimmedOffsets, CoincidentControlPoints)
 {
   const P a(4, 0), b(6, 0), c(6, 2);
   int asked = 0;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(0, 6);
-  for (const Curve& rounded : {bezier({a, a, b, c}), bezier({c, b, a, a}), bezier({a, b, c, c}), bezier({a, a, P(6, 1), P(6, 3)}), bezier({a, a, c, c}), SC::bezier_curve<K>({a, a, b, c}, {1, 2, 1, 3})}) {
+  for (const Curve& rounded :
+       {bezier({a, a, b, c}), bezier({c, b, a, a}), bezier({a, b, c, c}), bezier({a, a, P(6, 1), P(6, 3)}),
+        bezier({a, a, c, c}), SC::bezier_curve<K>({a, a, b, c}, {1, 2, 1, 3})}) {
     Curves curves{rounded};
     const P end = rounded(0) == a ? rounded(1) : rounded(0);
     const std::vector<P> corners{end, P(6, 6), P(0, 6), P(0, 0), a};
@@ -451,7 +492,8 @@ TEST(TrimmedOffsets, CoincidentControlPoints)
     for (int i = 0; i < 40; ++i) {
       const double x = coordinate(random), y = coordinate(random);
       if (const double d = distance(P(x, y), boundary); std::abs(d - r) > 0.01) {
-        EXPECT_EQ(polygons[0].outer_boundary().bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE, d > r && region.bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE);
+        EXPECT_EQ(polygons[0].outer_boundary().bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE,
+                  d > r && region.bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE);
         ++asked;
       }
     }
@@ -459,7 +501,8 @@ TEST(TrimmedOffsets, CoincidentControlPoints)
   EXPECT_GT(asked, 150);
 }
 
-// Each arc begins and ends at the distance from the points of its curve with its parameters, which for an arc around a point are this one.
+// Each arc begins and ends at the distance from the points of its curve with its parameters, which for an arc around a
+// point are this one.
 void expect_distances_at_ends(const Offset& offset, const Curves& curves, double r)
 {
   std::size_t arcs_of_curves = 0;
@@ -471,7 +514,8 @@ void expect_distances_at_ends(const Offset& offset, const Curves& curves, double
     arcs_of_curves += !arc.is_circular;
     for (const bool is_end : {false, true}) {
       const P foot = curves[arc.curve](arc.parameters[is_end]);
-      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(is_end ? samples.back() : samples.front(), foot)), r, 1e-9) << "arc " << i;
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(is_end ? samples.back() : samples.front(), foot)), r, 1e-9)
+          << "arc " << i;
     }
   }
   EXPECT_GT(arcs_of_curves, 0U);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Umbilics: of a triaxial ellipsoid and of paraboloids by formula, flat points, none on saddles and tori; rigid motions and inserted knots change nothing.
+// Umbilics: of a triaxial ellipsoid and of paraboloids by formula, flat points, none on saddles and tori; rigid motions
+// and inserted knots change nothing.
 
 #include "surface_test_names.h"
 
@@ -34,7 +35,9 @@ Surface surface_of(int h, const std::function<std::array<Function, 4>(const Func
 // (x, y, f(x,y)) over [-1,1]^2.
 Surface graph(const std::function<Function(const Function&, const Function&)>& f)
 {
-  return surface_of(1, [&](const Function& x, const Function& y) { return std::array<Function, 4>{x, y, f(x, y), x * Rational(0) + Rational(1)}; });
+  return surface_of(1, [&](const Function& x, const Function& y) {
+    return std::array<Function, 4>{x, y, f(x, y), x * Rational(0) + Rational(1)};
+  });
 }
 
 // Umbilics at these points and no others.
@@ -48,7 +51,8 @@ void expect_umbilics(const Surface& surface, const std::vector<std::array<double
   for (const auto& [x, y, z] : points) {
     std::size_t count = 0;
     for (const Umbilics::Umbilic& umbilic : found.points)
-      count += std::hypot(CGAL::to_double(umbilic.point.x()) - x, CGAL::to_double(umbilic.point.y()) - y, CGAL::to_double(umbilic.point.z()) - z) < 1e-12;
+      count += std::hypot(CGAL::to_double(umbilic.point.x()) - x, CGAL::to_double(umbilic.point.y()) - y,
+                          CGAL::to_double(umbilic.point.z()) - z) < 1e-12;
     EXPECT_EQ(count, 1u) << x << ' ' << y << ' ' << z;
   }
 }
@@ -73,16 +77,22 @@ TEST(Umbilics, triaxial_ellipsoid)
 // z = a x^2 + b y^2 with b > a > 0: x = 0, y^2 = (b - a) / (4 a b^2).
 TEST(Umbilics, paraboloids)
 {
-  const auto paraboloid = [](const Rational& a, const Rational& b) { return graph([&](const Function& x, const Function& y) { return x * x * a + y * y * b; }); };
+  const auto paraboloid = [](const Rational& a, const Rational& b) {
+    return graph([&](const Function& x, const Function& y) { return x * x * a + y * y * b; });
+  };
   expect_umbilics_with_knots(paraboloid(Rational(1, 2), 1), {{0, 0.5, 0.25}, {0, -0.5, 0.25}});
   std::mt19937 random(3);
   std::uniform_int_distribution<int> tenths(5, 20);
   for (int round = 0; round < 10; ++round) {
     const Rational a(tenths(random), 10), b = a + Rational(tenths(random), 10);
-    const double y = std::sqrt(CGAL::to_double(Rational((b - a) / (4 * a * b * b)))), z = CGAL::to_double(Rational((b - a) / (4 * a * b)));
-    expect_umbilics_with_knots(paraboloid(a, b), y < 1 ? std::vector<std::array<double, 3>>{{0, y, z}, {0, -y, z}} : std::vector<std::array<double, 3>>{});
+    const double y = std::sqrt(CGAL::to_double(Rational((b - a) / (4 * a * b * b)))),
+                 z = CGAL::to_double(Rational((b - a) / (4 * a * b)));
+    expect_umbilics_with_knots(paraboloid(a, b),
+                               y < 1 ? std::vector<std::array<double, 3>>{{0, y, z}, {0, -y, z}}
+                                     : std::vector<std::array<double, 3>>{});
   }
-  const Umbilics round = SC::umbilics(paraboloid(1, 1));   // at the vertex, where both equations have terms of the second order only
+  // at the vertex, where both equations have terms of the second order only
+  const Umbilics round = SC::umbilics(paraboloid(1, 1));
   EXPECT_TRUE(round.is_complete());
   ASSERT_EQ(round.points.size(), 1u);
   EXPECT_EQ(round.points[0].parameters.kind(), SC::Solution_kind::CLUSTER);
@@ -92,17 +102,23 @@ TEST(Umbilics, paraboloids)
 
 TEST(Umbilics, none_and_flat_points)
 {
-  expect_umbilics_with_knots(graph([](const Function& x, const Function& y) { return x * x - y * y * Rational(2); }), {});
-  expect_umbilics(graph([](const Function& x, const Function& y) { return x * x * x - x * y * y * Rational(3); }), {{0, 0, 0}});
+  expect_umbilics_with_knots(graph([](const Function& x, const Function& y) { return x * x - y * y * Rational(2); }),
+                             {});
+  expect_umbilics(graph([](const Function& x, const Function& y) { return x * x * x - x * y * y * Rational(3); }),
+                  {{0, 0, 0}});
   expect_umbilics(SC::torus_surface<K>(Point(0, 0, 0), 3, 1), {});
 }
 
 // Turned by angles of Pythagorean triangles about two axes: as many, at the same parameters.
 TEST(Umbilics, rigid_motions)
 {
-  const K::Aff_transformation_3 about_z(Rational(3, 5), Rational(-4, 5), 0, 1, Rational(4, 5), Rational(3, 5), 0, 2, 0, 0, 1, 3), about_x(1, 0, 0, 0, 0, Rational(5, 13), Rational(-12, 13), 0, 0, Rational(12, 13), Rational(5, 13), 0);
+  const K::Aff_transformation_3 about_z(Rational(3, 5), Rational(-4, 5), 0, 1, Rational(4, 5), Rational(3, 5), 0, 2, 0,
+                                        0, 1, 3),
+      about_x(1, 0, 0, 0, 0, Rational(5, 13), Rational(-12, 13), 0, 0, Rational(12, 13), Rational(5, 13), 0);
   const K::Aff_transformation_3 turn = about_x * about_z;
-  const Surface surface = graph([](const Function& x, const Function& y) { return x * x * Rational(1, 2) + y * y + x * y * y * Rational(1, 4) + x * x * x * Rational(1, 8); });
+  const Surface surface = graph([](const Function& x, const Function& y) {
+    return x * x * Rational(1, 2) + y * y + x * y * y * Rational(1, 4) + x * x * x * Rational(1, 8);
+  });
   const Umbilics before = SC::umbilics(surface), after = SC::umbilics(surface.transformed(turn));
   EXPECT_TRUE(before.is_complete() && after.is_complete());
   ASSERT_FALSE(before.points.empty());
@@ -114,7 +130,8 @@ TEST(Umbilics, rigid_motions)
 
 TEST(Umbilics, undecided)
 {
-  for (const Surface& surface : {SC::sphere_surface<K>(Point(0, 0, 0), 1), graph([](const Function& x, const Function& y) { return x + y; })}) {
+  for (const Surface& surface :
+       {SC::sphere_surface<K>(Point(0, 0, 0), 1), graph([](const Function&x, const Function&y) { return x + y; })}) {
     const Umbilics found = SC::umbilics(surface);
     EXPECT_FALSE(found.is_complete());
     EXPECT_TRUE(found.points.empty());
@@ -123,7 +140,8 @@ TEST(Umbilics, undecided)
 
 TEST(Umbilics, bad_input)
 {
-  EXPECT_THROW(SC::umbilics(graph([](const Function& x, const Function& y) { return x * y; }), {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::umbilics(graph([](const Function& x, const Function& y) { return x * y; }), {.tolerance = -1}),
+               SC::Invalid_input);
 }
 
 } // namespace umbilics_test

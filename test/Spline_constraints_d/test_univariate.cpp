@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Systems in one unknown: the answer is always complete, multiple roots and continua included, and every part of it is proved again.
+// Systems in one unknown: the answer is always complete, multiple roots and continua included, and every part of it is
+// proved again.
 
 #include "solver_test_checks.h"
 
@@ -42,7 +43,8 @@ struct Expected
 };
 
 // Exactly these solutions, in order, each in a narrow box of its own, and nothing else.
-static SC::Solution_set_d<double> expect_solutions(const System& system, const std::vector<Expected>& expected, const SC::Solver_options& options = {})
+static SC::Solution_set_d<double> expect_solutions(const System& system, const std::vector<Expected>& expected,
+                                                   const SC::Solver_options& options = {})
 {
   const auto solutions = solve(system, options);
   EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
@@ -52,7 +54,8 @@ static SC::Solution_set_d<double> expect_solutions(const System& system, const s
     for (const auto& solution : solutions)
       if (meets(solution.exact_box(), {e.at})) {
         ++holders;
-        EXPECT_EQ(solution.kind(), e.multiplicity == 1 ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER) << text_of({e.at});
+        EXPECT_EQ(solution.kind(), e.multiplicity == 1 ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER)
+            << text_of({e.at});
         EXPECT_EQ(solution.multiplicity(), e.multiplicity) << text_of({e.at});
       }
     EXPECT_EQ(holders, 1u) << text_of({e.at});
@@ -61,7 +64,8 @@ static SC::Solution_set_d<double> expect_solutions(const System& system, const s
     EXPECT_TRUE(verify(system, solution)) << solution.kind() << ' ' << solution[0].first << ' ' << solution[0].second;
     EXPECT_LE(solution[0].second - solution[0].first, 0x1p-49 * std::abs(solution[0].first));
     for (const auto& other : solutions)
-      EXPECT_TRUE(&solution == &other || solution.exact_box()[0].second < other.exact_box()[0].first || other.exact_box()[0].second < solution.exact_box()[0].first);
+      EXPECT_TRUE(&solution == &other || solution.exact_box()[0].second < other.exact_box()[0].first ||
+                  other.exact_box()[0].second < solution.exact_box()[0].first);
   }
   expect_consistent_regions(solutions);
   return solutions;
@@ -75,13 +79,17 @@ TEST(Univariate, Chebyshev)
     SCOPED_TRACE(n);
     std::vector<Expected> roots;
     for (int k = 1; k <= n; ++k)
-      roots.push_back({2 * k - 1 == n ? Coordinate(0) : Coordinate::near(std::cos(std::acos(-1.0) * (2 * k - 1) / (2 * n)), 1e-15)});
+      roots.push_back({2 * k - 1 == n ? Coordinate(0)
+                                      : Coordinate::near(std::cos(std::acos(-1.0) * (2 * k - 1) / (2 * n)), 1e-15)});
     const auto solutions = expect_solutions(on(-1, 1, {chebyshev(n, x)}), roots);
     for (const auto& solution : solutions)
       EXPECT_EQ(std::strcmp(solution.number_type(), "double"), 0);
     std::vector<Expected> extrema;   // 1 - T_n^2 = (1 - x^2) U_{n-1}^2
     for (int k = 0; k <= n; ++k)
-      extrema.push_back({k == 0 ? Coordinate(1) : k == n ? Coordinate(-1) : 2 * k == n ? Coordinate(0) : Coordinate::near(std::cos(std::acos(-1.0) * k / n), 1e-15),
+      extrema.push_back({k == 0           ? Coordinate(1)
+                             : k == n     ? Coordinate(-1)
+                             : 2 * k == n ? Coordinate(0)
+                                          : Coordinate::near(std::cos(std::acos(-1.0) * k / n), 1e-15),
                          k == 0 || k == n ? 1 : 2});
     if (n <= 16)
       expect_solutions(on(-1, 1, {1 - square(chebyshev(n, x))}), extrema);
@@ -123,15 +131,18 @@ TEST(Univariate, Mignotte)
 TEST(Univariate, MultipleRoots)
 {
   expect_solutions(on(-2, 2, {square(x * x - 2) * pow(x - 1, 3)}), {{root_of_two(-1), 2}, {root_of_two(1), 2}, {1, 3}});
-  expect_solutions(on(-2, 2, {pow(3 * x - 1, 5) * pow(7 * x + 2, 2) * (x - 1) * pow(x * x + 1, 3)}), {{fraction(1, 3), 5}, {fraction(-2, 7), 2}, {1}});
+  expect_solutions(on(-2, 2, {pow(3 * x - 1, 5) * pow(7 * x + 2, 2) * (x - 1) * pow(x * x + 1, 3)}),
+                   {{fraction(1, 3), 5}, {fraction(-2, 7), 2}, {1}});
   expect_solutions(on(-1, 1, {pow(x, 17)}), {{0, 17}});
   expect_solutions(on(0, 1, {pow(x, 4) * square(1 - x)}), {{0, 4}, {1, 2}});
   // a double root and a simple one closer to it than doubles are
   const Rational gap = power_of_ten(-40);
-  expect_solutions(on(0, 1, {square(3 * x - 1) * (x - fraction(1, 3) - gap)}), {{fraction(1, 3), 2}, {Rational(fraction(1, 3) + gap)}});
+  expect_solutions(on(0, 1, {square(3 * x - 1) * (x - fraction(1, 3) - gap)}),
+                   {{fraction(1, 3), 2}, {Rational(fraction(1, 3) + gap)}});
   // roots of different factors between the same doubles
-  expect_solutions(on(0, 1, {square(3 * x - 1) * (3 * x - 1 - gap) * pow(3 * x - 1 + gap, 3)}),
-                   {{fraction(1, 3), 2}, {Rational(fraction(1, 3) + gap / 3)}, {Rational(fraction(1, 3) - gap / 3), 3}});
+  expect_solutions(
+      on(0, 1, {square(3 * x - 1) * (3 * x - 1 - gap) * pow(3 * x - 1 + gap, 3)}),
+      {{fraction(1, 3), 2}, {Rational(fraction(1, 3) + gap / 3)}, {Rational(fraction(1, 3) - gap / 3), 3}});
 }
 
 TEST(Univariate, CloseRoots)
@@ -184,7 +195,9 @@ TEST(Univariate, Breaks)
 {
   const Rational third = fraction(1, 3);
   // a root on a break: with one slope, with two, touching, and of higher order
-  const auto joined = [&](const Polynomial& left, const Polynomial& right) { return on(-1, 2, {piecewise(0, {-1, third, 2}, {left, right})}); };
+  const auto joined = [&](const Polynomial& left, const Polynomial& right) {
+    return on(-1, 2, {piecewise(0, {-1, third, 2}, {left, right})});
+  };
   expect_solutions(joined(3 * x - 1, 3 * x - 1), {{third}});
   expect_solutions(joined(3 * x - 1, 6 * x - 2), {{third}});
   expect_solutions(joined((3 * x - 1) * (x + 2), (3 * x - 1) * (x - 1) * -1), {{third}, {1}});
@@ -194,7 +207,8 @@ TEST(Univariate, Breaks)
   expect_solutions(joined(pow(3 * x - 1, 3), pow(3 * x - 1, 3)), {{third, 3}});   // no break at all
   // near a break, and on both sides of it
   const Rational tiny = power_of_ten(-25);
-  expect_solutions(joined((x - third) * (x - third + tiny), (third - x) * (x - third - tiny)), {{Rational(third - tiny)}, {third}, {Rational(third + tiny)}});
+  expect_solutions(joined((x - third) * (x - third + tiny), (third - x) * (x - third - tiny)),
+                   {{Rational(third - tiny)}, {third}, {Rational(third + tiny)}});
   // the extension of one piece has a root just beyond the break, where the spline has none
   expect_solutions(joined(x - third - tiny, -tiny + square(x - third) * 0), {});
   expect_solutions(joined(x - third - tiny, 2 * (x - third) - tiny), {{Rational(third + tiny / 2)}});
@@ -216,7 +230,8 @@ TEST(Univariate, HighDegree)
   EXPECT_LT(solutions[0][0].second - solutions[0][0].first, 1e-15);
 }
 
-static void expect_continua(const System& system, const std::vector<std::pair<Coordinate, Coordinate>>& continua, const std::vector<Expected>& others = {})
+static void expect_continua(const System& system, const std::vector<std::pair<Coordinate, Coordinate>>& continua,
+                            const std::vector<Expected>& others = {})
 {
   const auto solutions = solve(system);
   EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
@@ -228,10 +243,12 @@ static void expect_continua(const System& system, const std::vector<std::pair<Co
     const auto range = solution.exact_box()[0];
     if (solution.kind() == Solution_kind::CONTINUUM)
       for (const auto& [lower, upper] : continua)   // exact where it is rational
-        found += lower.lower <= range.first && range.first <= lower.upper && upper.lower <= range.second && range.second <= upper.upper;
+        found += lower.lower <= range.first && range.first <= lower.upper && upper.lower <= range.second &&
+            range.second <= upper.upper;
     else
       for (const Expected& e : others)
-        found += meets(solution.exact_box(), {e.at}) && solution.multiplicity() == e.multiplicity && solution.is_certified() == (e.multiplicity == 1);
+        found += meets(solution.exact_box(), {e.at}) && solution.multiplicity() == e.multiplicity &&
+            solution.is_certified() == (e.multiplicity == 1);
   }
   EXPECT_EQ(found, solutions.size());
 }
@@ -247,8 +264,10 @@ TEST(Univariate, Continua)
   expect_continua(flat, {{0, 1}}, {{-1}, {2}});
   // cut by inequalities: strict or not, at irrational points, and into single points
   expect_continua(with(on(-3, 3, {zero}), x * x - 2, Relation::LESS), {{root_of_two(-1), root_of_two(1)}});
-  expect_continua(with(on(-3, 3, {zero}), x * x - 2, Relation::GREATER_EQUAL), {{-3, root_of_two(-1)}, {root_of_two(1), 3}});
-  expect_continua(with(on(-3, 3, {zero}), square(x * x - 2), Relation::LESS_EQUAL), {}, {{root_of_two(-1), 0}, {root_of_two(1), 0}});
+  expect_continua(with(on(-3, 3, {zero}), x * x - 2, Relation::GREATER_EQUAL),
+                  {{-3, root_of_two(-1)}, {root_of_two(1), 3}});
+  expect_continua(with(on(-3, 3, {zero}), square(x * x - 2), Relation::LESS_EQUAL), {},
+                  {{root_of_two(-1), 0}, {root_of_two(1), 0}});
   expect_continua(with(on(-3, 3, {zero}), square(x - third), Relation::GREATER_EQUAL), {{-3, 3}});
   expect_continua(with(on(-3, 3, {zero}), square(x - third), Relation::GREATER), {{-3, third}, {third, 3}});
   expect_continua(with(on(-3, 3, {zero}), (x + 3) * (x - 3), Relation::GREATER_EQUAL), {}, {{-3, 0}, {3, 0}});
@@ -259,28 +278,40 @@ TEST(Univariate, Continua)
 
 TEST(Univariate, Inequalities)
 {
-  for (const Polynomial& f : {Polynomial(x * x - 2), Polynomial(pow(x, 3) - 2 * x), Polynomial((x * x - 2) * (3 * x - 7))})
+  for (const Polynomial& f :
+       {Polynomial(x * x - 2), Polynomial(pow(x, 3) - 2 * x), Polynomial((x * x - 2) * (3 * x - 7))})
     for (const Relation relation : {Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER, Relation::GREATER_EQUAL}) {
-      const bool is_at_zero = SC::is_satisfied(relation, CGAL::ZERO), is_above = relation == Relation::GREATER || relation == Relation::GREATER_EQUAL;
+      const bool is_at_zero = SC::is_satisfied(relation, CGAL::ZERO),
+                 is_above = relation == Relation::GREATER || relation == Relation::GREATER_EQUAL;
       // zero at both roots, and touching there
-      for (const Polynomial& g : {Polynomial(pow(x, 4) - 4), Polynomial(square(x * x - 2)), Polynomial((x * x - 2) * (x + 17))})
-        EXPECT_EQ(expect_solutions(with(on(1, 2, {f}), g, relation), is_at_zero ? std::vector<Expected>{{root_of_two(1)}} : std::vector<Expected>{}).size(), is_at_zero ? 1u : 0u);
+      for (const Polynomial& g :
+           {Polynomial(pow(x, 4) - 4), Polynomial(square(x * x - 2)), Polynomial((x * x - 2) * (x + 17))})
+        EXPECT_EQ(expect_solutions(with(on(1, 2, {f}), g, relation),
+                                   is_at_zero ? std::vector<Expected>{{root_of_two(1)}} : std::vector<Expected>{})
+                      .size(),
+                  is_at_zero ? 1u : 0u);
       // hardly beside it
       const Rational tiny = power_of_ten(-60);
-      expect_solutions(with(on(1, 2, {f}), x * x - 2 + tiny, relation), is_above ? std::vector<Expected>{{root_of_two(1)}} : std::vector<Expected>{});
-      expect_solutions(with(on(1, 2, {f}), x * x - 2 - tiny, relation), is_above ? std::vector<Expected>{} : std::vector<Expected>{{root_of_two(1)}});
+      expect_solutions(with(on(1, 2, {f}), x * x - 2 + tiny, relation),
+                       is_above ? std::vector<Expected>{{root_of_two(1)}} : std::vector<Expected>{});
+      expect_solutions(with(on(1, 2, {f}), x * x - 2 - tiny, relation),
+                       is_above ? std::vector<Expected>{} : std::vector<Expected>{{root_of_two(1)}});
     }
-  expect_solutions(with(on(-2, 2, {square(x * x - 2) * x}), x * (x * x - 2), Relation::GREATER_EQUAL), {{root_of_two(-1), 2}, {0}, {root_of_two(1), 2}});
+  expect_solutions(with(on(-2, 2, {square(x * x - 2) * x}), x * (x * x - 2), Relation::GREATER_EQUAL),
+                   {{root_of_two(-1), 2}, {0}, {root_of_two(1), 2}});
   expect_solutions(with(on(-2, 2, {square(x * x - 2) * x}), x, Relation::GREATER), {{root_of_two(1), 2}});
   // a root that violates the inequality still bounds the region of its neighbour
-  const auto solutions = expect_solutions(with(on(0, 1, {(x - fraction(1, 2)) * (x - fraction(9, 16))}), 2 * x - 1, Relation::GREATER), {{fraction(9, 16)}});
+  const auto solutions =
+      expect_solutions(with(on(0, 1, {(x - fraction(1, 2)) * (x - fraction(9, 16))}), 2 * x - 1, Relation::GREATER),
+                       {{fraction(9, 16)}});
   EXPECT_GT(solutions[0].uniqueness_region()[0].first, 0.5);
 }
 
 TEST(Univariate, MoreEqualities)
 {
   expect_solutions(on(-2, 2, {x * x - 2, pow(x, 3) - 2 * x}), {{root_of_two(-1)}, {root_of_two(1)}});
-  expect_solutions(on(-2, 2, {square(x * x - 2) * (x - 1), pow(x * x - 2, 3), Polynomial()}), {{root_of_two(-1), 2}, {root_of_two(1), 2}});
+  expect_solutions(on(-2, 2, {square(x * x - 2) * (x - 1), pow(x * x - 2, 3), Polynomial()}),
+                   {{root_of_two(-1), 2}, {root_of_two(1), 2}});
   expect_solutions(on(-2, 2, {x * x - 2, x * x - 2 - power_of_ten(-60)}), {});
   expect_solutions(on(-2, 2, {(x - 1) * (3 * x + 1), (x - 1) * (3 * x + 2)}), {{1}});
   expect_solutions(on(-2, 2, {square(x - 1), (x - 1) * (3 * x + 2)}), {{1}});
@@ -310,7 +341,8 @@ TEST(Univariate, Limits)
   EXPECT_EQ(late.summary().why_not, SC::Undecided_reason::TIME);
   expect_nothing_lost(known, late);
   // within exact arithmetic, and in cells that are not reached
-  const System close = on(0, 3, {piecewise(0, {0, 1, 3}, {square(square(x) - fraction(1, 2)) * (x - 1), (x - 1) * (x - 2) * 5})});
+  const System close =
+      on(0, 3, {piecewise(0, {0, 1, 3}, {square(square(x) - fraction(1, 2)) * (x - 1), (x - 1) * (x - 2) * 5})});
   const std::size_t all = solve(close).summary().nodes;
   for (std::size_t limit = 1; limit < all; ++limit) {
     const auto solutions = solve(close, {.node_limit = limit});
@@ -319,14 +351,16 @@ TEST(Univariate, Limits)
   }
 }
 
-// Continuous splines of up to four pieces, with roots and kinks on breaks, pieces that vanish, and inequalities: everything is proved again, and agrees with the path for many
-// unknowns.
+// Continuous splines of up to four pieces, with roots and kinks on breaks, pieces that vanish, and inequalities:
+// everything is proved again, and agrees with the path for many unknowns.
 TEST(Univariate, RandomSplines)
 {
   using General = SC::Solver_traits<double, SC::Graph_box_test, SC::Preconditioned_reduction, SC::Widest_splitter>;
   const auto meet = [](const auto& a, const auto& b) { return a[0].first <= b[0].second && b[0].first <= a[0].second; };
   std::mt19937_64 random(17);
-  const auto integer = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
+  const auto integer = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+  };
   std::size_t certified = 0, clusters = 0, continua = 0;
   for (int test = 0; test < 400 && !testing::Test::HasFailure(); ++test) {
     SCOPED_TRACE(test);
@@ -350,7 +384,8 @@ TEST(Univariate, RandomSplines)
     const SC::Spline_function f = spline();
     System system = on(breaks.front(), breaks.back(), {f});
     for (int count = integer(0, 2); count > 0; --count) {
-      constexpr Relation relations[] = {Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER, Relation::GREATER_EQUAL};
+      constexpr Relation relations[] = {Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER,
+                                        Relation::GREATER_EQUAL};
       system.add(integer(0, 3) == 0 ? f : spline(), relations[integer(0, 3)]);
     }
     const auto solutions = solve(system);
@@ -358,12 +393,16 @@ TEST(Univariate, RandomSplines)
     EXPECT_TRUE(solutions.is_complete());
     for (const auto& solution : solutions) {
       EXPECT_TRUE(verify(system, solution)) << solution.kind() << ' ' << solution[0].first;
-      EXPECT_TRUE(std::any_of(general.begin(), general.end(), [&](const auto& other) { return meet(solution, other); })) << solution[0].first;
+      EXPECT_TRUE(std::any_of(general.begin(), general.end(), [&](const auto& other) { return meet(solution, other); }))
+          << solution[0].first;
     }
     for (const auto& other : general)
-      EXPECT_TRUE(other.kind() == Solution_kind::UNDECIDED || std::any_of(solutions.begin(), solutions.end(), [&](const auto& solution) {
-                    return meet(solution, other) && (solution.is_certified() || !other.is_certified());
-                  })) << other[0].first;
+      EXPECT_TRUE(other.kind() == Solution_kind::UNDECIDED ||
+                  std::any_of(solutions.begin(), solutions.end(),
+                              [&](const auto& solution) {
+                                return meet(solution, other) && (solution.is_certified() || !other.is_certified());
+                              }))
+          << other[0].first;
     certified += solutions.count(Solution_kind::CERTIFIED);
     clusters += solutions.count(Solution_kind::CLUSTER);
     continua += solutions.count(Solution_kind::CONTINUUM);
@@ -373,11 +412,14 @@ TEST(Univariate, RandomSplines)
   EXPECT_GT(continua, 30u);
 }
 
-// Products of planted factors: simple and multiple roots, rational ones and pairs p +- sqrt(q), against what is known of them.
+// Products of planted factors: simple and multiple roots, rational ones and pairs p +- sqrt(q), against what is known
+// of them.
 TEST(Univariate, PlantedRoots)
 {
   std::mt19937_64 random(2026);
-  const auto integer = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
+  const auto integer = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+  };
   std::size_t multiple = 0, irrational = 0, at_ends = 0;
   for (int test = 0; test < 1000 && !testing::Test::HasFailure(); ++test) {
     SCOPED_TRACE(test);
@@ -385,7 +427,9 @@ TEST(Univariate, PlantedRoots)
     std::vector<std::pair<Rational, Rational>> used;   // p and q of p +- sqrt(q)
     std::vector<Expected> roots;
     for (int factors = integer(1, 4); factors > 0; --factors) {
-      const Rational p = fraction(integer(-20, 20), integer(1, 9)), q = integer(0, 2) == 0 ? Rational(0) : fraction(2 * integer(1, 9) * integer(1, 9) * 9 * 25 + 3, 9 * 25);
+      const Rational p = fraction(integer(-20, 20), integer(1, 9)),
+                     q = integer(0, 2) == 0 ? Rational(0)
+                                            : fraction(2 * integer(1, 9) * integer(1, 9) * 9 * 25 + 3, 9 * 25);
       const int multiplicity = integer(0, 1) == 0 ? 1 : integer(2, 4);
       if (std::find(used.begin(), used.end(), std::pair(p, q)) != used.end())
         continue;

@@ -13,7 +13,10 @@ using Answer = SC::Solution_d<double>;
 using Exact_answer = SC::Solution_d<Rational>;
 
 static Answer certified(const Answer::Box& box) { return Answer(Solution_kind::CERTIFIED, box, box, "double", {}, 1); }
-static Exact_answer exactly_certified(const Exact_answer::Box& box) { return Exact_answer(Solution_kind::CERTIFIED, box, box, "exact", {}, 1); }
+static Exact_answer exactly_certified(const Exact_answer::Box& box)
+{
+  return Exact_answer(Solution_kind::CERTIFIED, box, box, "exact", {}, 1);
+}
 static Answer cluster(const Answer::Box& box) { return Answer(Solution_kind::CLUSTER, box, {}, "double"); }
 
 static System line_system(const Polynomial& f, double lower = -4, double upper = 4)
@@ -29,9 +32,9 @@ static const Polynomial y = Polynomial::variable(1);
 TEST(Verify, AcceptsWhatTheSolverCertifies)
 {
   std::size_t count = 0;
-  for (const Problem& problem : {cyclic_chebyshev(2, 3), mixed_chebyshev(3, 2), circle_and_ellipse(), bezier_cubics(), curves_of_degree_six(),
-                                 bitangents(), tritangent_planes(), lines_tangent_to_spheres(), katsura_2(), zigzag(),
-                                 cyclic_chebyshev_in_pieces(3)})
+  for (const Problem& problem : {cyclic_chebyshev(2, 3), mixed_chebyshev(3, 2), circle_and_ellipse(), bezier_cubics(),
+                                 curves_of_degree_six(), bitangents(), tritangent_planes(), lines_tangent_to_spheres(),
+                                 katsura_2(), zigzag(), cyclic_chebyshev_in_pieces(3)})
     for (const auto& solution : solve(problem.system))
       if (solution.is_certified()) {
         ++count;
@@ -55,7 +58,8 @@ TEST(Verify, AcceptsRationalCoordinates)
 // One unknown is determined by a 10^18th part of the equations, far less than they are curved across a box of doubles.
 TEST(Verify, EquationsThatNearlyCoincide)
 {
-  const Polynomial u = x + y - fraction(7, 3), common = pow(Polynomial(10), 18) * u * (u + 1), difference = y - fraction(4, 3);
+  const Polynomial u = x + y - fraction(7, 3), common = pow(Polynomial(10), 18) * u * (u + 1),
+                   difference = y - fraction(4, 3);
   const System system = with_equalities(cube(2, -1, 3), {common + difference, common - difference});
   const double third = 1.0 / 3, r = 1e-14;
   EXPECT_TRUE(verify(system, certified({{1 - r, 1 + r}, {1 + third - r, 1 + third + r}})));
@@ -133,7 +137,8 @@ TEST(Verify, Domain)
   EXPECT_TRUE(verify(inside, certified({{0.3, 0.35}})));
   EXPECT_FALSE(verify(outside, certified({{0.3, 0.35}})));
   // in the corner
-  EXPECT_TRUE(verify(with_equalities(cube(2, 0, 1), {x * y - 1, x + 2 * y - 3}), certified({{1 - 1e-12, 1 + 1e-12}, {1 - 1e-12, 1 + 1e-12}})));
+  EXPECT_TRUE(verify(with_equalities(cube(2, 0, 1), {x * y - 1, x + 2 * y - 3}),
+                     certified({{1 - 1e-12, 1 + 1e-12}, {1 - 1e-12, 1 + 1e-12}})));
 }
 
 TEST(Verify, IrrationalPointsOfFaces)
@@ -171,7 +176,8 @@ TEST(Verify, KinksOnFaces)
     system.add(kink + SC::Spline_function(x * x - 2 + 7 * y - 1), Relation::EQUAL);
     system.add(SC::Spline_function((7 * y - 1) * (y + 8)) + kink + kink + kink, Relation::EQUAL);
     system.add(SC::Spline_function(7 * y - 1) - kink, Relation::EQUAL);
-    EXPECT_EQ(verify(system, certified({{1.414213562, 1.414213563}, {0.142857142, 0.142857143}, {2.5e-9, 3.5e-9}})), is_inside);
+    EXPECT_EQ(verify(system, certified({{1.414213562, 1.414213563}, {0.142857142, 0.142857143}, {2.5e-9, 3.5e-9}})),
+              is_inside);
   }
 }
 
@@ -201,7 +207,8 @@ TEST(Verify, Inequalities)
   EXPECT_FALSE(verifies(x - fraction(2, 3) + Rational(1e-18), Relation::LESS_EQUAL));
   // an irrational root
   System system = line_system(x * x - 2);
-  system.add(x - Rational(1.4142135623730950), Relation::GREATER_EQUAL);   // the double lies below or above: sign by hand
+  // the double lies below or above: sign by hand
+  system.add(x - Rational(1.4142135623730950), Relation::GREATER_EQUAL);
   const Rational d(1.4142135623730950);
   EXPECT_EQ(verify(system, certified({{1.25, 1.5}})), d * d < Rational(2));
   // two unknowns, where the operator has to shrink the box until it lies beside the zeros of the inequality
@@ -220,25 +227,31 @@ TEST(Verify, SplinesAcrossBreaks)
   const std::vector<Rational> breaks{-4, 0, 1, 4};
   const auto linear = [](int a, int b) { return SC::Bernstein_tensor<Rational>({1}, {Rational(a), Rational(b)}); };
   System kink = System::on_box({{-4, 4}});
-  kink.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -1), linear(-1, 0), linear(0, 9)}), Relation::EQUAL);
+  kink.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -1), linear(-1, 0), linear(0, 9)}),
+           Relation::EQUAL);
   EXPECT_TRUE(verify(kink, certified({{0.75, 1.125}})));
   EXPECT_TRUE(verify(kink, certified({{-0.25, 1.5}})));
   EXPECT_FALSE(verify(kink, certified({{0.0, 0.75}})));
   // a valley that touches zero has slopes of both signs
   System valley = System::on_box({{-4, 4}});
-  valley.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(5, 1), linear(1, 0), linear(0, 9)}), Relation::EQUAL);
+  valley.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(5, 1), linear(1, 0), linear(0, 9)}),
+             Relation::EQUAL);
   EXPECT_FALSE(verify(valley, certified({{0.75, 1.25}})));
   // a jump over zero
   System jump = System::on_box({{-4, 4}});
-  jump.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -1), linear(-1, -1), linear(1, 9)}), Relation::EQUAL);
+  jump.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -1), linear(-1, -1), linear(1, 9)}),
+           Relation::EQUAL);
   EXPECT_FALSE(verify(jump, certified({{0.75, 1.25}})));
   System steep = System::on_box({{-4, 4}});
-  steep.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -2), linear(-2, -1), linear(1, 9)}), Relation::EQUAL);
+  steep.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -2), linear(-2, -1), linear(1, 9)}),
+            Relation::EQUAL);
   for (double width : {1e-3, 0.25, 2.0})
     EXPECT_FALSE(verify(steep, certified({{1 - width, 1 + width}})));
   // the extension of a piece has a root that the spline does not have
   System extension = System::on_box({{-4, 4}});
-  extension.add(SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -2), linear(-2, -1), linear(-1, -9)}), Relation::EQUAL);
+  extension.add(
+      SC::Spline_function::from_bezier_pieces({0}, {breaks}, {linear(-5, -2), linear(-2, -1), linear(-1, -9)}),
+      Relation::EQUAL);
   EXPECT_FALSE(verify(extension, certified({{1.75, 2.25}})));
   EXPECT_FALSE(verify(extension, certified({{0.5, 3.0}})));
 }
@@ -286,7 +299,8 @@ TEST(Verify, ThinBoxes)
   EXPECT_TRUE(verify(line_system(x), certified({{0.0, 0.0}})));
   EXPECT_TRUE(verify(line_system(x), certified({{0.0, 1.0}})));
   EXPECT_FALSE(verify(line_system(x), certified({{tiny, 1.0}})));
-  EXPECT_TRUE(verify(with_equalities(cube(2, -3, 3), {x * x - 4 + y, y - x * y}), certified({{2 - 1e-15, 2 + 1e-15}, {-tiny, tiny}})));
+  EXPECT_TRUE(verify(with_equalities(cube(2, -3, 3), {x * x - 4 + y, y - x * y}),
+                     certified({{2 - 1e-15, 2 + 1e-15}, {-tiny, tiny}})));
 }
 
 TEST(Verify, Clusters)
@@ -353,7 +367,8 @@ TEST(Verify, NeverTrueWhereNothingIs)
       Polynomial f;
       for (int j = 0; j < n; ++j) {
         const Polynomial h = Polynomial::variable(j) - root[j];
-        f += Polynomial(number(9) + (i == j ? 20 : 0)) * h + Polynomial(number(5)) * h * Polynomial::variable((i + j) % n);
+        f += Polynomial(number(9) + (i == j ? 20 : 0)) * h +
+            Polynomial(number(5)) * h * Polynomial::variable((i + j) % n);
       }
       system.add(f, Relation::EQUAL);
     }

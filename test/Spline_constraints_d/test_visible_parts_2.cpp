@@ -40,7 +40,10 @@ const double pi = std::acos(-1.0);
 
 Curve circle(double x, double y, double radius) { return SC::circle_curve(Point(x, y), radius); }
 Curve segment(const Point& p, const Point& q) { return SC::polyline_curve(std::vector<Point>{p, q}); }
-double turn(const Point& p, const Point& q, const Point& r) { return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x()); }
+double turn(const Point& p, const Point& q, const Point& r)
+{
+  return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+}
 
 // Edges follow each other; segments are on rays; parameters are narrow.
 void expect_cycle(const SC::Visible_part_2<K>& visible, const Point& viewpoint)
@@ -87,7 +90,8 @@ TEST(visible_parts_2, circles)
   EXPECT_TRUE(inside.is_bounded());
   expect_area(inside, 4 * pi);
 
-  const auto shadow = SC::visible_part(Point(0, 0), Curves{circle(0, 0, 10), circle(5, 0, 3)});   // the annulus between the circles behind is missing
+  // the annulus between the circles behind is missing
+  const auto shadow = SC::visible_part(Point(0, 0), Curves{circle(0, 0, 10), circle(5, 0, 3)});
   expect_cycle(shadow, Point(0, 0));
   EXPECT_EQ(count_edges(shadow, Kind::ARC), 2u);
   EXPECT_EQ(count_edges(shadow, Kind::SEGMENT), 2u);
@@ -102,21 +106,29 @@ TEST(visible_parts_2, circles)
 TEST(visible_parts_2, ties)
 {
   const Point p(0, 0);
-  const auto aligned = SC::visible_part(p, Curves{circle(3, 1, 1), circle(6, 1, 1), circle(6, -1, 1), segment({1, 0}, {2, 0}), segment({20, -9}, {20, 9})});   // the x-axis touches three circles, and a segment is on it
+  // the x-axis touches three circles, and a segment is on it
+  const auto aligned = SC::visible_part(
+      p,
+      Curves{circle(3, 1, 1), circle(6, 1, 1), circle(6, -1, 1), segment({1, 0}, {2, 0}), segment({20, -9}, {20, 9})});
   expect_cycle(aligned, p);
   EXPECT_EQ(count_edges(aligned, Kind::OPEN), 1u);
 
-  const auto corners = SC::visible_part(p, Curves{segment({1, 1}, {2, 1}), segment({2, 2}, {2, 6}), segment({4, 2}, {4, -6}), segment({4, -6}, {-9, -6})});   // ends in the same direction
+  // ends in the same direction
+  const auto corners = SC::visible_part(
+      p,
+      Curves{segment({1, 1}, {2, 1}), segment({2, 2}, {2, 6}), segment({4, 2}, {4, -6}), segment({4, -6}, {-9, -6})});
   expect_cycle(corners, p);
   EXPECT_EQ(count_edges(corners, Kind::ARC), 4u);
   EXPECT_EQ(count_edges(corners, Kind::SEGMENT), 2u);
 
-  const auto doubled = SC::visible_part(p, Curves{circle(0, 0, 2), circle(0, 0, 2), circle(1, 0, 1)});   // a curve twice, and the viewpoint on one
+  // a curve twice, and the viewpoint on one
+  const auto doubled = SC::visible_part(p, Curves{circle(0, 0, 2), circle(0, 0, 2), circle(1, 0, 1)});
   EXPECT_TRUE(doubled.is_complete());
   EXPECT_TRUE(doubled.is_bounded());
   expect_area(doubled, 4 * pi / 2 + pi);
 
-  const auto crossing = SC::visible_part(p, Curves{segment({-1, 2}, {4, 1}), segment({-1, 1}, {4, 3})});   // the nearer parts of two segments
+  // the nearer parts of two segments
+  const auto crossing = SC::visible_part(p, Curves{segment({-1, 2}, {4, 1}), segment({-1, 1}, {4, 3})});
   expect_cycle(crossing, p);
   EXPECT_EQ(count_edges(crossing, Kind::ARC), 2u);
   EXPECT_EQ(count_edges(crossing, Kind::SEGMENT), 0u);
@@ -132,7 +144,9 @@ TEST(visible_parts_2, copies)
   const auto one = SC::visible_part(p, Curves{wave, behind, beside});
   expect_cycle(one, p);
   EXPECT_GE(count_edges(one, Kind::ARC), 2u);
-  for (const Curves& curves : {Curves{wave, wave, behind, beside}, Curves{wave.reversed(), beside, wave, behind, beside.reversed()}, Curves{wave.restricted(0.25, 0.75), wave, behind, beside}}) {
+  for (const Curves& curves :
+       {Curves{wave, wave, behind, beside}, Curves{wave.reversed(), beside, wave, behind, beside.reversed()},
+        Curves{wave.restricted(0.25, 0.75), wave, behind, beside}}) {
     const auto same = SC::visible_part(p, curves);
     expect_cycle(same, p);
     EXPECT_EQ(same.edges().size(), one.edges().size());
@@ -198,7 +212,8 @@ TEST(visible_parts_2, polygons)
       ASSERT_TRUE(visible.is_complete());
       ASSERT_TRUE(visible.is_bounded());
       const auto own = visible.polygon(0.1);
-      EXPECT_EQ(without_flat_corners({own.vertices_begin(), own.vertices_end()}), without_flat_corners(expected)) << n << ' ' << x << ' ' << y;
+      EXPECT_EQ(without_flat_corners({own.vertices_begin(), own.vertices_end()}), without_flat_corners(expected))
+          << n << ' ' << x << ' ' << y;
       EXPECT_EQ(visible.area().first, visible.area().second);
       EXPECT_EQ(visible.area().first, own.area());
       ++compared;
@@ -215,10 +230,12 @@ double nearest(const Point& p, double angle, const std::vector<std::vector<Point
   const double c = std::cos(angle), s = std::sin(angle);
   for (const auto& chain : chains)
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      const double h0 = c * (chain[i].y() - p.y()) - s * (chain[i].x() - p.x()), h1 = c * (chain[i + 1].y() - p.y()) - s * (chain[i + 1].x() - p.x());
+      const double h0 = c * (chain[i].y() - p.y()) - s * (chain[i].x() - p.x()),
+                   h1 = c * (chain[i + 1].y() - p.y()) - s * (chain[i + 1].x() - p.x());
       if ((h0 < 0) == (h1 < 0))
         continue;
-      const double t = h0 / (h0 - h1), x = chain[i].x() + t * (chain[i + 1].x() - chain[i].x()) - p.x(), y = chain[i].y() + t * (chain[i + 1].y() - chain[i].y()) - p.y(), distance = c * x + s * y;
+      const double t = h0 / (h0 - h1), x = chain[i].x() + t * (chain[i + 1].x() - chain[i].x()) - p.x(),
+                   y = chain[i].y() + t * (chain[i + 1].y() - chain[i].y()) - p.y(), distance = c * x + s * y;
       if (distance > 0)
         result = std::min(result, distance);
     }
@@ -234,7 +251,8 @@ TEST(visible_parts_2, random_curves)
   for (int scene = 0; scene < 6; ++scene) {
     Curves curves;
     for (int k = 0; k < 2 + scene % 3; ++k)
-      curves.push_back(k % 2 == 0 ? Curve(3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {point(), point(), point(), point(), point()}) : circle(coordinate(random), coordinate(random), 0.8));
+      curves.push_back(k % 2 == 0 ? Curve(3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {point(), point(), point(), point(), point()})
+                                  : circle(coordinate(random), coordinate(random), 0.8));
     if (scene % 2 == 0)
       curves.push_back(circle(0, 0, 9));
     const Point p = point();

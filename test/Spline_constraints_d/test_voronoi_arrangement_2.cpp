@@ -62,15 +62,20 @@ TEST(VoronoiArrangement, ThreePoints)
 TEST(VoronoiArrangement, CurvesInAFrame)
 {
   const std::vector<P> corners{P(-3, -4), P(8, -3), P(7, 9), P(-4, 8)};
-  Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
+  Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}),
+                SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
   for (std::size_t i = 0; i < 4; ++i)
     curves.push_back(SC::bezier_curve(std::vector<P>{corners[i], corners[(i + 1) % 4]}));
   const auto diagram = SC::voronoi_diagram(curves);
   ASSERT_TRUE(diagram.is_complete());
   const auto result = SC::to_arrangement(diagram, 1, 100);
   EXPECT_TRUE(result.has_same_topology);
-  const auto count = [&](auto is_wanted) { return static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_wanted)); };
-  EXPECT_EQ(ends_and_branches(result.arrangement), std::pair(count([](const auto& v) { return v.edges.size() == 1; }), count([](const auto& v) { return v.edges.size() > 2; })));
+  const auto count = [&](auto is_wanted) {
+    return static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_wanted));
+  };
+  EXPECT_EQ(ends_and_branches(result.arrangement),
+            std::pair(count([](const auto& v) { return v.edges.size() == 1; }),
+                      count([](const auto& v) { return v.edges.size() > 2; })));
   EXPECT_EQ(result.arrangement.number_of_faces(), 3U);   // as many as there are regions
   EXPECT_EQ(diagram.number_of_regions(), 3U);
 }
@@ -83,21 +88,26 @@ TEST(VoronoiArrangement, CurvesThatCross)
     ASSERT_TRUE(diagram.is_complete());
     const auto result = SC::to_arrangement(diagram, 0.05, 20);
     EXPECT_TRUE(result.has_same_topology);
-    EXPECT_EQ(std::count_if(result.arrangement.vertices_begin(), result.arrangement.vertices_end(), [](const auto& v) { return v.degree() == 4; }), 1);
+    EXPECT_EQ(std::count_if(result.arrangement.vertices_begin(), result.arrangement.vertices_end(),
+                            [](const auto& v) { return v.degree() == 4; }),
+              1);
   };
-  expect_one_crossing({SC::bezier_curve(std::vector<P>{P(0, 0), P(4, 1)}), SC::bezier_curve(std::vector<P>{P(1, 3), P(2, -2)})});
+  expect_one_crossing(
+      {SC::bezier_curve(std::vector<P>{P(0, 0), P(4, 1)}), SC::bezier_curve(std::vector<P>{P(1, 3), P(2, -2)})});
   expect_one_crossing({SC::bezier_curve(std::vector<P>{P(0, 0), P(6, 4), P(-2, 4.2), P(4.1, 0.3)})});
 }
 
 // The regions of a face that point location finds.
-std::vector<std::size_t> regions_at(const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::Arrangement>& location, const P& p)
+std::vector<std::size_t>
+regions_at(const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::Arrangement>& location, const P& p)
 {
   const auto found = location.locate({p.x(), p.y()});
   const auto* face = boost::get<Voronoi_arrangement::Arrangement::Face_const_handle>(&found);
   return face ? (*face)->data() : std::vector<std::size_t>();
 }
 
-// The disk around the only vertex, (2, 1), touches all three points: they are contacts, each in the angle between two edges. In a box the cells are faces, and point location finds the nearest point.
+// The disk around the only vertex, (2, 1), touches all three points: they are contacts, each in the angle between two
+// edges. In a box the cells are faces, and point location finds the nearest point.
 TEST(VoronoiArrangement, NearestPointByPointLocation)
 {
   const std::vector<P> points{P(0, 0), P(4, 0), P(0, 2)};
@@ -129,26 +139,32 @@ TEST(VoronoiArrangement, NearestPointByPointLocation)
       const P p(x, y);
       const auto regions = regions_at(location, p);
       ASSERT_EQ(regions.size(), 1U) << p;
-      const auto closest = std::min_element(points.begin(), points.end(), [&](const P& a, const P& b) { return CGAL::has_smaller_distance_to_point(p, a, b); });
+      const auto closest = std::min_element(points.begin(), points.end(), [&](const P& a, const P& b) {
+        return CGAL::has_smaller_distance_to_point(p, a, b);
+      });
       EXPECT_EQ(diagram.sites()[regions.front()].point, *closest) << p;   // each point is a region
       nearest.insert(regions.front());
     }
   EXPECT_EQ(nearest.size(), 3U);
-  EXPECT_EQ(SC::to_arrangement(diagram, 0.01, CGAL::Bbox_2(10, -1, 11, 0)).arrangement.number_of_faces(), 2U);   // in one cell, and without edges
+  // in one cell, and without edges
+  EXPECT_EQ(SC::to_arrangement(diagram, 0.01, CGAL::Bbox_2(10, -1, 11, 0)).arrangement.number_of_faces(), 2U);
 }
 
 // The disk around a sample touches both sites of an edge of the diagram, at the parameters of the sample.
-void expect_feet(const SC::Voronoi_diagram_of_curves_2<K>& diagram, const Curves& curves, std::size_t edge, const SC::Voronoi_sample_2<K>& sample)
+void expect_feet(const SC::Voronoi_diagram_of_curves_2<K>& diagram, const Curves& curves, std::size_t edge,
+                 const SC::Voronoi_sample_2<K>& sample)
 {
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& site = diagram.sites()[diagram.edges()[edge].sites[side]];
     const P foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
-    EXPECT_NEAR(std::sqrt(CGAL::squared_distance(sample.point, foot)), sample.radius, 1e-9 * sample.radius) << "edge " << edge << " side " << side << " at " << sample.point;
+    EXPECT_NEAR(std::sqrt(CGAL::squared_distance(sample.point, foot)), sample.radius, 1e-9 * sample.radius)
+        << "edge " << edge << " side " << side << " at " << sample.point;
   }
 }
 
 // An edge of the arrangement is all of the chord between two samples, or a part of it that the box cuts.
-void expect_chord_of_samples(const Voronoi_arrangement::Arrangement::Halfedge& edge, const SC::Voronoi_sample_2<K>& from, const SC::Voronoi_sample_2<K>& to)
+void expect_chord_of_samples(const Voronoi_arrangement::Arrangement::Halfedge& edge,
+                             const SC::Voronoi_sample_2<K>& from, const SC::Voronoi_sample_2<K>& to)
 {
   using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   const auto exact = [](const P& p) { return Exact_kernel::Point_2(p.x(), p.y()); };
@@ -157,10 +173,12 @@ void expect_chord_of_samples(const Voronoi_arrangement::Arrangement::Halfedge& e
   EXPECT_TRUE(chord.has_on(edge.target()->point()));
 }
 
-// On the left of each halfedge there is the site that it knows, the disk of each vertex touches its contacts, and labels of edges lead to disks that touch both sites.
+// On the left of each halfedge there is the site that it knows, the disk of each vertex touches its contacts, and
+// labels of edges lead to disks that touch both sites.
 TEST(VoronoiArrangement, RecordsKnowTheirSites)
 {
-  const Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
+  const Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}),
+                      SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
   const auto diagram = SC::voronoi_diagram(curves, {P(5, 1)});
   ASSERT_TRUE(diagram.is_complete());
   for (const auto& vertex : diagram.vertices()) {
@@ -196,7 +214,8 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
     EXPECT_GT(edge->curve().data().size(), 0U);
     for (const auto& label : edge->curve().data())
       if (label.curve < diagram.edges().size()) {
-        expect_chord_of_samples(*edge, result.polylines[label.curve][label.chord], result.polylines[label.curve][label.chord + 1]);
+        expect_chord_of_samples(*edge, result.polylines[label.curve][label.chord],
+                                result.polylines[label.curve][label.chord + 1]);
         for (const std::size_t i : {label.chord, label.chord + 1})
           expect_feet(diagram, curves, label.curve, result.polylines[label.curve][i]);
         ++edges_of_diagram;
@@ -213,7 +232,10 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
 // CGAL's streams know the geometry, without labels and records.
 TEST(VoronoiArrangement, Streams)
 {
-  const auto result = SC::to_arrangement(SC::voronoi_diagram(std::vector{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(3, -1), P(4, 1)})}, std::vector<P>{P(1, 2), P(3, 2)}), 0.01, CGAL::Bbox_2(-2, -2, 6, 4));
+  const auto result = SC::to_arrangement(
+      SC::voronoi_diagram(std::vector{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(3, -1), P(4, 1)})},
+                          std::vector<P>{P(1, 2), P(3, 2)}),
+      0.01, CGAL::Bbox_2(-2, -2, 6, 4));
   Voronoi_arrangement::Arrangement back;
   std::stringstream stream;
   stream.precision(17);
@@ -239,7 +261,8 @@ TEST(VoronoiArrangement, BadInput)
   const auto fine = SC::to_arrangement(diagram, 1e-8, CGAL::Bbox_2(-1, -1e6, 5, 1e6));
   EXPECT_TRUE(fine.has_same_topology);
   EXPECT_EQ(fine.arrangement.number_of_faces(), 3U);
-  const auto large = SC::to_arrangement(diagram, 1e20, CGAL::Bbox_2(-1, -1e30, 5, 1e30));   // doubles do not tell parameters of so large disks
+  // doubles do not tell parameters of so large disks
+  const auto large = SC::to_arrangement(diagram, 1e20, CGAL::Bbox_2(-1, -1e30, 5, 1e30));
   EXPECT_TRUE(large.has_same_topology);
   EXPECT_EQ(large.arrangement.number_of_faces(), 3U);
   for (const double far : {1e80, -1e160, 1e300})
@@ -251,12 +274,16 @@ TEST(VoronoiArrangement, BadInput)
 TEST(VoronoiArrangement, Magnitudes)
 {
   const auto segment = [](double size) { return SC::bezier_curve(std::vector<P>{{0, 0}, {size, size}}); };
-  const auto triangle = [](double size) { return SC::planar_region(SC::polyline_curve(std::vector<P>{{0, 0}, {size, 0}, {0, size}, {0, 0}})); };
+  const auto triangle = [](double size) {
+    return SC::planar_region(SC::polyline_curve(std::vector<P>{{0, 0}, {size, 0}, {0, size}, {0, 0}}));
+  };
   for (const double size : {1e-75, 1e-30, 1e30, 1e74}) {
     const auto diagram = SC::voronoi_diagram(Curves{segment(size)}, {P(0, size)});
     EXPECT_TRUE(diagram.is_complete());
     EXPECT_EQ(diagram.nearest_sites(P(0.1 * size, 0.9 * size)).size(), 1U);
-    EXPECT_EQ(SC::to_arrangement(diagram, 0.01 * size, CGAL::Bbox_2(-size, -size, 2 * size, 2 * size)).arrangement.number_of_faces(), 3U);
+    EXPECT_EQ(SC::to_arrangement(diagram, 0.01 * size, CGAL::Bbox_2(-size, -size, 2 * size, 2 * size))
+                  .arrangement.number_of_faces(),
+              3U);
     EXPECT_TRUE(SC::trimmed_bisector(segment(size), P(0, size)).is_complete());
     EXPECT_EQ(SC::medial_axis(triangle(size)).edges().size(), 3U);
   }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The cells of Voronoi diagrams: of points as CGAL finds them, of curves with what bounds them, in order; every edge bounds two cells, and both sites are the nearest ones along it; the cells of all regions fill a box.
+// The cells of Voronoi diagrams: of points as CGAL finds them, of curves with what bounds them, in order; every edge
+// bounds two cells, and both sites are the nearest ones along it; the cells of all regions fill a box.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -23,7 +24,8 @@
 
 namespace voronoi_cells_test {
 
-// Chains are connected, their edges have one of the sites on the left and another site on the right, and each point of them is nearest to both.
+// Chains are connected, their edges have one of the sites on the left and another site on the right, and each point of
+// them is nearest to both.
 void expect_boundary(const Diagram& diagram, const std::vector<std::size_t>& sites, const Curves& curves)
 {
   const Diagram::Cell cell = diagram.cell(sites);
@@ -43,7 +45,8 @@ void expect_boundary(const Diagram& diagram, const std::vector<std::size_t>& sit
       for (const auto& sample : diagram.polyline(edge, 0.05, 50))
         for (std::size_t k = 0; k < 2; ++k) {
           const auto& site = diagram.sites()[edge.sites[k]];
-          EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[site.curve](sample.parameters[k])), sample.radius, 1e-8 * (1 + sample.radius));
+          EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[site.curve](sample.parameters[k])),
+                      sample.radius, 1e-8 * (1 + sample.radius));
         }
     }
   }
@@ -75,7 +78,9 @@ TEST(VoronoiCells, OfPointsAsCGALFindsThem)
   const Diagram diagram = SC::voronoi_diagram(Curves(), points);
   ASSERT_TRUE(diagram.is_complete());
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
-    const auto site = static_cast<std::size_t>(std::find_if(diagram.sites().begin(), diagram.sites().end(), [&](const auto& s) { return s.point == v->point(); }) - diagram.sites().begin());
+    const auto site = static_cast<std::size_t>(std::find_if(diagram.sites().begin(), diagram.sites().end(),
+                                                            [&](const auto& s) { return s.point == v->point(); }) -
+                                               diagram.sites().begin());
     std::vector<P> neighbors;   // counterclockwise, behind the infinite vertex if there is one
     bool is_unbounded = false;
     auto n = triangulation.incident_vertices(v), begin = n;
@@ -102,18 +107,23 @@ TEST(VoronoiCells, OfPointsAsCGALFindsThem)
   expect_all_edges_twice(diagram, {});
 }
 
-// A point between two parallel segments, whose cell is bounded by parts of two parabolas; those of the segments are bounded on one side by three edges.
+// A point between two parallel segments, whose cell is bounded by parts of two parabolas; those of the segments are
+// bounded on one side by three edges.
 TEST(VoronoiCells, PointBetweenSegments)
 {
   const Curves curves{SC::segment_curve(P(0, 0), P(8, 0)), SC::segment_curve(P(0, 4), P(8, 4))};
   const Diagram diagram = SC::voronoi_diagram(curves, {P(4, 2)});
   ASSERT_TRUE(diagram.is_complete());
   expect_all_edges_twice(diagram, curves);
-  const auto point = static_cast<std::size_t>(std::find_if(diagram.sites().begin(), diagram.sites().end(), [](const auto& s) { return s.is_point && s.point == P(4, 2); }) - diagram.sites().begin());
+  const auto point =
+      static_cast<std::size_t>(std::find_if(diagram.sites().begin(), diagram.sites().end(),
+                                            [](const auto& s) { return s.is_point && s.point == P(4, 2); }) -
+                               diagram.sites().begin());
   const auto cell = diagram.cell(point);
   ASSERT_EQ(cell.chains.size(), 1U);
   EXPECT_TRUE(cell.chains[0].is_closed);
-  double area = 0;   // of the polygon of samples: between the parabolas 1 + (x - 4)^2 / 4 and 3 - (x - 4)^2 / 4, for |x - 4| <= 2: 16/3
+  // of the polygon of samples: between the parabolas 1 + (x - 4)^2 / 4 and 3 - (x - 4)^2 / 4, for |x - 4| <= 2: 16/3
+  double area = 0;
   for (const auto& edge : cell.chains[0].edges) {
     const auto samples = diagram.polyline(edge, 1e-6);
     for (std::size_t i = 1; i < samples.size(); ++i)
@@ -127,7 +137,8 @@ TEST(VoronoiCells, PointBetweenSegments)
     ASSERT_EQ(of_piece.chains.size(), 1U);
     EXPECT_FALSE(of_piece.chains[0].is_closed);
     EXPECT_EQ(of_piece.chains[0].edges.size(), 3U);
-    const auto of_curve = diagram.cell(diagram.sites_of_curve(c));   // with the cells of both ends: from infinity to infinity
+    // with the cells of both ends: from infinity to infinity
+    const auto of_curve = diagram.cell(diagram.sites_of_curve(c));
     ASSERT_EQ(of_curve.chains.size(), 1U);
     EXPECT_FALSE(of_curve.chains[0].is_closed);
     for (const bool end : {false, true}) {
@@ -138,10 +149,12 @@ TEST(VoronoiCells, PointBetweenSegments)
   }
 }
 
-// A closed curve with a point inside and a segment outside, in a larger circle: its cell has an outer boundary, and the cell of the point as a hole.
+// A closed curve with a point inside and a segment outside, in a larger circle: its cell has an outer boundary, and the
+// cell of the point as a hole.
 TEST(VoronoiCells, OfAClosedCurveInsideAndOutside)
 {
-  const Curves curves{SC::circle_curve(P(0, 0), 10), bezier({P(-3, 0), P(-3, 5), P(3, 5), P(3, 0)}), bezier({P(3, 0), P(3, -5), P(-3, -5), P(-3, 0)}), bezier({P(6, -1), P(6, 2)})};
+  const Curves curves{SC::circle_curve(P(0, 0), 10), bezier({P(-3, 0), P(-3, 5), P(3, 5), P(3, 0)}),
+                      bezier({P(3, 0), P(3, -5), P(-3, -5), P(-3, 0)}), bezier({P(6, -1), P(6, 2)})};
   const Diagram diagram = SC::voronoi_diagram(curves, {P(0.5, 0.25)});
   ASSERT_TRUE(diagram.is_complete());
   expect_all_edges_twice(diagram, curves);
@@ -184,7 +197,8 @@ TEST(VoronoiCells, OfAClosedCurveInsideAndOutside)
   }
   EXPECT_EQ(area, 25 * 24);
   std::sort(holes.begin(), holes.end());
-  EXPECT_EQ(holes, (std::vector<std::size_t>{0, 0, 1, 1}));   // the closed curve has the cell of the point as a hole, and the circle those of all others together
+  // the closed curve has the cell of the point as a hole, and the circle those of all others together
+  EXPECT_EQ(holes, (std::vector<std::size_t>{0, 0, 1, 1}));
 }
 
 TEST(VoronoiCells, RandomScenes)
@@ -229,7 +243,8 @@ TEST(VoronoiCells, OneSiteHasAllOfTheBox)
 // Of a rectangle, 4 x 2: each side has the triangle or trapezoid over it.
 TEST(VoronoiCells, OfAMedialAxis)
 {
-  const Curves sides{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(4, 2)}), bezier({P(4, 2), P(0, 2)}), bezier({P(0, 2), P(0, 0)})};
+  const Curves sides{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(4, 2)}), bezier({P(4, 2), P(0, 2)}),
+                     bezier({P(0, 2), P(0, 0)})};
   const Diagram axis = SC::medial_axis(SC::planar_region(sides));
   ASSERT_TRUE(axis.is_complete());
   for (std::size_t s = 0; s < axis.sites().size(); ++s) {
@@ -241,10 +256,12 @@ TEST(VoronoiCells, OfAMedialAxis)
   }
 }
 
-// Three curves that pass through two points with irrational parameters: where they cross is not proved, and no cell claims to be.
+// Three curves that pass through two points with irrational parameters: where they cross is not proved, and no cell
+// claims to be.
 TEST(VoronoiCells, IncompleteDiagramsSaySo)
 {
-  const Curves curves{bezier({P(-2, 2), P(0, -6), P(2, 2)}), bezier({P(-2, -2), P(0, 6), P(2, -2)}), bezier({P(-3, 0), P(3, 0)})};
+  const Curves curves{bezier({P(-2, 2), P(0, -6), P(2, 2)}), bezier({P(-2, -2), P(0, 6), P(2, -2)}),
+                      bezier({P(-3, 0), P(3, 0)})};
   const Diagram diagram = SC::voronoi_diagram(curves, {P(10, 11)});
   ASSERT_FALSE(diagram.is_complete());
   for (std::size_t s = 0; s < diagram.sites().size(); ++s)
@@ -254,12 +271,14 @@ TEST(VoronoiCells, IncompleteDiagramsSaySo)
 // The message names the curve and the parameters.
 TEST(VoronoiCells, PiecesThatArePoints)
 {
-  const Curves curves{bezier({P(9, 0), P(9, 1)}), SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 1), P(1, 1), P(2, 0)})};
+  const Curves curves{bezier({P(9, 0), P(9, 1)}),
+                      SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 1), P(1, 1), P(2, 0)})};
   try {
     (void)SC::voronoi_diagram(curves);
     FAIL();
   } catch (const SC::Invalid_input& error) {
-    EXPECT_NE(std::string(error.what()).find("curve 1 between the parameters 1 and 2 is a point"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("curve 1 between the parameters 1 and 2 is a point"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams: of points and of a triangle in closed form, of points as CGAL finds them; of curves, every disk on every edge is empty and touches both sites, the numbers of vertices, edges and
-// regions satisfy Euler's formula, and motions do not change them.
+// Voronoi diagrams: of points and of a triangle in closed form, of points as CGAL finds them; of curves, every disk on
+// every edge is empty and touches both sites, the numbers of vertices, edges and regions satisfy Euler's formula, and
+// motions do not change them.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
@@ -52,18 +53,24 @@ TEST(VoronoiDiagrams, PointsAsCGALFindsThem)
     EXPECT_EQ(diagram.edges().size(), edges);
     EXPECT_EQ(counts(diagram).branching, triangulation.number_of_faces());
     for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
-      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
-                              [&](const auto& v) { return !v.is_at_infinity && distance(v.point, triangulation.dual(face)) < 1e-7 * (1 + v.radius); }));
+      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+        return !v.is_at_infinity && distance(v.point, triangulation.dual(face)) < 1e-7 * (1 + v.radius);
+      }));
     expect_euler(diagram);
   }
 }
 
 // Whether the bounds of a vertex are narrow and hold an exact point, and a squared radius.
-bool is_proved_to_be(const Diagram::Vertex& vertex, const SC::Exact_rational& x, const SC::Exact_rational& y, const SC::Exact_rational& squared_radius)
+bool is_proved_to_be(const Diagram::Vertex& vertex, const SC::Exact_rational& x, const SC::Exact_rational& y,
+                     const SC::Exact_rational& squared_radius)
 {
-  const auto holds = [](double low, const SC::Exact_rational& value, double high) { return high - low < 1e-9 && SC::Exact_rational(low) <= value && value <= SC::Exact_rational(high); };
+  const auto holds = [](double low, const SC::Exact_rational& value, double high) {
+    return high - low < 1e-9 && SC::Exact_rational(low) <= value && value <= SC::Exact_rational(high);
+  };
   const auto& [least, most] = vertex.radius_bounds;
-  return holds(vertex.box.xmin(), x, vertex.box.xmax()) && holds(vertex.box.ymin(), y, vertex.box.ymax()) && most - least < 1e-9 && SC::Exact_rational(least) * least <= squared_radius && squared_radius <= SC::Exact_rational(most) * most;
+  return holds(vertex.box.xmin(), x, vertex.box.xmax()) && holds(vertex.box.ymin(), y, vertex.box.ymax()) &&
+      most - least < 1e-9 && SC::Exact_rational(least) * least <= squared_radius &&
+      squared_radius <= SC::Exact_rational(most) * most;
 }
 
 TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
@@ -75,32 +82,43 @@ TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
     points.emplace_back(coordinate(random), coordinate(random));
   const Diagram of_points = SC::voronoi_diagram(Curves(), points);
   using Exact_point = CGAL::Point_2<CGAL::Simple_cartesian<SC::Exact_rational>>;
-  const auto exact = [&](const auto& footpoint) { return Exact_point(of_points.sites()[footpoint.site].point.x(), of_points.sites()[footpoint.site].point.y()); };
+  const auto exact = [&](const auto& footpoint) {
+    return Exact_point(of_points.sites()[footpoint.site].point.x(), of_points.sites()[footpoint.site].point.y());
+  };
   for (const auto& vertex : of_points.vertices())
     if (!vertex.is_at_infinity) {
-      const Exact_point p = exact(vertex.footpoints[0]), center = CGAL::circumcenter(p, exact(vertex.footpoints[1]), exact(vertex.footpoints[2]));
+      const Exact_point p = exact(vertex.footpoints[0]),
+                        center = CGAL::circumcenter(p, exact(vertex.footpoints[1]), exact(vertex.footpoints[2]));
       EXPECT_TRUE(is_proved_to_be(vertex, center.x(), center.y(), CGAL::squared_distance(p, center))) << vertex.point;
     }
   EXPECT_GT(of_points.vertices().size(), 50U);
 
-  const auto has_vertex = [](const Diagram& diagram, const SC::Exact_rational& x, const SC::Exact_rational& y, const SC::Exact_rational& squared_radius) {
-    return std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return is_proved_to_be(v, x, y, squared_radius); });
+  const auto has_vertex = [](const Diagram& diagram, const SC::Exact_rational& x, const SC::Exact_rational& y,
+                             const SC::Exact_rational& squared_radius) {
+    return std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
+                       [&](const auto& v) { return is_proved_to_be(v, x, y, squared_radius); });
   };
-  const Diagram triangle = SC::voronoi_diagram(Curves{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(0, 3)}), bezier({P(0, 3), P(0, 0)})});
+  const Diagram triangle =
+      SC::voronoi_diagram(Curves{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(0, 3)}), bezier({P(0, 3), P(0, 0)})});
   EXPECT_TRUE(has_vertex(triangle, 1, 1, 1));
   EXPECT_TRUE(has_vertex(triangle, 4, 0, 0));
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{SC::circle_curve(P(1, 2), 3.)}), 1, 2, 9));
-  // y = x^2, all of it, cut at 1/2, and the half of it, has the center of curvature (0,1/2); also if it goes on as y = x^2 / 2, which is less curved.
+  // y = x^2, all of it, cut at 1/2, and the half of it, has the center of curvature (0,1/2); also if it goes on as y =
+  // x^2 / 2, which is less curved.
   const SC::Exact_rational half(1, 2), quarter(1, 4);
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(-1, 1), P(0, -1), P(1, 1)})}), 0, half, quarter));
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)})}), 0, half, quarter));
-  EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)}), bezier({P(0, 0), P(-1, 0), P(-2, 2)})}), 0, half, quarter));
+  EXPECT_TRUE(has_vertex(
+      SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)}), bezier({P(0, 0), P(-1, 0), P(-2, 2)})}), 0,
+      half, quarter));
   // Footpoints: the disk of radius 3/2 around (0, 5/2) touches y = x^2 in x = -sqrt(2) and sqrt(2), and y = 4 in x = 0.
-  const Diagram segment = SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})});
+  const Diagram segment =
+      SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})});
   for (const auto& vertex : segment.vertices())
     if (is_proved_to_be(vertex, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)))
       for (const auto& footpoint : vertex.footpoints) {
-        const SC::Exact_rational low = 4 * SC::Exact_rational(footpoint.parameter_bounds[0]) - 2, high = 4 * SC::Exact_rational(footpoint.parameter_bounds[1]) - 2;
+        const SC::Exact_rational low = 4 * SC::Exact_rational(footpoint.parameter_bounds[0]) - 2,
+                                 high = 4 * SC::Exact_rational(footpoint.parameter_bounds[1]) - 2;
         EXPECT_TRUE(footpoint.site == 0 ? (low * low - 2) * (high * high - 2) <= 0 : low * high <= 0);
         EXPECT_LT(high - low, 1e-9);
       }
@@ -110,7 +128,8 @@ TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
 using CGAL::Interval_nt;
 
 // The number of vertices whose bounds meet others. In a crossing of curves are several.
-std::ptrdiff_t vertices_in(const Diagram& diagram, const Interval_nt<>& x, const Interval_nt<>& y, const Interval_nt<>& radius)
+std::ptrdiff_t vertices_in(const Diagram& diagram, const Interval_nt<>& x, const Interval_nt<>& y,
+                           const Interval_nt<>& radius)
 {
   return std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
     const bool is_in_box = x.do_overlap({v.box.xmin(), v.box.xmax()}) && y.do_overlap({v.box.ymin(), v.box.ymax()});
@@ -118,7 +137,8 @@ std::ptrdiff_t vertices_in(const Diagram& diagram, const Interval_nt<>& x, const
   });
 }
 
-// A motion by which integers stay integers: the bounds of each vertex, moved, meet those of as many vertices of the moved diagram.
+// A motion by which integers stay integers: the bounds of each vertex, moved, meet those of as many vertices of the
+// moved diagram.
 TEST(VoronoiDiagrams, BoundsOfVerticesMove)
 {
   std::mt19937 random(5);
@@ -142,7 +162,8 @@ TEST(VoronoiDiagrams, BoundsOfVerticesMove)
     for (const auto& v : a.vertices()) {
       if (v.is_at_infinity)
         continue;
-      const Interval_nt<> x(v.box.xmin(), v.box.xmax()), y(v.box.ymin(), v.box.ymax()), r(v.radius_bounds[0], v.radius_bounds[1]);
+      const Interval_nt<> x(v.box.xmin(), v.box.xmax()), y(v.box.ymin(), v.box.ymax()),
+          r(v.radius_bounds[0], v.radius_bounds[1]);
       EXPECT_EQ(vertices_in(b, 3 * x - 4 * y, 4 * x + 3 * y, 5 * r), vertices_in(a, x, y, r)) << v.point;
       ++vertices;
     }
@@ -166,7 +187,8 @@ TEST(VoronoiDiagrams, Triangle)
   expect_empty_disks(diagram, sides);
 }
 
-// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis, or the end of a segment at a right angle: there a normal cone of normals, an arc or a side ends and the next one begins.
+// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis, or the end of a segment
+// at a right angle: there a normal cone of normals, an arc or a side ends and the next one begins.
 TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
 {
   const auto circle = [](double x, double y, double radius = 1) { return SC::circle_curve(P(x, y), radius); };
@@ -190,12 +212,14 @@ TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
     EXPECT_TRUE(diagram.is_complete());
     EXPECT_EQ(counts(diagram).branching, scene.vertices.size());
     for (const P& vertex : scene.vertices)
-      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() > 2 && distance(v.point, vertex) < 1e-12; }));
+      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
+                              [&](const auto& v) { return v.edges.size() > 2 && distance(v.point, vertex) < 1e-12; }));
     expect_euler(diagram);
   }
 }
 
-// The disk around (0, 1) touches the vertex of a parabola and a line, or another parabola, and a point on its horizontal diameter: an end of the normals that are looked at together.
+// The disk around (0, 1) touches the vertex of a parabola and a line, or another parabola, and a point on its
+// horizontal diameter: an end of the normals that are looked at together.
 TEST(VoronoiDiagrams, PointBesideVerticesOfParabolas)
 {
   const Curve above = bezier({P(-1, 3), P(0, 1), P(1, 3)});
@@ -206,7 +230,9 @@ TEST(VoronoiDiagrams, PointBesideVerticesOfParabolas)
       EXPECT_TRUE(diagram.is_complete());
       expect_euler(diagram);
       expect_empty_disks(diagram, curves, 0.05, 20);
-      EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && distance(v.point, P(0, 1)) < 1e-12; }), 1);
+      EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                              [](const auto& v) { return v.edges.size() == 3 && distance(v.point, P(0, 1)) < 1e-12; }),
+                1);
     }
 }
 
@@ -214,8 +240,11 @@ TEST(VoronoiDiagrams, PointBesideVerticesOfParabolas)
 Curves rounded_square(double x, double y, double radius, double handle)
 {
   Curves result;
-  for (const auto& [a, b, c, d] : std::vector<std::array<double, 4>>{{1, 0, 0, 1}, {0, 1, -1, 0}, {-1, 0, 0, -1}, {0, -1, 1, 0}}) {
-    const auto at = [&, a = a, b = b, c = c, d = d](double s, double t) { return P(x + s * a + t * c, y + s * b + t * d); };
+  for (const auto& [a, b, c, d] :
+       std::vector<std::array<double, 4>>{{1, 0, 0, 1}, {0, 1, -1, 0}, {-1, 0, 0, -1}, {0, -1, 1, 0}}) {
+    const auto at = [&, a = a, b = b, c = c, d = d](double s, double t) {
+      return P(x + s * a + t * c, y + s * b + t * d);
+    };
     result.push_back(bezier({at(radius, 0), at(radius, handle), at(handle, radius), at(0, radius)}));
   }
   return result;
@@ -223,14 +252,16 @@ Curves rounded_square(double x, double y, double radius, double handle)
 
 TEST(VoronoiDiagrams, SymmetricDrawings)
 {
-  // Disks on the axis of both arms touch them, and a joint of the outline or both sides of it, in points that are not rational.
+  // Disks on the axis of both arms touch them, and a joint of the outline or both sides of it, in points that are not
+  // rational.
   Curves hook = rounded_square(0, 0, 4, 2.25);
   hook.push_back(bezier({P(0, -2), P(3, 1)}));
   hook.push_back(bezier({P(0, -2), P(-2, 0)}));
   const Diagram diagram = SC::voronoi_diagram(hook);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_EQ(counts(diagram).branching, 1U);
-  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && std::abs(v.point.x()) < 1e-9; }));
+  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
+                          [](const auto& v) { return v.edges.size() == 3 && std::abs(v.point.x()) < 1e-9; }));
   expect_euler(diagram);
 }
 
@@ -248,7 +279,9 @@ TEST(VoronoiDiagrams, HalfPlanesThatTouchThreeCircles)
 
 TEST(VoronoiDiagrams, HalfPlanesThatTouchCopies)
 {
-  // Three copies of a curve in a row: above, where they are touched is not rational; below, they are touched in their last points, and the first one also in both of its ends. So it is if a segment cuts one of them at a parameter that is not rational.
+  // Three copies of a curve in a row: above, where they are touched is not rational; below, they are touched in their
+  // last points, and the first one also in both of its ends. So it is if a segment cuts one of them at a parameter that
+  // is not rational.
   Curves copies;
   for (const double k : {0, 1, 2})
     copies.push_back(bezier({P(6 * k, k), P(6 * k + 1, k + 2), P(6 * k + 3, k + 3), P(6 * k + 5, k)}));
@@ -258,7 +291,9 @@ TEST(VoronoiDiagrams, HalfPlanesThatTouchCopies)
     const Diagram diagram = SC::voronoi_diagram(copies);
     EXPECT_TRUE(diagram.is_complete());
     EXPECT_EQ(counts(diagram).far, 3U);
-    EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity && v.edges.size() == 2; }), 2);
+    EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                            [](const auto& v) { return v.is_at_infinity && v.edges.size() == 2; }),
+              2);
     expect_euler(diagram);
   }
 }
@@ -272,14 +307,16 @@ TEST(VoronoiDiagrams, FansOfACommonDisk)
       wedges.push_back(bezier({P(x, y), P(3 * x - side * y, 3 * y + side * x)}));
   const Diagram diagram = SC::voronoi_diagram(wedges);
   EXPECT_TRUE(diagram.is_complete());
-  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 4 && distance(v.point, P(0, 0)) < 1e-12; }));
+  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
+                          [](const auto& v) { return v.edges.size() == 4 && distance(v.point, P(0, 0)) < 1e-12; }));
   expect_euler(diagram);
 }
 
 TEST(VoronoiDiagrams, FanOnTheLineOfASegment)
 {
   // The half-plane below touches a corner and a segment.
-  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(-2, 1), P(0, 0)}), bezier({P(0, 0), P(-1, 2)}), bezier({P(2, 0), P(5, 0)}), bezier({P(5, 0), P(4, 3)})});
+  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(-2, 1), P(0, 0)}), bezier({P(0, 0), P(-1, 2)}),
+                                                     bezier({P(2, 0), P(5, 0)}), bezier({P(5, 0), P(4, 3)})});
   EXPECT_TRUE(diagram.is_complete());
   expect_euler(diagram);
 }
@@ -320,7 +357,8 @@ TEST(VoronoiDiagrams, TwoCubics)
   expect_empty_disks(diagram, curves);
 }
 
-// Its narrow turn is nearest to the begin on the side that does not come next around the begin, while the other side has the begin as a footpoint, too.
+// Its narrow turn is nearest to the begin on the side that does not come next around the begin, while the other side
+// has the begin as a footpoint, too.
 TEST(VoronoiDiagrams, CubicWithANarrowTurn)
 {
   const Curves curves{bezier({P(1.1604, 2.6275), P(1.4585, 2.1156), P(1.72, 2.7627), P(1.71, 2.741)})};
@@ -352,7 +390,8 @@ Curves cubics_in_cells(std::mt19937& random, int rows)
       std::sort(x.begin(), x.end());
       std::vector<P> points;
       for (const double t : x)
-        points.push_back(i % 2 == 0 ? P(10 * i + t, 10 * j + coordinate(random)) : P(10 * i + coordinate(random), 10 * j + t));
+        points.push_back(i % 2 == 0 ? P(10 * i + t, 10 * j + coordinate(random))
+                                    : P(10 * i + coordinate(random), 10 * j + t));
       curves.push_back(bezier(points));
     }
   return curves;
@@ -419,7 +458,8 @@ TEST(VoronoiDiagrams, RandomScenesOfCurvesThatCross)
   EXPECT_GT(crossing, 5U);
 }
 
-// Random points, against the distances from many points of all sites. In benchmark_nearest_sites there are 100,000, and distances are those from the curves.
+// Random points, against the distances from many points of all sites. In benchmark_nearest_sites there are 100,000, and
+// distances are those from the curves.
 TEST(VoronoiDiagrams, NearestSites)
 {
   std::mt19937 random(3);
@@ -449,7 +489,8 @@ TEST(VoronoiDiagrams, NearestSites)
     for (std::size_t site = 0; site < points.size(); ++site)
       EXPECT_LT(distance, distance_from(site, p) + 0.02) << "site " << site;
   }
-  EXPECT_GT(std::count_if(answers.begin(), answers.end(), [](int number) { return number > 0; }), static_cast<std::ptrdiff_t>(answers.size() / 2));
+  EXPECT_GT(std::count_if(answers.begin(), answers.end(), [](int number) { return number > 0; }),
+            static_cast<std::ptrdiff_t>(answers.size() / 2));
 
   // On an edge there are two, in a vertex three.
   const Diagram three = SC::voronoi_diagram(Curves(), {P(0, 0), P(4, 0), P(0, 2)});
@@ -459,11 +500,14 @@ TEST(VoronoiDiagrams, NearestSites)
   EXPECT_TRUE(SC::voronoi_diagram(Curves()).nearest_sites(P(0, 0)).empty());
 }
 
-// Distances that are equal but for 1e-12 to 1e-24: from the vertices of two parabolas, y = +- (1 + x^2), and from two points.
+// Distances that are equal but for 1e-12 to 1e-24: from the vertices of two parabolas, y = +- (1 + x^2), and from two
+// points.
 TEST(VoronoiDiagrams, NearestOfTwoThatAreNearlyEqual)
 {
   using Sites = std::vector<std::size_t>;
-  const Diagram parabolas = SC::voronoi_diagram(Curves{bezier({P(-2, -5), P(-0.5, 1), P(1, -2)}), bezier({P(-1, 2), P(0.5, -1), P(2, 5)})}), points = SC::voronoi_diagram(Curves(), {P(-1, 0), P(1, 0)});
+  const Diagram parabolas = SC::voronoi_diagram(
+                    Curves{bezier({P(-2, -5), P(-0.5, 1), P(1, -2)}), bezier({P(-1, 2), P(0.5, -1), P(2, 5)})}),
+                points = SC::voronoi_diagram(Curves(), {P(-1, 0), P(1, 0)});
   for (const int exponent : {40, 56, 60, 80}) {
     const double shift = std::exp2(-exponent);
     EXPECT_EQ(parabolas.nearest_sites(P(0, -shift)), Sites{0}) << exponent;
@@ -475,7 +519,8 @@ TEST(VoronoiDiagrams, NearestOfTwoThatAreNearlyEqual)
   EXPECT_EQ(points.nearest_sites(P(0, 5)), (Sites{0, 1}));
 }
 
-// What drawings contain: pieces on one line, tiny segments, segments that are given twice, concentric circles. The bisectors of different curves are known.
+// What drawings contain: pieces on one line, tiny segments, segments that are given twice, concentric circles. The
+// bisectors of different curves are known.
 template <class Is_on_bisector>
 void expect_bisector(const Curves& curves, const Is_on_bisector& is_on_bisector)
 {
@@ -486,7 +531,8 @@ void expect_bisector(const Curves& curves, const Is_on_bisector& is_on_bisector)
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, 0.1, 10)) {
       const auto& [a, b] = diagram.edges()[e].sites;
-      if (const double offset = is_on_bisector(sample.point, diagram.sites()[a], diagram.sites()[b]); !std::isnan(offset)) {
+      if (const double offset = is_on_bisector(sample.point, diagram.sites()[a], diagram.sites()[b]);
+          !std::isnan(offset)) {
         ++samples;
         EXPECT_NEAR(offset, 0, 1e-9);
       }
@@ -497,13 +543,18 @@ void expect_bisector(const Curves& curves, const Is_on_bisector& is_on_bisector)
 TEST(VoronoiDiagrams, PiecesOfDrawings)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const Curve left = bezier({P(0, 0), P(1, 0)}), right = bezier({P(2, 0), P(3, 0)}), tiny = bezier({P(2, 0), P(2 + 1e-9, 0)});
-  const auto ends = [none](const P& p, const auto& a, const auto& b) { return a.is_point && b.is_point && a.point.x() * b.point.x() == 2 ? p.x() - 1.5 : none; };
+  const Curve left = bezier({P(0, 0), P(1, 0)}), right = bezier({P(2, 0), P(3, 0)}),
+              tiny = bezier({P(2, 0), P(2 + 1e-9, 0)});
+  const auto ends = [none](const P& p, const auto& a, const auto& b) {
+    return a.is_point && b.is_point && a.point.x() * b.point.x() == 2 ? p.x() - 1.5 : none;
+  };
   expect_bisector({left, right}, ends);
   expect_bisector({left, tiny}, ends);
   expect_bisector({left, right, left}, ends);
   const auto circle = [](double r) { return SC::ellipse_curve(P(0, 0), K::Vector_2(r, 0), K::Vector_2(0, r)); };
-  expect_bisector({circle(1), circle(2)}, [none](const P& p, const auto& a, const auto& b) { return a.is_point || b.is_point ? none : distance(p, P(0, 0)) - 1.5; });
+  expect_bisector({circle(1), circle(2)}, [none](const P& p, const auto& a, const auto& b) {
+    return a.is_point || b.is_point ? none : distance(p, P(0, 0)) - 1.5;
+  });
 }
 
 TEST(VoronoiDiagrams, BadInput)
@@ -522,7 +573,9 @@ TEST(VoronoiDiagrams, NamesWhatIsUndecided)
   const Diagram diagram = SC::voronoi_diagram(curves, {P(0, 1)});
   EXPECT_FALSE(diagram.is_complete());
   const std::vector<SC::Undecided_part_2> parts = diagram.undecided();
-  EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const SC::Undecided_part_2& part) { return part.curve == 0 && part.from <= 0.5 && 0.5 <= part.to; }));
+  EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const SC::Undecided_part_2& part) {
+    return part.curve == 0 && part.from <= 0.5 && 0.5 <= part.to;
+  }));
   expect_empty_disks(diagram, curves);   // what is there is right
   EXPECT_TRUE(SC::voronoi_diagram(curves).undecided().empty());
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Edges between a point and a curve as exact rational curves: all of their points have exactly the same distance from both, and they end where the edges end. Points know the curve that they are on.
+// Edges between a point and a curve as exact rational curves: all of their points have exactly the same distance from
+// both, and they end where the edges end. Points know the curve that they are on.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_edge_curves_2.h>
@@ -21,7 +22,9 @@ using E = CGAL::Simple_cartesian<Q>;
 
 TEST(VoronoiEdgeCurves, EquidistantExactly)
 {
-  const std::vector<SC::Bspline_curve_2<E>> curves{SC::bezier_curve(std::vector<E::Point_2>{{0, 0}, {8, 0}}), SC::bezier_curve(std::vector<E::Point_2>{{0, 4}, {3, 7}, {5, 3}, {8, 5}})};
+  const std::vector<SC::Bspline_curve_2<E>> curves{
+      SC::bezier_curve(std::vector<E::Point_2>{{0, 0}, {8, 0}}),
+      SC::bezier_curve(std::vector<E::Point_2>{{0, 4}, {3, 7}, {5, 3}, {8, 5}})};
   const auto diagram = SC::voronoi_diagram(curves, std::vector<E::Point_2>{{4, 2}});
   ASSERT_TRUE(diagram.is_complete());
   std::size_t found = 0, infinite = 0;
@@ -55,7 +58,8 @@ TEST(VoronoiEdgeCurves, EquidistantExactly)
       if (vertex.is_at_infinity)
         ++infinite;
       else
-        EXPECT_NEAR(SC::to_nearest_double(CGAL::squared_distance(last, vertex.point)), 0, 1e-16 * (1 + vertex.radius * vertex.radius));
+        EXPECT_NEAR(SC::to_nearest_double(CGAL::squared_distance(last, vertex.point)), 0,
+                    1e-16 * (1 + vertex.radius * vertex.radius));
     }
   }
   EXPECT_GE(found, 3U);

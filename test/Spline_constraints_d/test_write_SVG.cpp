@@ -44,7 +44,9 @@ std::vector<Curve> read(const std::string& drawing)
 
 TEST(Write_SVG, decimals_are_exact)
 {
-  const auto text = [](int a, int b) { return SC::internal::decimal_text(SC::Exact_rational(a) / SC::Exact_rational(b)); };
+  const auto text = [](int a, int b) {
+    return SC::internal::decimal_text(SC::Exact_rational(a) / SC::Exact_rational(b));
+  };
   EXPECT_EQ(text(0, 1), "0");
   EXPECT_EQ(text(-7, 1), "-7");
   EXPECT_EQ(text(100, 1), "100");
@@ -64,7 +66,8 @@ TEST(Write_SVG, polynomial_curves_are_read_back_exactly)
     for (int spans = 1; spans <= 4; ++spans) {
       std::vector<Point> points;
       for (int i = 0; i < degree + spans; ++i)
-        points.emplace_back(FT(144 * number(random)) / 10, FT(9 * number(random)) / 64);   // without thirds in the Bezier pieces
+        // without thirds in the Bezier pieces
+        points.emplace_back(FT(144 * number(random)) / 10, FT(9 * number(random)) / 64);
       curves.emplace_back(degree, SC::internal::integer_knots<FT>(degree, points.size()), points);
     }
   const std::vector<Curve> again = read(written(curves));
@@ -77,7 +80,9 @@ TEST(Write_SVG, polynomial_curves_are_read_back_exactly)
 TEST(Write_SVG, layers)
 {
   std::ostringstream out;
-  const std::vector<Curve> curves{SC::segment_curve(Point(0, 0), Point(1, 2)), SC::segment_curve(Point(1, 1), Point(2, 0)), SC::segment_curve(Point(2, 2), Point(0, 1))};
+  const std::vector<Curve> curves{SC::segment_curve(Point(0, 0), Point(1, 2)),
+                                  SC::segment_curve(Point(1, 1), Point(2, 0)),
+                                  SC::segment_curve(Point(2, 2), Point(0, 1))};
   {
     SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 2, 2));
     writer.curve(curves[0]);
@@ -87,7 +92,8 @@ TEST(Write_SVG, layers)
     writer.curve(curves[2]);
   }
   const std::string text = out.str();
-  const auto first = text.find("<g inkscape:groupmode='layer' inkscape:label='sites'>"), second = text.find("</g>\n<g inkscape:groupmode='layer' inkscape:label='the user&apos;s &lt;edges&gt;'>");
+  const auto first = text.find("<g inkscape:groupmode='layer' inkscape:label='sites'>"),
+             second = text.find("</g>\n<g inkscape:groupmode='layer' inkscape:label='the user&apos;s &lt;edges&gt;'>");
   ASSERT_NE(first, std::string::npos);
   ASSERT_NE(second, std::string::npos);
   EXPECT_LT(first, second);
@@ -117,7 +123,8 @@ TEST(Write_SVG, a_zero_weight_and_a_high_degree_are_drawn)
   using F = SC::Bspline_function<NT>;
   const std::vector<NT> knots{0, 0, 0, 1, 1, 1};
   const auto function = [&](const NT& a, const NT& b, const NT& c) { return F({2}, {knots}, {a, b, c}); };
-  const Curve half_circle = Curve::from_homogeneous_coordinates({function(1, 0, -1), function(0, 1, 0)}, function(1, 0, 1));
+  const Curve half_circle =
+      Curve::from_homogeneous_coordinates({function(1, 0, -1), function(0, 1, 0)}, function(1, 0, 1));
   const Curve quartic = SC::bezier_curve(std::vector<Point>{{0, 0}, {1, 2}, {2, -2}, {3, 2}, {4, 0}});
   const std::vector<Curve> curves = read(written({half_circle, quartic}));
   ASSERT_EQ(curves.size(), 2u);
@@ -165,10 +172,12 @@ TEST(Write_SVG, polygons)
     writer.polygon(ring, "blue");
   }
   EXPECT_NE(out.str().find("<path d='M0 0L2 0L2 1Z' fill='red'"), std::string::npos);
-  EXPECT_NE(out.str().find("<path d='M0 0L2 0L2 1ZM1 0.25L1.5 0.5L1.5 0.25Z' fill='blue' fill-rule='evenodd'"), std::string::npos);
+  EXPECT_NE(out.str().find("<path d='M0 0L2 0L2 1ZM1 0.25L1.5 0.5L1.5 0.25Z' fill='blue' fill-rule='evenodd'"),
+            std::string::npos);
 }
 
-// Points of a kernel, coordinates in a row and samples make the same line; it is rounded, but by a fiftieth of a pixel at most in each coordinate.
+// Points of a kernel, coordinates in a row and samples make the same line; it is rounded, but by a fiftieth of a pixel
+// at most in each coordinate.
 TEST(Write_SVG, polylines)
 {
   struct Sample

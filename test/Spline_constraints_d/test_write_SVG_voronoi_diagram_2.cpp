@@ -24,7 +24,8 @@ using K = CGAL::Simple_cartesian<double>;
 std::size_t number_of(const std::string& what, const std::string& text)
 {
   const std::regex pattern(what);
-  return static_cast<std::size_t>(std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()));
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()));
 }
 
 std::string layer(const std::string& drawing, const std::string& name)
@@ -33,10 +34,12 @@ std::string layer(const std::string& drawing, const std::string& name)
   return begin == std::string::npos ? "" : drawing.substr(begin, drawing.find("</g>", begin) - begin);
 }
 
-// Two parallel segments and a point between them: the cell of the point is bounded by parts of parabolas. Each edge has a quadrangle for each of its sites.
+// Two parallel segments and a point between them: the cell of the point is bounded by parts of parabolas. Each edge has
+// a quadrangle for each of its sites.
 TEST(Write_SVG_voronoi_diagram, layers)
 {
-  const std::vector<SC::Bspline_curve_2<K>> curves{SC::segment_curve(K::Point_2(0, 0), K::Point_2(8, 0)), SC::segment_curve(K::Point_2(0, 4), K::Point_2(8, 4))};
+  const std::vector<SC::Bspline_curve_2<K>> curves{SC::segment_curve(K::Point_2(0, 0), K::Point_2(8, 0)),
+                                                   SC::segment_curve(K::Point_2(0, 4), K::Point_2(8, 4))};
   const auto diagram = SC::voronoi_diagram(curves, std::vector<K::Point_2>{{4, 2}});
   ASSERT_TRUE(diagram.is_complete());
   std::ostringstream out;
@@ -52,7 +55,9 @@ TEST(Write_SVG_voronoi_diagram, layers)
   EXPECT_EQ(number_of("M4 2h0", layer(out.str(), "sites")), 1u);
   EXPECT_EQ(number_of("<path", layer(out.str(), "edges")), diagram.edges().size());
   EXPECT_EQ(number_of("<path d='M[^']+Z'", layer(out.str(), "cells")), 2 * diagram.edges().size());
-  EXPECT_EQ(number_of("fill='#eeeeee'", layer(out.str(), "cells")), number_of("fill='#aec7e8'", layer(out.str(), "cells")));   // by symmetry
+  // by symmetry
+  EXPECT_EQ(number_of("fill='#eeeeee'", layer(out.str(), "cells")),
+            number_of("fill='#aec7e8'", layer(out.str(), "cells")));
   EXPECT_EQ(number_of("fill='#f7d7a0'", layer(out.str(), "cells")), 2u);   // above and below the point
 }
 

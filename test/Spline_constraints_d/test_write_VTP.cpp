@@ -37,7 +37,8 @@ TEST(Write_VTP, polylines)
   using Kernel = CGAL::Simple_cartesian<SC::Exact_rational>;
   using Point = Kernel::Point_3;
   const SC::Exact_rational third = SC::Exact_rational(1) / 3;
-  const std::string file = written<Kernel>({{Point(0, 0, 0), Point(1, third, 0)}, {Point(2, 0, -1), Point(0.25, 5, 6), Point(2, 0, -1)}});
+  const std::string file =
+      written<Kernel>({{Point(0, 0, 0), Point(1, third, 0)}, {Point(2, 0, -1), Point(0.25, 5, 6), Point(2, 0, -1)}});
   EXPECT_NE(file.find("NumberOfPoints=\"5\""), std::string::npos);
   EXPECT_NE(file.find("NumberOfLines=\"2\""), std::string::npos);
   EXPECT_EQ(array(file, "NumberOfComponents"), "0 0 0\n1 0.3333333333333333 0\n2 0 -1\n0.25 5 6\n2 0 -1\n");

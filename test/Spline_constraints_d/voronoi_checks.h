@@ -62,9 +62,11 @@ std::size_t components(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 template <class Kernel>
 void expect_euler(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
-  const auto far = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity; });
+  const auto far = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                                 [](const auto& v) { return v.is_at_infinity; });
   const bool has_far = far > 0;
-  const std::size_t vertices = diagram.vertices().size() - static_cast<std::size_t>(far) + has_far, separate = components(diagram) - !has_far;
+  const std::size_t vertices = diagram.vertices().size() - static_cast<std::size_t>(far) + has_far,
+                    separate = components(diagram) - !has_far;
   EXPECT_EQ(vertices + diagram.number_of_regions(), diagram.edges().size() + 1 + separate);
   EXPECT_EQ(diagram.is_complete(), diagram.undecided().empty());
 }
@@ -80,7 +82,10 @@ Counts counts(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   Counts result;
   for (const auto& vertex : diagram.vertices())
-    ++(vertex.is_at_infinity ? result.far : vertex.edges.size() <= 1 ? result.tips : vertex.edges.size() == 2 ? result.passing : result.branching);
+    ++(vertex.is_at_infinity          ? result.far
+           : vertex.edges.size() <= 1 ? result.tips
+           : vertex.edges.size() == 2 ? result.passing
+                                      : result.branching);
   result.edges = diagram.edges().size();
   return result;
 }
@@ -95,9 +100,15 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram
     EXPECT_EQ(std::isfinite(box.xmax() - box.xmin() + box.ymax() - box.ymin() + vertex.radius_bounds[1]), is_proved);
     if (!is_proved)
       continue;
-    const double error = 1e-6 * (1 + vertex.radius), x = CGAL::to_double(vertex.point.x()), y = CGAL::to_double(vertex.point.y());
-    EXPECT_LE((std::max)({x - box.xmin(), box.xmax() - x, y - box.ymin(), box.ymax() - y, vertex.radius - vertex.radius_bounds[0], vertex.radius_bounds[1] - vertex.radius}), error) << "vertex at " << vertex.point;
-    EXPECT_TRUE(box.xmin() <= x && x <= box.xmax() && box.ymin() <= y && y <= box.ymax() && vertex.radius_bounds[0] <= vertex.radius && vertex.radius <= vertex.radius_bounds[1]) << "vertex at " << vertex.point;
+    const double error = 1e-6 * (1 + vertex.radius), x = CGAL::to_double(vertex.point.x()),
+                 y = CGAL::to_double(vertex.point.y());
+    EXPECT_LE((std::max)({x - box.xmin(), box.xmax() - x, y - box.ymin(), box.ymax() - y,
+                          vertex.radius - vertex.radius_bounds[0], vertex.radius_bounds[1] - vertex.radius}),
+              error)
+        << "vertex at " << vertex.point;
+    EXPECT_TRUE(box.xmin() <= x && x <= box.xmax() && box.ymin() <= y && y <= box.ymax() &&
+                vertex.radius_bounds[0] <= vertex.radius && vertex.radius <= vertex.radius_bounds[1])
+        << "vertex at " << vertex.point;
     for (const auto& contact : vertex.contacts)
       if (!diagram.sites()[contact.site].is_point) {
         EXPECT_LE(contact.parameter_bounds[0], contact.parameter);
@@ -106,15 +117,19 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram
   }
 }
 
-// Every sample has its radius as the distance from both sites, with bounds as narrow as those of vertices, and nothing is nearer than that: not even one of many points on all curves.
+// Every sample has its radius as the distance from both sites, with bounds as narrow as those of vertices, and nothing
+// is nearer than that: not even one of many points on all curves.
 template <class Kernel>
-void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram, const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01, double most_radius = 100)
+void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram,
+                        const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01,
+                        double most_radius = 100)
 {
   std::vector<P> points;
   for (const auto& site : diagram.sites()) {
     points.push_back(rounded(site.point));
     for (int i = 1; i < 64 && !site.is_point; ++i)
-      points.push_back(rounded(curves[site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64)));
+      points.push_back(
+          rounded(curves[site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64)));
   }
   std::size_t samples = 0;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
@@ -122,12 +137,17 @@ void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram, 
       const P center = rounded(sample.point);
       ++samples;
       const double most_width = 1e-6 * (1 + sample.radius);
-      EXPECT_TRUE(sample.radius - most_width <= sample.radius_bounds[0] && sample.radius_bounds[0] <= sample.radius * (1 + 1e-14)) << "edge " << e << " radius " << sample.radius << " at least " << sample.radius_bounds[0];
-      EXPECT_TRUE(sample.radius * (1 - 1e-14) <= sample.radius_bounds[1] && sample.radius_bounds[1] <= sample.radius + most_width) << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
+      EXPECT_TRUE(sample.radius - most_width <= sample.radius_bounds[0] &&
+                  sample.radius_bounds[0] <= sample.radius * (1 + 1e-14))
+          << "edge " << e << " radius " << sample.radius << " at least " << sample.radius_bounds[0];
+      EXPECT_TRUE(sample.radius * (1 - 1e-14) <= sample.radius_bounds[1] &&
+                  sample.radius_bounds[1] <= sample.radius + most_width)
+          << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
         const P foot = rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));
-        EXPECT_NEAR(distance(center, foot), sample.radius, 1e-8 * (1 + sample.radius)) << "edge " << e << " side " << side;
+        EXPECT_NEAR(distance(center, foot), sample.radius, 1e-8 * (1 + sample.radius))
+            << "edge " << e << " side " << side;
       }
       for (const P& p : points)
         EXPECT_GT(distance(center, p), sample.radius - 1e-8 * (1 + sample.radius)) << "edge " << e;

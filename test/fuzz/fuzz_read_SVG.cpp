@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include test/fuzz/fuzz_read_SVG.cpp -lpugixml -lmpfr -lgmp -o fuzz_read_SVG
-// ./fuzz_read_SVG -max_total_time=60 test/fuzz/corpus/read_SVG
+// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include
+// test/fuzz/fuzz_read_SVG.cpp -lpugixml -lmpfr -lgmp -o fuzz_read_SVG ./fuzz_read_SVG -max_total_time=60
+// test/fuzz/corpus/read_SVG
 
 #include "fuzz_read_splines.h"
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include test/fuzz/fuzz_read_g2.cpp -lmpfr -lgmp -o fuzz_read_g2
-// ./fuzz_read_g2 -max_total_time=60 test/fuzz/corpus/read_g2
+// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include test/fuzz/fuzz_read_g2.cpp
+// -lmpfr -lgmp -o fuzz_read_g2 ./fuzz_read_g2 -max_total_time=60 test/fuzz/corpus/read_g2
 
 #include "fuzz_read_splines.h"
 

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include test/fuzz/fuzz_read_minibex.cpp -lmpfr -lgmp -o fuzz_read_minibex
-// ./fuzz_read_minibex -max_total_time=60 test/fuzz/corpus/read_minibex
+// clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -ffp-contract=off -I include
+// test/fuzz/fuzz_read_minibex.cpp -lmpfr -lgmp -o fuzz_read_minibex ./fuzz_read_minibex -max_total_time=60
+// test/fuzz/corpus/read_minibex
 //
-// Whatever the bytes: either a system that survives writing and reading unchanged, or a Parse_error that points into the input.
+// Whatever the bytes: either a system that survives writing and reading unchanged, or a Parse_error that points into
+// the input.
 
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
 #include <CGAL/Spline_constraints_d/IO/write_minibex.h>
@@ -31,16 +33,19 @@ void check_round_trip(const SC::Minibex_system& system)
   SC::write_minibex(out, system);
   std::istringstream in(out.str());
   const SC::Minibex_system copy = SC::read_minibex(in, "copy");
-  require(copy.names == system.names && copy.domains == system.domains && copy.constraints.size() == system.constraints.size());
+  require(copy.names == system.names && copy.domains == system.domains &&
+          copy.constraints.size() == system.constraints.size());
   for (std::size_t i = 0; i < copy.constraints.size(); ++i)
-    require(copy.constraints[i].function == system.constraints[i].function && copy.constraints[i].relation == system.constraints[i].relation);
+    require(copy.constraints[i].function == system.constraints[i].function &&
+            copy.constraints[i].relation == system.constraints[i].relation);
 }
 
 // Whether every number of the system is written with few enough digits for the reader.
 bool is_small(const SC::Minibex_system& system)
 {
   const auto fits = [](const SC::Exact_rational& value) {
-    return SC::internal::bit_length(SC::internal::numerator_of(value)) < 10000 && SC::internal::bit_length(SC::internal::denominator_of(value)) < 10000;
+    return SC::internal::bit_length(SC::internal::numerator_of(value)) < 10000 &&
+        SC::internal::bit_length(SC::internal::denominator_of(value)) < 10000;
   };
   for (const auto& [lower, upper] : system.domains)
     if (!fits(lower) || !fits(upper))

@@ -5,11 +5,13 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `ConstraintSolverTraits` bundles what `CGAL::Spline_constraints::Subdivision_solver_d` is made of: the number type it subdivides with and its three policies.
+The concept `ConstraintSolverTraits` bundles what `CGAL::Spline_constraints::Subdivision_solver_d` is made of: the
+number type it subdivides with and its three policies.
 
 `CGAL::Spline_constraints::Solver_traits` is a model for any choice of the four. The models with a name of their own are
-`CGAL::Spline_constraints::Fast_solver_traits`, `CGAL::Spline_constraints::Certified_solver_traits` (the default), `CGAL::Spline_constraints::Interval_solver_traits`,
-`CGAL::Spline_constraints::Multiprecision_solver_traits` and `CGAL::Spline_constraints::Exact_solver_traits`. The user manual says what each of them proves.
+`CGAL::Spline_constraints::Fast_solver_traits`, `CGAL::Spline_constraints::Certified_solver_traits` (the default),
+`CGAL::Spline_constraints::Interval_solver_traits`, `CGAL::Spline_constraints::Multiprecision_solver_traits` and
+`CGAL::Spline_constraints::Exact_solver_traits`. The user manual says what each of them proves.
 
 The language concept of the same name in `CGAL/Spline_constraints_d/solver/concepts.h` checks all that is below.
 
@@ -20,7 +22,8 @@ The language concept of the same name in `CGAL/Spline_constraints_d/solver/conce
 class ConstraintSolverTraits
 {
 public:
-  //! the number type of the Bernstein coefficients, a model of `SplineNumberType`. Its traits also decide the type of the coordinates of boxes.
+  //! the number type of the Bernstein coefficients, a model of `SplineNumberType`. Its traits also decide the type of
+  //! the coordinates of boxes.
   typedef unspecified_type Number_type;
 
   //! a model of `TerminationTest`.
@@ -32,7 +35,7 @@ public:
   //! a model of `Splitter`.
   typedef unspecified_type Splitter;
 
-  //! whether the policies see the error bounds of the coefficients. With `false` they see coefficients that pass for exact, and nothing is proved where
-  //! rounding matters.
+  //! whether the policies see the error bounds of the coefficients. With `false` they see coefficients that pass for
+  //! exact, and nothing is proved where rounding matters.
   static constexpr bool tracks_rounding = true;
 };

@@ -5,8 +5,9 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `Locus` describes a curve or surface by constraints: parametric, procedural (offsets, evolutes) or implicit, so that one operation takes all of them. A model of your own, such as a pedal curve
-or a caustic, is its pieces: a formula of its points, and the equations that a given point satisfies.
+The concept `Locus` describes a curve or surface by constraints: parametric, procedural (offsets, evolutes) or implicit,
+so that one operation takes all of them. A model of your own, such as a pedal curve or a caustic, is its pieces: a
+formula of its points, and the equations that a given point satisfies.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spline_constraints::Implicit_hypersurface<d>}
@@ -33,11 +34,12 @@ public:
   std::pair<Exact_rational, Exact_rational> domain(int axis) const;
 
   /*!
-  smooth pieces whose union is the locus. Their constraints need not have solutions for all parameters; formulas are continuous. A point that two pieces have in common is found on both, unless one
-  leaves its end to the other.
+  smooth pieces whose union is the locus. Their constraints need not have solutions for all parameters; formulas are
+  continuous. A point that two pieces have in common is found on both, unless one leaves its end to the other.
   */
   std::vector<Locus_piece<dimension>> locus_pieces() const;
 
-  //! the ends of a curve. Without them, answers that are not told apart from an end are undecided. For other loci: none.
+  //! the ends of a curve. Without them, answers that are not told apart from an end are undecided. For other loci:
+  //! none.
   std::vector<Locus_end<dimension>> locus_ends() const;
 };

@@ -5,10 +5,12 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `MultivariateFunction` describes a continuous real function on a box of parameters that can be evaluated, bounded together with its first
-derivatives, and restricted to smaller boxes. That is all a subdivision needs in order to throw away boxes by proof.
+The concept `MultivariateFunction` describes a continuous real function on a box of parameters that can be evaluated,
+bounded together with its first derivatives, and restricted to smaller boxes. That is all a subdivision needs in order
+to throw away boxes by proof.
 
-A model is a value: copies are independent. The language concept of the same name in `CGAL/Spline_constraints_d/function/concepts.h` checks what a compiler can check.
+A model is a value: copies are independent. The language concept of the same name in
+`CGAL/Spline_constraints_d/function/concepts.h` checks what a compiler can check.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spline_constraints::Bernstein_tensor<NT>}
@@ -39,9 +41,10 @@ public:
   std::pair<Number_type, Number_type> derivative_bounds(int axis) const;
 
   /*!
-  the function on a part of the domain. The ranges of the other axes stay. On `axis` the model chooses the new `domain()`, and the affine map
-  from it onto [`begin`, `end`] relates the two functions: it is the identity for splines, whose parameters keep their meaning, and
-  the map from [0,1] for Bernstein tensors, which live on the unit box.
+  the function on a part of the domain. The ranges of the other axes stay. On `axis` the model chooses the new
+  `domain()`, and the affine map from it onto [`begin`, `end`] relates the two functions: it is the identity for
+  splines, whose parameters keep their meaning, and the map from [0,1] for Bernstein tensors, which live on the unit
+  box.
   */
   MultivariateFunction restricted(int axis, const Number_type& begin, const Number_type& end) const;
 

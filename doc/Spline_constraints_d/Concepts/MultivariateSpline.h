@@ -5,8 +5,8 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `MultivariateSpline` describes a continuous piecewise polynomial on a box, closed under sum, product and derivative. `Rational_function` takes its numerator and
-weight from a model of it.
+The concept `MultivariateSpline` describes a continuous piecewise polynomial on a box, closed under sum, product and
+derivative. `Rational_function` takes its numerator and weight from a model of it.
 
 Operations between two functions throw `Invalid_input` when their domains differ.
 
@@ -40,6 +40,7 @@ public:
   //! value and first derivatives at a point of the domain.
   Value_and_gradient<Number_type> value_and_gradient(std::span<const Number_type> u) const;
 
-  //! the polynomials the function consists of, each on the unit box, in row-major order of the cells, the last axis fastest.
+  //! the polynomials the function consists of, each on the unit box, in row-major order of the cells, the last axis
+  //! fastest.
   std::vector<Bernstein_tensor<Number_type>> bezier_pieces() const;
 };

@@ -5,7 +5,8 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `ParametricMap` describes a curve or surface that shows the exact splines it consists of. A `Spline_map`, which formulas use, can be made of it.
+The concept `ParametricMap` describes a curve or surface that shows the exact splines it consists of. A `Spline_map`,
+which formulas use, can be made of it.
 
 All splines have the same domain, and one axis for each parameter.
 */

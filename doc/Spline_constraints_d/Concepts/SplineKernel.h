@@ -5,11 +5,14 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `SplineKernel` describes a kernel of CGAL whose number type holds rational numbers and can say which. Curves and surfaces take their points, vectors and affine maps from it.
+The concept `SplineKernel` describes a kernel of CGAL whose number type holds rational numbers and can say which. Curves
+and surfaces take their points, vectors and affine maps from it.
 
-Coordinates are taken exactly. Those of points that are computed are exact where the number type is, else the doubles of a computation in doubles.
+Coordinates are taken exactly. Those of points that are computed are exact where the number type is, else the doubles of
+a computation in doubles.
 
-Kernels with integer or interval coordinates, or with numbers that are roots, as `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt` has them, are no models.
+Kernels with integer or interval coordinates, or with numbers that are roots, as
+`CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt` has them, are no models.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Exact_predicates_inexact_constructions_kernel}
@@ -22,7 +25,8 @@ Kernels with integer or interval coordinates, or with numbers that are roots, as
 class SplineKernel
 {
 public:
-  //! a floating point type; a fraction of integers, by `CGAL::Fraction_traits`, such as `Exact_rational` and `CGAL::Gmpq`; or a lazy number over `Exact_rational`, which its member `exact()` gives.
+  //! a floating point type; a fraction of integers, by `CGAL::Fraction_traits`, such as `Exact_rational` and
+  //! `CGAL::Gmpq`; or a lazy number over `Exact_rational`, which its member `exact()` gives.
   typedef unspecified_type FT;
 
   //! points, vectors and affine maps in the plane, as in the concept `Kernel` of CGAL.

@@ -17,7 +17,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-One constraint of a Minibex file: `function relation 0`, with the line of the file it begins on (0 when it comes from elsewhere).
+One constraint of a Minibex file: `function relation 0`, with the line of the file it begins on (0 when it comes from
+elsewhere).
 */
 struct Minibex_constraint
 {
@@ -29,8 +30,8 @@ struct Minibex_constraint
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-The polynomial system of a Minibex file. `names[i]` and `domains[i]` belong to the unknown of index `i` in the functions; the elements
-of an array `x[3]` are the unknowns `x(1)`, `x(2)`, `x(3)`.
+The polynomial system of a Minibex file. `names[i]` and `domains[i]` belong to the unknown of index `i` in the
+functions; the elements of an array `x[3]` are the unknowns `x(1)`, `x(2)`, `x(3)`.
 */
 struct Minibex_system
 {

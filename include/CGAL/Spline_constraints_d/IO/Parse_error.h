@@ -29,8 +29,9 @@ public:
   //! \param message what is wrong.
   //! \param text the offending text; empty for the end of the file.
   Parse_error(std::string file, int line, int column, std::string message, std::string text)
-    : Invalid_input(full_message(file, line, column, message, text)), m_file(std::move(file)), m_message(std::move(message)),
-      m_text(std::move(text)), m_line(line), m_column(column) {}
+    : Invalid_input(full_message(file, line, column, message, text)), m_file(std::move(file)),
+      m_message(std::move(message)), m_text(std::move(text)), m_line(line), m_column(column)
+  {}
 
   //! the name of the file, as it was given to the reader.
   const std::string& file() const { return m_file; }
@@ -48,7 +49,8 @@ public:
   const std::string& message() const { return m_message; }
 
 private:
-  static std::string full_message(const std::string& file, int line, int column, const std::string& message, const std::string& text)
+  static std::string full_message(const std::string& file, int line, int column, const std::string& message,
+                                  const std::string& text)
   {
     if (line == 0)
       return file + ": " + message;

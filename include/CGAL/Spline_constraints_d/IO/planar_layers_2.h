@@ -72,7 +72,10 @@ public:
       m_layers.push_back({name, color, {}, {}, {}});
   }
 
-  void add_areas(const std::string& name, std::vector<CGAL::Polygon_with_holes_2<Kernel>> areas) { layer(name).areas = std::move(areas); }
+  void add_areas(const std::string& name, std::vector<CGAL::Polygon_with_holes_2<Kernel>> areas)
+  {
+    layer(name).areas = std::move(areas);
+  }
 
   void add_area(const std::string& name, const CGAL::Polygon_2<Kernel>& area)
   {
@@ -101,7 +104,8 @@ public:
   // Those that are not empty.
   Planar_layers_2<Kernel> layers() &&
   {
-    std::erase_if(m_layers, [](const auto& layer) { return layer.areas.empty() && layer.lines.empty() && layer.points.empty(); });
+    std::erase_if(m_layers,
+                  [](const auto& layer) { return layer.areas.empty() && layer.lines.empty() && layer.points.empty(); });
     return std::move(m_layers);
   }
 
@@ -116,7 +120,11 @@ private:
 template <SplineKernel Kernel, class Result>
 Planar_layers_2<Kernel> layers_by_kinds(const Result& result, double error)
 {
-  Planar_layer_collector<Kernel> collector{{"area", color_of_areas}, {"arc", color_of_curves}, {"segment", color_of_segments}, {"open", color_of_segments}, {"undecided", color_of_segments}};
+  Planar_layer_collector<Kernel> collector{{"area", color_of_areas},
+                                           {"arc", color_of_curves},
+                                           {"segment", color_of_segments},
+                                           {"open", color_of_segments},
+                                           {"undecided", color_of_segments}};
   collector.add_area("area", result.polygon(error));
   for (std::size_t i = 0; i < result.edges().size(); ++i) {
     std::ostringstream kind;
@@ -131,7 +139,9 @@ Planar_layers_2<Kernel> layers_by_kinds(const Result& result, double error)
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-what planar operations return, as layers of polygons, polylines and points, to be drawn, `draw()`, written, `IO::write_WKT()`, or handed to CGAL. There is an overload for each kind of result. This one is for Voronoi diagrams and medial axes: `edges`, and `vertices`, those of degree three or more.
+what planar operations return, as layers of polygons, polylines and points, to be drawn, `draw()`, written,
+`IO::write_WKT()`, or handed to CGAL. There is an overload for each kind of result. This one is for Voronoi diagrams and
+medial axes: `edges`, and `vertices`, those of degree three or more.
 
 \param diagram the result.
 \param error the distance between curves and chords, as of its `polyline()`; positive.
@@ -141,9 +151,11 @@ what planar operations return, as layers of polygons, polylines and points, to b
 Complexity: linear in the number of points.
 */
 template <SplineKernel Kernel>
-Planar_layers_2<Kernel> planar_layers(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
+Planar_layers_2<Kernel> planar_layers(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
+                                      double most_radius)
 {
-  internal::Planar_layer_collector<Kernel> collector{{"edges", internal::color_of_curves}, {"vertices", internal::color_of_curves}};
+  internal::Planar_layer_collector<Kernel> collector{{"edges", internal::color_of_curves},
+                                                     {"vertices", internal::color_of_curves}};
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     collector.add_line("edges", diagram.polyline(e, error, most_radius));
   for (const auto& vertex : diagram.vertices())
@@ -176,11 +188,14 @@ Planar_layers_2<Kernel> planar_layers(const Trimmed_alpha_sector_2<Kernel>& sect
 }
 
 //! \ingroup PkgSplineConstraintsDIO
-//! of a trimmed offset: `area`, without boundaries that are not closed; `curve` and `circle`, the arcs beside curves and around points. As above.
+//! of a trimmed offset: `area`, without boundaries that are not closed; `curve` and `circle`, the arcs beside curves
+//! and around points. As above.
 template <SplineKernel Kernel>
 Planar_layers_2<Kernel> planar_layers(const Trimmed_offset_2<Kernel>& offset, double error)
 {
-  internal::Planar_layer_collector<Kernel> collector{{"area", internal::color_of_areas}, {"curve", internal::color_of_curves}, {"circle", internal::color_of_segments}};
+  internal::Planar_layer_collector<Kernel> collector{{"area", internal::color_of_areas},
+                                                     {"curve", internal::color_of_curves},
+                                                     {"circle", internal::color_of_segments}};
   collector.add_areas("area", offset.polygons_with_holes(error));
   for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
     collector.add_line(offset.arcs()[arc].is_circular ? "circle" : "curve", offset.polyline(arc, error));
@@ -192,7 +207,8 @@ Planar_layers_2<Kernel> planar_layers(const Trimmed_offset_2<Kernel>& offset, do
 template <SplineKernel Kernel>
 Planar_layers_2<Kernel> planar_layers(const Minkowski_sum_2<Kernel>& sum, double error)
 {
-  internal::Planar_layer_collector<Kernel> collector{{"area", internal::color_of_areas}, {"boundary", internal::color_of_curves}};
+  internal::Planar_layer_collector<Kernel> collector{{"area", internal::color_of_areas},
+                                                     {"boundary", internal::color_of_curves}};
   collector.add_areas("area", sum.polygons_with_holes(error));
   for (std::size_t b = 0; b < sum.boundaries().size(); ++b)
     for (std::size_t arc = 0; arc < sum.boundaries()[b].arcs.size(); ++arc)
@@ -213,10 +229,14 @@ Planar_layers_2<Kernel> planar_layers(const Planar_region_2<Kernel>& region, dou
 //! \ingroup PkgSplineConstraintsDIO
 //! of a convex hull: `area`, and the parts of the boundary by their kinds, `arc`, `segment` and `undecided`. As above.
 template <SplineKernel Kernel>
-Planar_layers_2<Kernel> planar_layers(const Convex_hull_2<Kernel>& hull, double error) { return internal::layers_by_kinds<Kernel>(hull, error); }
+Planar_layers_2<Kernel> planar_layers(const Convex_hull_2<Kernel>& hull, double error)
+{
+  return internal::layers_by_kinds<Kernel>(hull, error);
+}
 
 //! \ingroup PkgSplineConstraintsDIO
-//! of the kernel of a region: as of a convex hull; of one without interior `flat`, a segment or a point that it lies in.
+//! of the kernel of a region: as of a convex hull; of one without interior `flat`, a segment or a point that it lies
+//! in.
 template <SplineKernel Kernel>
 Planar_layers_2<Kernel> planar_layers(const Region_kernel_2<Kernel>& kernel, double error)
 {
@@ -230,10 +250,14 @@ Planar_layers_2<Kernel> planar_layers(const Region_kernel_2<Kernel>& kernel, dou
 //! \ingroup PkgSplineConstraintsDIO
 //! of what is seen from a point: as of a convex hull, and `open`, between rays along which no curve is seen.
 template <SplineKernel Kernel>
-Planar_layers_2<Kernel> planar_layers(const Visible_part_2<Kernel>& visible, double error) { return internal::layers_by_kinds<Kernel>(visible, error); }
+Planar_layers_2<Kernel> planar_layers(const Visible_part_2<Kernel>& visible, double error)
+{
+  return internal::layers_by_kinds<Kernel>(visible, error);
+}
 
 //! \ingroup PkgSplineConstraintsDIO
-//! of the distance of two regions: `distance`, the segments between nearest points, or these points if regions touch. These are not curves: no error matters.
+//! of the distance of two regions: `distance`, the segments between nearest points, or these points if regions touch.
+//! These are not curves: no error matters.
 template <SplineKernel Kernel>
 Planar_layers_2<Kernel> planar_layers(const Region_distance_2<Kernel>& distance, double)
 {

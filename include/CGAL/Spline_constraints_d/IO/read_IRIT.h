@@ -60,7 +60,8 @@ private:
     } else
       do
         m_cursor.advance();
-      while (!m_cursor.is_at_end() && !Text_cursor::is_blank(m_cursor.peek()) && std::string("[]\"").find(m_cursor.peek()) == std::string::npos);
+      while (!m_cursor.is_at_end() && !Text_cursor::is_blank(m_cursor.peek()) &&
+             std::string("[]\"").find(m_cursor.peek()) == std::string::npos);
     return std::string(m_source.content().substr(begin, m_cursor.position() - begin));
   }
 
@@ -193,7 +194,9 @@ private:
   // Blocks that begin with a word, but for those of knots.
   void skip_attributes(int depth)
   {
-    for (m_cursor.skip_blanks(); m_cursor.peek() == '[' && Text_cursor::is_letter(m_cursor.peek(1)) && m_cursor.rest().substr(1, 2) != "KV"; m_cursor.skip_blanks()) {
+    for (m_cursor.skip_blanks();
+         m_cursor.peek() == '[' && Text_cursor::is_letter(m_cursor.peek(1)) && m_cursor.rest().substr(1, 2) != "KV";
+         m_cursor.skip_blanks()) {
       const std::size_t begin = m_cursor.position();
       m_cursor.advance();
       skip_to_end(begin, depth);
@@ -239,22 +242,24 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-reads the curves and surfaces of a data file of the solid modeller IRIT (`.itd`): the blocks `CURVE` and `SURFACE`, `BSPLINE` or `BEZIER`, in objects and groups of
-objects. Their name is that of the innermost object that has one.
+reads the curves and surfaces of a data file of the solid modeller IRIT (`.itd`): the blocks `CURVE` and `SURFACE`,
+`BSPLINE` or `BEZIER`, in objects and groups of objects. Their name is that of the innermost object that has one.
 
-Control points are of the type `E2`, `E3`, `P2` or `P3`; those of the last two are the weight and the coordinates multiplied by it. A `BEZIER` curve is over \f$[0,1]\f$.
-An axis with periodic knots (`KVP`) is unwrapped: its first control points come again at
-the end. Text outside of brackets, attributes, and blocks of other objects like `POLYGON` or `MATRIX` are skipped.
+Control points are of the type `E2`, `E3`, `P2` or `P3`; those of the last two are the weight and the coordinates
+multiplied by it. A `BEZIER` curve is over \f$[0,1]\f$. An axis with periodic knots (`KVP`) is unwrapped: its first
+control points come again at the end. Text outside of brackets, attributes, and blocks of other objects like `POLYGON`
+or `MATRIX` are skipped.
 
 Numbers are taken as the decimals they are, so that objects are exact in exact kernels.
 
-\tparam Kernel the kernel of the curves and surfaces, a `SplineKernel`; those of floating point numbers round what has been read exactly.
+\tparam Kernel the kernel of the curves and surfaces, a `SplineKernel`; those of floating point numbers round what has
+been read exactly.
 \param in the file's content.
 \param file_name how errors call the file.
-\throws Parse_error with line, column and the offending text, when the content is not of this form, blocks are nested more than 200 deep, an order is above 100 or above
-the number of control points, a number has more
-        than 400 characters or an exponent beyond 400, knots or weights are not valid, a surface is in the plane, or there is a block `TRIMSRF`, `TRIVAR`, `MULTIVAR` or
-        `MODEL`; also when the stream fails.
+\throws Parse_error with line, column and the offending text, when the content is not of this form, blocks are nested
+more than 200 deep, an order is above 100 or above the number of control points, a number has more
+        than 400 characters or an exponent beyond 400, knots or weights are not valid, a surface is in the plane, or
+        there is a block `TRIMSRF`, `TRIVAR`, `MULTIVAR` or `MODEL`; also when the stream fails.
 
 Complexity: linear in the length of the file.
 */

@@ -58,31 +58,37 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-reads the curves of an SVG drawing (SVG 1.1): the elements `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse`, in the order of the document. It needs
-the library pugixml;
-programs link `pugixml::pugixml`.
+reads the curves of an SVG drawing (SVG 1.1): the elements `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and
+`ellipse`, in the order of the document. It needs the library pugixml; programs link `pugixml::pugixml`.
 
-- Coordinates are those of the drawing, in user units (96 to the inch), with \f$y\f$ negated: curves are seen as in a viewer when the \f$y\f$-axis points upwards.
+- Coordinates are those of the drawing, in user units (96 to the inch), with \f$y\f$ negated: curves are seen as in a
+  viewer when the \f$y\f$-axis points upwards.
   Transformations of elements and of groups `g` are applied, the `viewBox` is not.
-- Each subpath becomes one curve. Its Bézier pieces are over \f$[i, i+1]\f$, have the degree of the highest, and are joined without any smoothness, as `bezier_pieces()`
+- Each subpath becomes one curve. Its Bézier pieces are over \f$[i, i+1]\f$, have the degree of the highest, and are
+  joined without any smoothness, as `bezier_pieces()`
   gives them back. Pieces
   of length zero are dropped, and so are curves without any other.
 - Circles, ellipses and arcs are rational quadratic curves.
-- Numbers are taken as the decimals they are; so curves are exact in exact kernels, except for these. *Rotations*, skews and rotated arcs by angles that are no multiples
+- Numbers are taken as the decimals they are; so curves are exact in exact kernels, except for these. *Rotations*, skews
+  and rotated arcs by angles that are no multiples
   of 90 degrees have the tangent
-  of half the angle rounded to double; a rotation stays a rotation. *Arcs* with an irrational center lie on an ellipse with half axes in the given ratio, and have the
-  given end points; only its size is
-  rounded, with a relative error of about \f$2^{-90}\f$ times the quotient of the half axis and the chord.
-- Half axes of arcs that are too short are scaled, as SVG says; circles, ellipses and rectangles without extent are dropped.
-- Only `svg`, `g`, `a` and `switch` are looked into; `defs`, `text`, `symbol` and others are not. `use` and `svg` within `svg` are errors, as are lengths in percent or
+  of half the angle rounded to double; a rotation stays a rotation. *Arcs* with an irrational center lie on an ellipse
+  with half axes in the given ratio, and have the given end points; only its size is rounded, with a relative error of
+  about \f$2^{-90}\f$ times the quotient of the half axis and the chord.
+- Half axes of arcs that are too short are scaled, as SVG says; circles, ellipses and rectangles without extent are
+  dropped.
+- Only `svg`, `g`, `a` and `switch` are looked into; `defs`, `text`, `symbol` and others are not. `use` and `svg` within
+  `svg` are errors, as are lengths in percent or
   relative to fonts. Styles are not read.
 
-\tparam Kernel the kernel of the curves, a `SplineKernel`; those of floating point numbers round what has been read exactly.
+\tparam Kernel the kernel of the curves, a `SplineKernel`; those of floating point numbers round what has been read
+exactly.
 \param in the file's content, in UTF-8.
 \param file_name how errors call the file.
-\throws Parse_error with line, column and the offending text, when the content is no such drawing, a number has more than 400 characters or an exponent beyond 400,
-elements are nested more
-        than 200 deep, a transformation is not invertible, or an arc is not determined because its ends are next to each other; also when the stream fails.
+\throws Parse_error with line, column and the offending text, when the content is no such drawing, a number has more
+than 400 characters or an exponent beyond 400, elements are nested more
+        than 200 deep, a transformation is not invertible, or an arc is not determined because its ends are next to each
+        other; also when the stream fails.
 
 Complexity: linear in the length of the file.
 */

@@ -95,21 +95,23 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-reads the curves and surfaces of a file in the g2 format of the library GoTools: its classes 100 (`SplineCurve`), in the plane or in space, and 200 (`SplineSurface`), in
-space, rational or not.
+reads the curves and surfaces of a file in the g2 format of the library GoTools: its classes 100 (`SplineCurve`), in the
+plane or in space, and 200 (`SplineSurface`), in space, rational or not.
 
-Each begins with its class, two numbers of a version, and the number of auxiliary data with these; then follow the dimension, 1 or 0 for rational or not, for each
-parameter the number of control points, the order and the
-knots, and the control points, the first parameter fastest; those of rational ones are multiplied by their weight, which comes last.
+Each begins with its class, two numbers of a version, and the number of auxiliary data with these; then follow the
+dimension, 1 or 0 for rational or not, for each parameter the number of control points, the order and the knots, and the
+control points, the first parameter fastest; those of rational ones are multiplied by their weight, which comes last.
 
 Numbers are taken as the decimals they are, so that objects are exact in exact kernels.
 
-\tparam Kernel the kernel of the curves and surfaces, a `SplineKernel`; those of floating point numbers round what has been read exactly.
+\tparam Kernel the kernel of the curves and surfaces, a `SplineKernel`; those of floating point numbers round what has
+been read exactly.
 \param in the file's content.
 \param file_name how errors call the file.
-\throws Parse_error with line, column and the offending text, when the content is not of this form, another class is found, an order is above 100 or above the number of
-control points, a number has more than
-        400 characters or an exponent beyond 400, knots or weights are not valid, or a surface is in the plane; also when the stream fails.
+\throws Parse_error with line, column and the offending text, when the content is not of this form, another class is
+found, an order is above 100 or above the number of control points, a number has more than
+        400 characters or an exponent beyond 400, knots or weights are not valid, or a surface is in the plane; also
+        when the stream fails.
 
 Complexity: linear in the length of the file.
 */

@@ -18,7 +18,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-reads a system of polynomial equations and inequalities in the polynomial subset of Minibex, the input language of the solver IBEX.
+reads a system of polynomial equations and inequalities in the polynomial subset of Minibex, the input language of the
+solver IBEX.
 
 \code{.unparsed}
 Constants                    // optional
@@ -33,19 +34,25 @@ end
 \endcode
 
 - Keywords are written `end`, `End` or `END`. Comments are those of C++.
-- Numbers are read exactly: `0.1` is one tenth and `7./48` is 7/48. A number has at most 20000 digits when written without exponent.
+- Numbers are read exactly: `0.1` is one tenth and `7./48` is 7/48. A number has at most 20000 digits when written
+  without exponent.
 - `^` takes a constant integer and associates to the left; it binds stronger than a sign: `-x^2` is \f$-(x^2)\f$.
-- `/` divides by a constant. A sign after `/` or `^` that is followed by another `*`, `/` or `^` needs parentheses, since IBEX reads `1/-2*3` as `1/(-(2*3))`.
+- `/` divides by a constant. A sign after `/` or `^` that is followed by another `*`, `/` or `^` needs parentheses,
+  since IBEX reads `1/-2*3` as `1/(-(2*3))`.
 - The elements of an array `z[3]` are `z(1)`, `z(2)`, `z(3)`, or, as in recent versions of IBEX, `z[0]`, `z[1]`, `z[2]`.
 - Every unknown needs a domain with finite bounds, which are constant expressions.
-- Not in the subset, and reported as such: functions other than `sqr`, `pi`, interval constants, matrices, arrays of constants, the
-  sections `Parameters`, `Function`, `Minimize`, loops, names introduced among the constraints, constraints in parentheses.
+- Not in the subset, and reported as such: functions other than `sqr`, `pi`, interval constants, matrices, arrays of
+  constants, the
+  sections `Parameters`, `Function`, `Minimize`, loops, names introduced among the constraints, constraints in
+  parentheses.
 
-Expressions are expanded; the time this takes is bounded by a constant (some seconds) plus a multiple of the length of the file.
+Expressions are expanded; the time this takes is bounded by a constant (some seconds) plus a multiple of the length of
+the file.
 
 \param in the file's content.
 \param file_name how errors call the file.
-\throws Parse_error with line, column and the offending text, when the content is not such a system or the limits of `Power_polynomial` are exceeded;
+\throws Parse_error with line, column and the offending text, when the content is not such a system or the limits of
+`Power_polynomial` are exceeded;
         also when the stream fails.
 */
 inline Minibex_system read_minibex(std::istream& in, const std::string& file_name)

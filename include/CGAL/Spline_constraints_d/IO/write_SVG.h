@@ -28,7 +28,8 @@ namespace internal {
 template <class Point>
 std::string coordinate_text(const Point& p)
 {
-  return decimal_text(converted_number<Exact_rational>(p.x())) + ' ' + decimal_text(converted_number<Exact_rational>(p.y()));
+  return decimal_text(converted_number<Exact_rational>(p.x())) + ' ' +
+      decimal_text(converted_number<Exact_rational>(p.y()));
 }
 
 // The box around curves, points or polygons, with a margin of a part of its larger extent.
@@ -49,11 +50,12 @@ CGAL::Bbox_2 box_with_margin(const Range& objects, double share)
 
 Draws curves, polygons, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
 
-What is drawn may be put into layers with names, which programs for drawings, such as Inkscape, show and hide one by one.
+What is drawn may be put into layers with names, which programs for drawings, such as Inkscape, show and hide one by
+one.
 
-Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the
-drawing
-back; those that are polynomial of degree three at most, exactly, if the control points of their Bézier pieces are numbers of 60 decimals at most.
+Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters
+are in pixels. `read_SVG()` reads the curves of the drawing back; those that are polynomial of degree three at most,
+exactly, if the control points of their Bézier pieces are numbers of 60 decimals at most.
 */
 class SVG_writer
 {
@@ -72,14 +74,19 @@ public:
   \throws Invalid_input when the view has no extent, or something is not finite.
   */
   SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600)
-      : m_out(out), m_pixel((view.xmax() - view.xmin()) / width), m_extent((std::max)(view.xmax() - view.xmin(), view.ymax() - view.ymin())), m_units(std::pow(10., std::ceil(std::log10(25 / m_pixel))))
+    : m_out(out), m_pixel((view.xmax() - view.xmin()) / width),
+      m_extent((std::max)(view.xmax() - view.xmin(), view.ymax() - view.ymin())),
+      m_units(std::pow(10., std::ceil(std::log10(25 / m_pixel))))
   {
     const double w = view.xmax() - view.xmin(), h = view.ymax() - view.ymin();
-    if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 && h > 0 && m_pixel > 0))
+    if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 &&
+          h > 0 && m_pixel > 0))
       throw Invalid_input("SVG_writer: the view or its width has no extent, or is not finite");
     const auto text = internal::double_text;
-    m_out << "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' style='background: white' viewBox='" << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h)
-          << "' width='" << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
+    m_out << "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
+             "style='background: white' viewBox='"
+          << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h) << "' width='"
+          << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
           << "<g transform='scale(1 -1)' fill='none' font-family='sans-serif'>\n";
   }
 
@@ -92,7 +99,8 @@ public:
   \throws Invalid_input when they have no extent, or something is not finite.
   */
   template <std::ranges::forward_range Range>
-  SVG_writer(std::ostream& out, const Range& objects, double width = 600, double margin = 1. / 30) : SVG_writer(out, internal::box_with_margin(objects, margin), width)
+  SVG_writer(std::ostream& out, const Range& objects, double width = 600, double margin = 1. / 30)
+    : SVG_writer(out, internal::box_with_margin(objects, margin), width)
   {
   }
 
@@ -111,15 +119,15 @@ public:
   //! begins a layer, above those before, which ends where the next one begins.
   void layer(const std::string& name)
   {
-    m_out << (m_has_layer ? "</g>\n" : "") << "<g inkscape:groupmode='layer' inkscape:label='" << escaped(name) << "'>\n";
+    m_out << (m_has_layer ? "</g>\n" : "") << "<g inkscape:groupmode='layer' inkscape:label='" << escaped(name)
+          << "'>\n";
     m_has_layer = true;
   }
 
   /*!
-  draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control points (coordinates without an end after 60
-  decimals are rounded to
-  double); else by chords with an error of
-  a tenth of a pixel at most, up to rounding. Curves that are discontinuous are drawn connected.
+  draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control
+  points (coordinates without an end after 60 decimals are rounded to double); else by chords with an error of a tenth
+  of a pixel at most, up to rounding. Curves that are discontinuous are drawn connected.
   */
   template <SplineKernel Kernel>
   void curve(const Bspline_curve_2<Kernel>& curve, const std::string& color = "black", double width = 1.5)
@@ -138,12 +146,15 @@ public:
   template <SplineKernel Kernel>
   void point(const CGAL::Point_2<Kernel>& p, const std::string& color = "black", double diameter = 7)
   {
-    m_out << "<path d='M" << internal::coordinate_text(p) << "h0' stroke-linecap='round' " << stroke(color, diameter) << "/>\n";
+    m_out << "<path d='M" << internal::coordinate_text(p) << "h0' stroke-linecap='round' " << stroke(color, diameter)
+          << "/>\n";
   }
 
   /*!
-  joins points by chords, their coordinates rounded by a fiftieth of a pixel at most: short numbers for what has many points.
-  \param points a range of points: of a kernel, or arrays or vectors of coordinates, or samples whose member `point` is one of these, as polylines of bisectors, diagrams and curves of solutions
+  joins points by chords, their coordinates rounded by a fiftieth of a pixel at most: short numbers for what has many
+  points.
+  \param points a range of points: of a kernel, or arrays or vectors of coordinates, or samples whose member `point` is
+  one of these, as polylines of bisectors, diagrams and curves of solutions
          have them. Of one point nothing is seen.
   \param color of SVG.
   \param width of the stroke, in pixels.
@@ -158,13 +169,16 @@ public:
 
   //! draws a circle. The numbers are rounded to double.
   template <SplineKernel Kernel>
-  void circle(const CGAL::Point_2<Kernel>& center, const typename Kernel::FT& radius, const std::string& color = "black", double width = 1.5)
+  void circle(const CGAL::Point_2<Kernel>& center, const typename Kernel::FT& radius,
+              const std::string& color = "black", double width = 1.5)
   {
     const auto text = [](const auto& x) { return internal::double_text(internal::converted_number<double>(x)); };
-    m_out << "<circle cx='" << text(center.x()) << "' cy='" << text(center.y()) << "' r='" << text(radius) << "' " << stroke(color, width) << "/>\n";
+    m_out << "<circle cx='" << text(center.x()) << "' cy='" << text(center.y()) << "' r='" << text(radius) << "' "
+          << stroke(color, width) << "/>\n";
   }
 
-  //! fills a polygon, given as `polyline()` takes its points; an edge of a fifth of a pixel closes the gap to its neighbours.
+  //! fills a polygon, given as `polyline()` takes its points; an edge of a fifth of a pixel closes the gap to its
+  //! neighbours.
   template <std::ranges::forward_range Range>
   void polygon(const Range& points, const std::string& color)
   {
@@ -188,14 +202,19 @@ public:
 
   //! writes a text that begins at a point.
   template <SplineKernel Kernel>
-  void label(const CGAL::Point_2<Kernel>& p, const std::string& text, const std::string& color = "black", double size = 14)
+  void label(const CGAL::Point_2<Kernel>& p, const std::string& text, const std::string& color = "black",
+             double size = 14)
   {
-    m_out << "<text transform='translate(" << internal::coordinate_text(p) << ") scale(" << internal::double_text(m_pixel) << ' ' << internal::double_text(-m_pixel)
-          << ")' fill='" << color << "' font-size='" << internal::double_text(size) << "'>" << escaped(text) << "</text>\n";
+    m_out << "<text transform='translate(" << internal::coordinate_text(p) << ") scale("
+          << internal::double_text(m_pixel) << ' ' << internal::double_text(-m_pixel) << ")' fill='" << color
+          << "' font-size='" << internal::double_text(size) << "'>" << escaped(text) << "</text>\n";
   }
 
 private:
-  std::string stroke(const std::string& color, double width) const { return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'"; }
+  std::string stroke(const std::string& color, double width) const
+  {
+    return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'";
+  }
 
   template <class Range>
   void write_ring(const Range& points)

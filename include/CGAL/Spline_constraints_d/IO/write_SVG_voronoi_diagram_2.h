@@ -20,9 +20,13 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-draws the Voronoi diagram or medial axis of curves in layers with the names `cells`, `edges`, `sites` and `vertices`: the cells of each curve and of each isolated point in one of seven colors, edges and vertices of degree three or more in red, curves and isolated points in black.
+draws the Voronoi diagram or medial axis of curves in layers with the names `cells`, `edges`, `sites` and `vertices`:
+the cells of each curve and of each isolated point in one of seven colors, edges and vertices of degree three or more in
+red, curves and isolated points in black.
 
-Edges are drawn up to a quarter of a pixel, and as far as the radius of their disks is at most the larger extent of the view. What lies between an edge and the feet of its points belongs to the cells of its two sites; so are the cells drawn, in quadrangles.
+Edges are drawn up to a quarter of a pixel, and as far as the radius of their disks is at most the larger extent of the
+view. What lies between an edge and the feet of its points belongs to the cells of its two sites; so are the cells
+drawn, in quadrangles.
 
 \param picture where to.
 \param diagram the diagram.
@@ -31,9 +35,11 @@ Edges are drawn up to a quarter of a pixel, and as far as the radius of their di
 Complexity: linear in the number of points that are drawn.
 */
 template <SplineKernel Kernel>
-void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagram, const std::vector<Bspline_curve_2<Kernel>>& curves)
+void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagram,
+          const std::vector<Bspline_curve_2<Kernel>>& curves)
 {
-  constexpr std::array<const char*, 7> colors{"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a", "#ff9896", "#c5b0d5", "#f7d7a0"};
+  constexpr std::array<const char*, 7> colors{"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a",
+                                              "#ff9896", "#c5b0d5", "#f7d7a0"};
   constexpr std::size_t no_curve = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::vector<Voronoi_sample_2<Kernel>>> edges;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
@@ -79,7 +85,8 @@ draws the Voronoi diagram or medial axis of curves, with a margin of a thirtieth
 \throws Invalid_input when there are no curves, or they are all one point.
 */
 template <SplineKernel Kernel>
-void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves, const Voronoi_diagram_of_curves_2<Kernel>& diagram)
+void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves,
+               const Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   SVG_writer picture(out, curves, 700);
   draw(picture, diagram, curves);

@@ -20,7 +20,8 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes polylines in space as `PolyData` of VTK, in XML with numbers as text, which ParaView and others read. The cell data `component` are the indices of the polylines. Coordinates are rounded to double.
+writes polylines in space as `PolyData` of VTK, in XML with numbers as text, which ParaView and others read. The cell
+data `component` are the indices of the polylines. Coordinates are rounded to double.
 \param out where they are written to.
 \param polylines the points of each polyline; those of a closed one begin and end with the same point.
 */
@@ -31,11 +32,13 @@ void write_VTP(std::ostream& out, const std::vector<std::vector<CGAL::Point_3<Ke
   for (const auto& polyline : polylines)
     points += polyline.size();
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << polylines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+      << "<Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << polylines.size()
+      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
       << "<CellData Scalars=\"component\">\n<DataArray type=\"Int64\" Name=\"component\" format=\"ascii\">\n";
   for (std::size_t i = 0; i < polylines.size(); ++i)
     out << i << '\n';
-  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">\n";
   for (const auto& polyline : polylines)
     for (const CGAL::Point_3<Kernel>& p : polyline)
       for (int i = 0; i < 3; ++i)

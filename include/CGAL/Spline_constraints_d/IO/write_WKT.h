@@ -45,17 +45,21 @@ std::string listed(const Range& range, const Text_of& text_of)
 
 inline std::string text_of_run(const WKT_run& run)
 {
-  return (run.is_circular ? "CIRCULARSTRING " : "") + listed(run.points, [](const std::string& point) { return point; });
+  return (run.is_circular ? "CIRCULARSTRING " : "") +
+      listed(run.points, [](const std::string& point) { return point; });
 }
 
 inline std::string text_of_part(const WKT_part& part)
 {
-  return listed(part, [](const WKT_ring& ring) { return ring.size() == 1 ? text_of_run(ring[0]) : "COMPOUNDCURVE " + listed(ring, text_of_run); });
+  return listed(part, [](const WKT_ring& ring) {
+    return ring.size() == 1 ? text_of_run(ring[0]) : "COMPOUNDCURVE " + listed(ring, text_of_run);
+  });
 }
 
 inline bool is_curved(const WKT_part& part)
 {
-  return std::any_of(part.begin(), part.end(), [](const WKT_ring& ring) { return ring.size() > 1 || ring[0].is_circular; });
+  return std::any_of(part.begin(), part.end(),
+                     [](const WKT_ring& ring) { return ring.size() > 1 || ring[0].is_circular; });
 }
 
 inline void write_parts(std::ostream& out, const std::vector<WKT_part>& parts)
@@ -66,7 +70,9 @@ inline void write_parts(std::ostream& out, const std::vector<WKT_part>& parts)
   else if (parts.empty())
     out << "MULTIPOLYGON EMPTY";
   else
-    out << (has_arcs ? "MULTISURFACE " : "MULTIPOLYGON ") << listed(parts, [](const WKT_part& part) { return (is_curved(part) ? "CURVEPOLYGON " : "") + text_of_part(part); });
+    out << (has_arcs ? "MULTISURFACE " : "MULTIPOLYGON ") << listed(parts, [](const WKT_part& part) {
+      return (is_curved(part) ? "CURVEPOLYGON " : "") + text_of_part(part);
+    });
   out << '\n';
 }
 
@@ -128,7 +134,8 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes polygons as well-known text (WKT), in one line: a `POLYGON`, or, if there are none or several, a `MULTIPOLYGON`. Coordinates are rounded to doubles, and are read back as those.
+writes polygons as well-known text (WKT), in one line: a `POLYGON`, or, if there are none or several, a `MULTIPOLYGON`.
+Coordinates are rounded to doubles, and are read back as those.
 \param out where the text is written to.
 \param polygons the polygons, as those of `Planar_region_2`, `Trimmed_offset_2` and `Minkowski_sum_2`.
 \throws Invalid_input when a polygon is unbounded, or a boundary has less than three corners.
@@ -149,10 +156,13 @@ void write_WKT(std::ostream& out, const std::vector<CGAL::Polygon_with_holes_2<K
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes a region as well-known text (WKT) with curves, in one line. Polynomial pieces of the boundaries that are arcs of circles, which is decided exactly, become `CIRCULARSTRING`s, in a `CURVEPOLYGON` or a `MULTISURFACE` of these; others become chords. If there are no such arcs, the text is a `POLYGON` or a `MULTIPOLYGON`.
+writes a region as well-known text (WKT) with curves, in one line. Polynomial pieces of the boundaries that are arcs of
+circles, which is decided exactly, become `CIRCULARSTRING`s, in a `CURVEPOLYGON` or a `MULTISURFACE` of these; others
+become chords. If there are no such arcs, the text is a `POLYGON` or a `MULTIPOLYGON`.
 \param out where the text is written to.
 \param region the region.
-\param error the distance of other curves from their chords, at most, up to rounding of coordinates to doubles; positive.
+\param error the distance of other curves from their chords, at most, up to rounding of coordinates to doubles;
+positive.
 \throws Invalid_input when the error is not positive.
 */
 template <SplineKernel Kernel>

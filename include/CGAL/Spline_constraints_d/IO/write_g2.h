@@ -45,9 +45,8 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes a curve in the g2 format of the library GoTools, as `read_g2()` reads it back; several can be written one after another. Numbers are exact if they have 60
-decimals at most, else the
-nearest doubles.
+writes a curve in the g2 format of the library GoTools, as `read_g2()` reads it back; several can be written one after
+another. Numbers are exact if they have 60 decimals at most, else the nearest doubles.
 \param out where it is written to.
 \param curve a curve in the plane or in space.
 */

@@ -16,7 +16,8 @@ namespace Spline_constraints {
 
 namespace internal {
 
-// Number of unknowns from `first` on that are the elements base(1), base(2), ... of one array; 0 when `first` is not an array's beginning.
+// Number of unknowns from `first` on that are the elements base(1), base(2), ... of one array; 0 when `first` is not an
+// array's beginning.
 inline std::size_t array_size(const Minibex_system& system, std::size_t first)
 {
   const std::string& name = system.names[first];
@@ -38,7 +39,8 @@ inline bool is_name(const std::string& text)
 
 inline std::string interval_text(const std::pair<Exact_rational, Exact_rational>& interval)
 {
-  return '[' + Power_polynomial(interval.first).to_string() + ", " + Power_polynomial(interval.second).to_string() + ']';
+  return '[' + Power_polynomial(interval.first).to_string() + ", " + Power_polynomial(interval.second).to_string() +
+      ']';
 }
 
 } // namespace internal
@@ -46,11 +48,13 @@ inline std::string interval_text(const std::pair<Exact_rational, Exact_rational>
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes a system as a Minibex file that `read_minibex()` reads back exactly: the same names, domains, functions and relations.
+writes a system as a Minibex file that `read_minibex()` reads back exactly: the same names, domains, functions and
+relations.
 
-\throws Invalid_input when a name is neither an identifier nor in place as an element `x(1)`, `x(2)`, ... of an array, when there are
-        no unknowns or no constraints, when names and domains differ in number, when a function has an unknown without a name, or when a
-        relation is `NOT_EQUAL`, which the language does not have.
+\throws Invalid_input when a name is neither an identifier nor in place as an element `x(1)`, `x(2)`, ... of an array,
+when there are
+        no unknowns or no constraints, when names and domains differ in number, when a function has an unknown without a
+        name, or when a relation is `NOT_EQUAL`, which the language does not have.
 */
 inline void write_minibex(std::ostream& out, const Minibex_system& system)
 {
@@ -63,7 +67,8 @@ inline void write_minibex(std::ostream& out, const Minibex_system& system)
     const std::size_t size = internal::array_size(system, i);
     const std::string name = size == 0 ? system.names[i] : system.names[i].substr(0, system.names[i].size() - 3);
     if (!internal::is_name(name))
-      throw Invalid_input("write_minibex: the name '" + system.names[i] + "' of unknown " + std::to_string(i) + " is not an identifier");
+      throw Invalid_input("write_minibex: the name '" + system.names[i] + "' of unknown " + std::to_string(i) +
+                          " is not an identifier");
     text += "  " + name + (size == 0 ? "" : '[' + std::to_string(size) + ']') + " in " + (size == 0 ? "" : "(");
     for (std::size_t j = 0; j < (size == 0 ? 1 : size); ++j, ++i)
       text += (j == 0 ? "" : "; ") + internal::interval_text(system.domains[i]);

@@ -17,7 +17,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-draws layers into an SVG drawing, each as a layer of its name and in its color: areas filled, polylines and points on them.
+draws layers into an SVG drawing, each as a layer of its name and in its color: areas filled, polylines and points on
+them.
 \param picture where to.
 \param layers what is drawn.
 \param width of polylines, in pixels.
@@ -52,7 +53,8 @@ void draw(SVG_writer& picture, const Result& result, double width = 2.5)
 }
 
 //! \ingroup PkgSplineConstraintsDIO
-//! draws the edges of a diagram, a medial axis or a trimmed bisector as above, as far as the radius of their disks is at most the larger extent of the view.
+//! draws the edges of a diagram, a medial axis or a trimmed bisector as above, as far as the radius of their disks is
+//! at most the larger extent of the view.
 template <internal::Unbounded_planar_result Result>
 void draw(SVG_writer& picture, const Result& result, double width = 2.5)
 {
@@ -74,7 +76,10 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes layers as well-known text (WKT): for each, a line with its areas, `POLYGON` or `MULTIPOLYGON`, one with its polylines, `MULTILINESTRING`, and one with its points, `MULTIPOINT`, in this order; those that are not there are left out. Coordinates are rounded to doubles, and are read back as those, for instance by `CGAL::IO::read_WKT()`. Names are not written.
+writes layers as well-known text (WKT): for each, a line with its areas, `POLYGON` or `MULTIPOLYGON`, one with its
+polylines, `MULTILINESTRING`, and one with its points, `MULTIPOINT`, in this order; those that are not there are left
+out. Coordinates are rounded to doubles, and are read back as those, for instance by `CGAL::IO::read_WKT()`. Names are
+not written.
 \param out where the text is written to.
 \param layers what is written.
 */
@@ -85,7 +90,8 @@ void write_WKT(std::ostream& out, const Planar_layers_2<Kernel>& layers)
     if (!layer.areas.empty())
       write_WKT(out, layer.areas);
     if (!layer.lines.empty())
-      out << "MULTILINESTRING " << internal::listed(layer.lines, [](const auto& line) { return internal::WKT_line_of(line); }) << '\n';
+      out << "MULTILINESTRING "
+          << internal::listed(layer.lines, [](const auto& line) { return internal::WKT_line_of(line); }) << '\n';
     if (!layer.points.empty())
       out << "MULTIPOINT " << internal::WKT_line_of(layer.points) << '\n';
   }
@@ -94,7 +100,8 @@ void write_WKT(std::ostream& out, const Planar_layers_2<Kernel>& layers)
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes the `planar_layers()` of a result as above. A `Planar_region_2` is written with its circular arcs instead, by its own overload.
+writes the `planar_layers()` of a result as above. A `Planar_region_2` is written with its circular arcs instead, by its
+own overload.
 \tparam Result what a planar operation returns.
 \param out where the text is written to.
 \param result what is written.
@@ -108,7 +115,8 @@ void write_WKT(std::ostream& out, const Result& result, double error)
 }
 
 //! \ingroup PkgSplineConstraintsDIO
-//! writes the edges of a diagram, a medial axis or a trimmed bisector, which may be unbounded, as above. \throws Invalid_input as `planar_layers()` does.
+//! writes the edges of a diagram, a medial axis or a trimmed bisector, which may be unbounded, as above. \throws
+//! Invalid_input as `planar_layers()` does.
 template <internal::Unbounded_planar_result Result>
 void write_WKT(std::ostream& out, const Result& result, double error, double most_radius)
 {

@@ -31,18 +31,21 @@ namespace Spline_constraints {
 A polynomial in any number of variables in Bernstein form on the unit box:
 \f$f(u) = \sum_{k} b_k \prod_j B^{d_j}_{k_j}(u_j)\f$ with one degree \f$d_j\f$ per axis.
 
-Coefficients are stored densely in row-major order, the last axis fastest. Zero axes are a constant. All operations are exact when `NT` is; for
-`double` every coefficient carries the rounding errors of the formula stated at each operation, in whatever rounding mode is set, and for an interval
-type results enclose. Operations do not look for overflow: coefficients near the largest double may become infinite.
+Coefficients are stored densely in row-major order, the last axis fastest. Zero axes are a constant. All operations are
+exact when `NT` is; for `double` every coefficient carries the rounding errors of the formula stated at each operation,
+in whatever rounding mode is set, and for an interval type results enclose. Operations do not look for overflow:
+coefficients near the largest double may become infinite.
 
-\tparam NT a field number type: a floating point type, `CGAL::Interval_nt<false>` under its protector, or an exact rational.
+\tparam NT a field number type: a floating point type, `CGAL::Interval_nt<false>` under its protector, or an exact
+rational.
 
 \cgalModels{MultivariateFunction,MultivariateSpline}
 */
 template <class NT>
 class Bernstein_tensor
 {
-  static_assert(!std::is_integral_v<NT>, "Bernstein_tensor needs a field: integers cannot be divided by binomial coefficients");
+  static_assert(!std::is_integral_v<NT>,
+                "Bernstein_tensor needs a field: integers cannot be divided by binomial coefficients");
 
   std::vector<int> m_degrees;
   std::vector<NT> m_coefficients;
@@ -65,7 +68,8 @@ public:
 
   /*!
   the tensor with the given degrees and \f$\prod_j (d_j + 1)\f$ coefficients, row-major, last axis fastest.
-  \throws Invalid_input for a negative degree, a wrong number of coefficients, a coefficient that is not finite, or when the size overflows.
+  \throws Invalid_input for a negative degree, a wrong number of coefficients, a coefficient that is not finite, or when
+  the size overflows.
   */
   Bernstein_tensor(std::vector<int> degrees, std::vector<NT> coefficients)
     : m_degrees(std::move(degrees)), m_coefficients(std::move(coefficients))
@@ -96,8 +100,8 @@ public:
   }
 
   /*!
-  the polynomial \f$\sum_k a_k \prod_j u_j^{k_j}\f$ from its dense power coefficients, in the same order as Bernstein coefficients.
-  Complexity: \f$O(N \sum_j d_j)\f$ for \f$N\f$ coefficients.
+  the polynomial \f$\sum_k a_k \prod_j u_j^{k_j}\f$ from its dense power coefficients, in the same order as Bernstein
+  coefficients. Complexity: \f$O(N \sum_j d_j)\f$ for \f$N\f$ coefficients.
   \throws Invalid_input as the constructor.
   */
   static Bernstein_tensor from_power(std::vector<int> degrees, std::vector<NT> power_coefficients)
@@ -107,11 +111,13 @@ public:
   }
 
   /*!
-  the polynomial \f$\sum_k a_k \prod_j x_j^{k_j}\f$ on the box of points \f$x_j = (1-u_j)\,\mathit{box}_j.\mathit{first} + u_j\,\mathit{box}_j.\mathit{second}\f$.
-  A range may run backwards or be a single point.
-  \throws Invalid_input as the constructor, and when the box has the wrong number of ranges or a bound that is not finite.
+  the polynomial \f$\sum_k a_k \prod_j x_j^{k_j}\f$ on the box of points \f$x_j = (1-u_j)\,\mathit{box}_j.\mathit{first}
+  + u_j\,\mathit{box}_j.\mathit{second}\f$. A range may run backwards or be a single point.
+  \throws Invalid_input as the constructor, and when the box has the wrong number of ranges or a bound that is not
+  finite.
   */
-  static Bernstein_tensor from_power_on_box(std::vector<int> degrees, std::vector<NT> power_coefficients, std::span<const std::pair<NT, NT>> box)
+  static Bernstein_tensor from_power_on_box(std::vector<int> degrees, std::vector<NT> power_coefficients,
+                                            std::span<const std::pair<NT, NT>> box)
   {
     Bernstein_tensor result(std::move(degrees), std::move(power_coefficients));
     internal::check_count(box.size(), result.m_degrees.size(), "Bernstein_tensor: ranges of the box");
@@ -164,8 +170,10 @@ public:
 
   /*!
   the value at a point, which may lie outside of the unit box.
-  In `double` and inside the box the error is at most \f$\gamma_m \max|b|\f$ with \f$m = \sum_j (5 d_j + 2)\f$, \f$\gamma_m = m\epsilon/(1-m\epsilon)\f$ and
-  \f$\epsilon = 2^{-52}\f$ (any rounding mode). Complexity: one multiplication per coefficient, \f$O(d_j^2)\f$ more per axis.
+  In `double` and inside the box the error is at most \f$\gamma_m \max|b|\f$ with \f$m = \sum_j (5 d_j + 2)\f$,
+  \f$\gamma_m = m\epsilon/(1-m\epsilon)\f$ and
+  \f$\epsilon = 2^{-52}\f$ (any rounding mode). Complexity: one multiplication per coefficient, \f$O(d_j^2)\f$ more per
+  axis.
   \throws Invalid_input when the number of parameters differs from the dimension.
   */
   NT operator()(std::span<const NT> u) const { return internal::contracted_value(m_coefficients, weights(u, 0)); }
@@ -177,11 +185,15 @@ public:
   }
 
   //! the symmetric matrix of second derivatives at a point, row by row. \throws Invalid_input as the evaluation.
-  std::vector<NT> hessian(std::span<const NT> u) const { return internal::contracted_hessian(m_coefficients, weights(u, 2)); }
+  std::vector<NT> hessian(std::span<const NT> u) const
+  {
+    return internal::contracted_hessian(m_coefficients, weights(u, 2));
+  }
 
   /*!
-  least and largest coefficient: bounds of the function on the unit box, attained at its corners. Rounding of the coefficients themselves is not
-  accounted for. For interval types the two numbers enclose the least and largest coefficient.
+  least and largest coefficient: bounds of the function on the unit box, attained at its corners. Rounding of the
+  coefficients themselves is not accounted for. For interval types the two numbers enclose the least and largest
+  coefficient.
   */
   std::pair<NT, NT> bounds() const { return internal::least_and_greatest(m_coefficients); }
 
@@ -211,15 +223,16 @@ public:
 
   /*!
   the same function with higher degrees.
-  \throws Invalid_input when a degree is below the present one, their number differs from the dimension, or the size overflows.
+  \throws Invalid_input when a degree is below the present one, their number differs from the dimension, or the size
+  overflows.
   */
   Bernstein_tensor elevated(const std::vector<int>& degrees) const
   {
     internal::check_count(degrees.size(), m_degrees.size(), "Bernstein_tensor: degrees to elevate to");
     for (std::size_t j = 0; j < degrees.size(); ++j)
       if (degrees[j] < m_degrees[j])
-        throw Invalid_input("Bernstein_tensor: degree " + std::to_string(m_degrees[j]) + " of axis " + std::to_string(j) +
-                            " cannot be elevated to " + std::to_string(degrees[j]));
+        throw Invalid_input("Bernstein_tensor: degree " + std::to_string(m_degrees[j]) + " of axis " +
+                            std::to_string(j) + " cannot be elevated to " + std::to_string(degrees[j]));
     internal::checked_tensor_size<NT>(degrees, "Bernstein_tensor");
     Bernstein_tensor result = *this;
     for (std::size_t j = 0; j < degrees.size(); ++j)
@@ -229,8 +242,8 @@ public:
   }
 
   /*!
-  the part over \f$[t_0,t_1]\f$ along an axis, as a function on the unit box again: \f$u_{axis}\f$ becomes \f$(1-u)\,t_0 + u\,t_1\f$. Both parameters may lie
-  outside of [0,1], in any order. Divides nothing. Complexity: \f$O(N d + d^3)\f$.
+  the part over \f$[t_0,t_1]\f$ along an axis, as a function on the unit box again: \f$u_{axis}\f$ becomes \f$(1-u)\,t_0
+  + u\,t_1\f$. Both parameters may lie outside of [0,1], in any order. Divides nothing. Complexity: \f$O(N d + d^3)\f$.
   \throws Invalid_input when a parameter is not finite.
   */
   Bernstein_tensor restricted(int axis, const NT& t0, const NT& t1) const
@@ -243,7 +256,8 @@ public:
     return result;
   }
 
-  //! the part over a box, as a function on the unit box. \throws Invalid_input also when the number of ranges differs from the dimension.
+  //! the part over a box, as a function on the unit box. \throws Invalid_input also when the number of ranges differs
+  //! from the dimension.
   Bernstein_tensor restricted_to_box(std::span<const std::pair<NT, NT>> box) const
   {
     internal::check_count(box.size(), m_degrees.size(), "Bernstein_tensor: ranges of the box");
@@ -253,7 +267,8 @@ public:
     return result;
   }
 
-  //! the function with `shift + scale * u` in place of \f$u_{axis}\f$. \throws Invalid_input when the substituted range is not finite.
+  //! the function with `shift + scale * u` in place of \f$u_{axis}\f$. \throws Invalid_input when the substituted range
+  //! is not finite.
   Bernstein_tensor substituted_affine(int axis, const NT& shift, const NT& scale) const
   {
     const NT end = shift + scale;
@@ -262,7 +277,8 @@ public:
 
   /*!
   the parts before and after a parameter of an axis, each as a function on the unit box: the de Casteljau algorithm.
-  In `double` and for \f$0 \le t \le 1\f$ each coefficient is off by at most \f$4 d \epsilon \max|b|\f$, \f$\epsilon = 2^{-52}\f$.
+  In `double` and for \f$0 \le t \le 1\f$ each coefficient is off by at most \f$4 d \epsilon \max|b|\f$, \f$\epsilon =
+  2^{-52}\f$.
   \throws Invalid_input when the parameter is not finite.
   */
   std::pair<Bernstein_tensor, Bernstein_tensor> split(int axis, const NT& t) const
@@ -270,7 +286,8 @@ public:
     CGAL_precondition(is_axis(axis));
     check_parameter(t);
     std::pair<Bernstein_tensor, Bernstein_tensor> parts(*this, *this);
-    internal::split_at(parts.first.m_coefficients.data(), parts.second.m_coefficients.data(), internal::axis_view(m_degrees, axis), t);
+    internal::split_at(parts.first.m_coefficients.data(), parts.second.m_coefficients.data(),
+                       internal::axis_view(m_degrees, axis), t);
     return parts;
   }
 
@@ -279,7 +296,8 @@ public:
   {
     CGAL_precondition(is_axis(axis));
     std::pair<Bernstein_tensor, Bernstein_tensor> parts(*this, *this);
-    internal::split_at_one_half(parts.first.m_coefficients.data(), parts.second.m_coefficients.data(), internal::axis_view(m_degrees, axis));
+    internal::split_at_one_half(parts.first.m_coefficients.data(), parts.second.m_coefficients.data(),
+                                internal::axis_view(m_degrees, axis));
     return parts;
   }
 
@@ -291,8 +309,8 @@ public:
   }
 
   /*!
-  the function of `dimension` parameters that depends on `axes` only: own axis `i` becomes axis `axes[i]`, the others get degree 0.
-  With `dimension` unchanged this permutes the axes.
+  the function of `dimension` parameters that depends on `axes` only: own axis `i` becomes axis `axes[i]`, the others
+  get degree 0. With `dimension` unchanged this permutes the axes.
   \throws Invalid_input when an axis is missing, repeated, or not below `dimension`.
   */
   Bernstein_tensor embedded(int dimension, const std::vector<int>& axes) const
@@ -302,7 +320,8 @@ public:
     std::vector<int> degrees(dimension, -1);
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (axes[i] < 0 || axes[i] >= dimension || degrees[axes[i]] >= 0)
-        throw Invalid_input("Bernstein_tensor: axis " + std::to_string(axes[i]) + " to embed into (entry " + std::to_string(i) + ") is out of range or repeated");
+        throw Invalid_input("Bernstein_tensor: axis " + std::to_string(axes[i]) + " to embed into (entry " +
+                            std::to_string(i) + ") is out of range or repeated");
       degrees[axes[i]] = m_degrees[i];
     }
     std::replace(degrees.begin(), degrees.end(), -1, 0);
@@ -346,10 +365,12 @@ public:
   }
 
   /*!
-  product; degrees add up. One multiplication per pair of coefficients for inexact types; fractions are multiplied as integers over a common denominator.
-  In `double` each coefficient is off by at most \f$\gamma_m \max|a| \max|b|\f$, \f$m = T + 6 s\f$, where \f$s\f$ is the number of axes on which both factors have positive degree
-  and \f$T\f$ the product of the smaller degrees plus 1 (degrees up to 56).
-  \throws Invalid_input when the dimensions differ, the size overflows, or binomial coefficients overflow an inexact number type.
+  product; degrees add up. One multiplication per pair of coefficients for inexact types; fractions are multiplied as
+  integers over a common denominator. In `double` each coefficient is off by at most \f$\gamma_m \max|a| \max|b|\f$,
+  \f$m = T + 6 s\f$, where \f$s\f$ is the number of axes on which both factors have positive degree and \f$T\f$ the
+  product of the smaller degrees plus 1 (degrees up to 56).
+  \throws Invalid_input when the dimensions differ, the size overflows, or binomial coefficients overflow an inexact
+  number type.
   */
   Bernstein_tensor& operator*=(const Bernstein_tensor& other)
   {
@@ -392,7 +413,8 @@ public:
     return std::move(result.apply([](NT& x) { x = -x; }));
   }
 
-  //! whether two tensors are the same polynomial: equal coefficients once both have the common degrees. Decides only where `NT` is exact.
+  //! whether two tensors are the same polynomial: equal coefficients once both have the common degrees. Decides only
+  //! where `NT` is exact.
   friend bool operator==(const Bernstein_tensor& a, const Bernstein_tensor& b)
     requires internal::Totally_comparable<NT>
   {
@@ -421,7 +443,8 @@ private:
 
   void check_same_dimension(const Bernstein_tensor& other) const
   {
-    internal::check_count(other.m_degrees.size(), m_degrees.size(), "Bernstein_tensor: dimension of the second operand");
+    internal::check_count(other.m_degrees.size(), m_degrees.size(),
+                          "Bernstein_tensor: dimension of the second operand");
   }
 
   static std::vector<int> common_degrees(const Bernstein_tensor& a, const Bernstein_tensor& b)

@@ -28,12 +28,15 @@ namespace Spline_constraints {
 
 A continuous piecewise polynomial in any number of variables, as a tensor product of B-splines.
 
-Axis \f$j\f$ of degree \f$d\f$ with \f$n\f$ control points has \f$n+d+1\f$ knots \f$t_0 \le \dots \le t_{n+d}\f$, clamped or not, uniform or not; its domain is
-\f$[t_d, t_n]\f$. Inside the domain a knot may occur up to \f$d\f$ times: \f$d\f$ times leaves a continuous function with a kink, more would tear it, which is
-rejected since a root could hide in the gap. Control points are stored row-major, the last axis fastest.
+Axis \f$j\f$ of degree \f$d\f$ with \f$n\f$ control points has \f$n+d+1\f$ knots \f$t_0 \le \dots \le t_{n+d}\f$,
+clamped or not, uniform or not; its domain is
+\f$[t_d, t_n]\f$. Inside the domain a knot may occur up to \f$d\f$ times: \f$d\f$ times leaves a continuous function
+with a kink, more would tear it, which is rejected since a root could hide in the gap. Control points are stored
+row-major, the last axis fastest.
 
-All operations are exact when `NT` is; they go through Bézier pieces and the blossom of the pieces (Ramshaw, 1987), so that sums and products keep
-the smoothness of their operands at every knot. Results of sums, products, elevations and restrictions have clamped knots.
+All operations are exact when `NT` is; they go through Bézier pieces and the blossom of the pieces (Ramshaw, 1987), so
+that sums and products keep the smoothness of their operands at every knot. Results of sums, products, elevations and
+restrictions have clamped knots.
 
 \tparam NT a field number type whose comparisons are certain: a floating point type or an exact rational, no interval.
 
@@ -64,8 +67,9 @@ public:
 
   /*!
   the spline with one degree and one knot vector per axis, and the control points in row-major order, last axis fastest.
-  \throws Invalid_input for a negative degree, knots that decrease, are not finite, too few or too often the same, an empty domain, a wrong
-  number of knot vectors or control points, a control point that is not finite. The message names axis and index.
+  \throws Invalid_input for a negative degree, knots that decrease, are not finite, too few or too often the same, an
+  empty domain, a wrong number of knot vectors or control points, a control point that is not finite. The message names
+  axis and index.
   */
   Bspline_function(const std::vector<int>& degrees, std::vector<std::vector<NT>> knots, std::vector<NT> coefficients)
     : m_coefficients(std::move(coefficients))
@@ -98,7 +102,10 @@ public:
 
   // For the package: the knots of all axes, which copies share; and the spline of valid ones.
   const std::vector<internal::Knot_axis<NT>>& axes() const { return m_axes; }
-  static Bspline_function on_axes(std::vector<internal::Knot_axis<NT>> axes, std::vector<NT> coefficients) { return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients)); }
+  static Bspline_function on_axes(std::vector<internal::Knot_axis<NT>> axes, std::vector<NT> coefficients)
+  {
+    return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients));
+  }
 
   //! number of axes.
   int dimension() const { return static_cast<int>(m_axes.size()); }
@@ -126,7 +133,8 @@ public:
   //! the range of the parameter of an axis.
   std::pair<NT, NT> domain(int axis) const { return {at(axis).begin(), at(axis).end()}; }
 
-  //! the distinct knots in the domain of an axis, its two ends included, increasing: between them the function is one polynomial.
+  //! the distinct knots in the domain of an axis, its two ends included, increasing: between them the function is one
+  //! polynomial.
   std::vector<NT> breaks(int axis) const
   {
     std::vector<NT> result;
@@ -136,8 +144,8 @@ public:
   }
 
   /*!
-  the polynomials between the breaks, each on the unit box, in row-major order of the cells, last axis fastest. Exact where `NT` is.
-  Complexity: \f$O(d_j)\f$ operations per coefficient and axis, \f$O(d_j^3)\f$ per cell of an axis.
+  the polynomials between the breaks, each on the unit box, in row-major order of the cells, last axis fastest. Exact
+  where `NT` is. Complexity: \f$O(d_j)\f$ operations per coefficient and axis, \f$O(d_j^3)\f$ per cell of an axis.
   */
   std::vector<Bernstein_tensor<NT>> bezier_pieces() const
   {
@@ -155,19 +163,22 @@ public:
     return weights_at(u, 0).value(*m_coefficients);
   }
 
-  //! value and first derivatives; at a knot with a kink the derivative to the right. \throws Invalid_input as the evaluation.
+  //! value and first derivatives; at a knot with a kink the derivative to the right. \throws Invalid_input as the
+  //! evaluation.
   Value_and_gradient<NT> value_and_gradient(std::span<const NT> u) const
   {
     return weights_at(u, 1).value_and_gradient(*m_coefficients);
   }
 
-  //! the symmetric matrix of second derivatives, row by row, from the right at knots. \throws Invalid_input as the evaluation.
+  //! the symmetric matrix of second derivatives, row by row, from the right at knots. \throws Invalid_input as the
+  //! evaluation.
   std::vector<NT> hessian(std::span<const NT> u) const
   {
     return weights_at(u, 2).hessian(*m_coefficients);
   }
 
-  //! least and largest control point: bounds of the function on its domain. Rounding of the control points is not accounted for.
+  //! least and largest control point: bounds of the function on its domain. Rounding of the control points is not
+  //! accounted for.
   std::pair<NT, NT> bounds() const { return internal::least_and_greatest(*m_coefficients); }
 
   //! bounds of the derivative along an axis on the domain, kinks included.
@@ -180,8 +191,8 @@ public:
 
   /*!
   the partial derivative.
-  \throws Invalid_input when it is not continuous: when a knot inside the domain occurs as often as the degree. The derivatives of
-  the `bezier_pieces()` exist all the same.
+  \throws Invalid_input when it is not continuous: when a knot inside the domain occurs as often as the degree. The
+  derivatives of the `bezier_pieces()` exist all the same.
   */
   Bspline_function derivative(int axis) const
   {
@@ -202,7 +213,8 @@ public:
   {
     const Axis& own = at(axis);
     if (!(own.begin() < knot && knot < own.end()))
-      throw Invalid_input("Bspline_function: a knot to insert on axis " + std::to_string(axis) + " is not inside the domain");
+      throw Invalid_input("Bspline_function: a knot to insert on axis " + std::to_string(axis) +
+                          " is not inside the domain");
     std::vector<NT> knots = *own.knots;
     knots.insert(std::upper_bound(knots.begin(), knots.end(), knot), knot);
     Axis refined{own.degree, std::move(knots)};
@@ -212,7 +224,8 @@ public:
 
   /*!
   the same function with higher degrees, as smooth at its knots as before.
-  \throws Invalid_input when a degree is below the present one, their number differs from the dimension, or the size overflows.
+  \throws Invalid_input when a degree is below the present one, their number differs from the dimension, or the size
+  overflows.
   */
   Bspline_function elevated(const std::vector<int>& degrees) const
   {
@@ -220,8 +233,8 @@ public:
     std::vector<Breaks> breaks;
     for (std::size_t j = 0; j < m_axes.size(); ++j) {
       if (degrees[j] < m_axes[j].degree)
-        throw Invalid_input("Bspline_function: degree " + std::to_string(m_axes[j].degree) + " of axis " + std::to_string(j) +
-                            " cannot be elevated to " + std::to_string(degrees[j]));
+        throw Invalid_input("Bspline_function: degree " + std::to_string(m_axes[j].degree) + " of axis " +
+                            std::to_string(j) + " cannot be elevated to " + std::to_string(degrees[j]));
       breaks.push_back(internal::common_breaks(degrees[j], m_axes[j], m_axes[j]));
     }
     std::vector<Bernstein_tensor<NT>> pieces = pieces_on(breaks);
@@ -238,7 +251,8 @@ public:
   {
     const Axis& own = at(axis);
     if (!(own.begin() <= begin && begin < end && end <= own.end()))
-      throw Invalid_input("Bspline_function: the part to restrict axis " + std::to_string(axis) + " to is empty or not within the domain");
+      throw Invalid_input("Bspline_function: the part to restrict axis " + std::to_string(axis) +
+                          " to is empty or not within the domain");
     if (own.is_clamped() && begin == own.begin() && end == own.end())
       return *this;
     const Bspline_function near = with_spans(axis, begin, end);
@@ -259,19 +273,22 @@ public:
   //! the restriction to the first (`side` 0) or last (`side` 1) parameter of an axis, of one dimension less.
   Bspline_function face(int axis, int side) const { return slice(axis, side == 0 ? at(axis).begin() : at(axis).end()); }
 
-  //! the restriction to a parameter of an axis, of one dimension less. \throws Invalid_input when it is not within the domain.
+  //! the restriction to a parameter of an axis, of one dimension less. \throws Invalid_input when it is not within the
+  //! domain.
   Bspline_function slice(int axis, const NT& u) const
   {
     const Axis& own = at(axis);
     if (!(own.begin() <= u && u <= own.end()))
-      throw Invalid_input("Bspline_function: the parameter for a slice along axis " + std::to_string(axis) + " is not within the domain");
+      throw Invalid_input("Bspline_function: the parameter for a slice along axis " + std::to_string(axis) +
+                          " is not within the domain");
     std::vector<Axis> axes = m_axes;
     axes.erase(axes.begin() + axis);
     if (own.is_clamped() && (u == own.begin() || u == own.end())) {   // there, control points are values
       std::vector<int> first(m_axes.size(), 0), extents = internal::extents(m_axes), face = extents;
       first[axis] = u == own.begin() ? 0 : extents[axis];
       face[axis] = 0;
-      return Bspline_function(Unchecked(), std::move(axes), internal::tensor_block(*m_coefficients, extents, first, face));
+      return Bspline_function(Unchecked(), std::move(axes),
+                              internal::tensor_block(*m_coefficients, extents, first, face));
     }
     const std::size_t span = internal::span_of(own, u);
     internal::Band_matrix<NT> matrix = internal::band_matrix(own);
@@ -280,13 +297,14 @@ public:
   }
 
   /*!
-  the function of as many parameters as `domain` has ranges, which depends on `axes` only: own axis `i` becomes axis `axes[i]`, the others get degree 0.
-  The ranges of own axes are not looked at.
+  the function of as many parameters as `domain` has ranges, which depends on `axes` only: own axis `i` becomes axis
+  `axes[i]`, the others get degree 0. The ranges of own axes are not looked at.
   \throws Invalid_input when an axis is missing, repeated or without a range, or another range is empty or not finite.
   */
   Bspline_function embedded(const std::vector<std::pair<NT, NT>>& domain, const std::vector<int>& axes) const
   {
-    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(internal::extents(m_axes), *m_coefficients).embedded(static_cast<int>(domain.size()), axes);
+    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(internal::extents(m_axes), *m_coefficients)
+                                      .embedded(static_cast<int>(domain.size()), axes);
     std::vector<Axis> result;
     for (const auto& range : domain)
       result.push_back({0, std::vector<NT>{range.first, range.second}});
@@ -297,7 +315,8 @@ public:
     return Bspline_function(Unchecked(), std::move(result), std::move(placed).coefficients());
   }
 
-  //! the spline whose control points and knots are the images of these ones. \throws Invalid_input when the images are no valid spline.
+  //! the spline whose control points and knots are the images of these ones. \throws Invalid_input when the images are
+  //! no valid spline.
   template <class Target, class Conversion>
   Bspline_function<Target> converted(const Conversion& conversion) const
   {
@@ -351,7 +370,8 @@ public:
     return std::move(result.apply([](NT& x) { x = -x; }));
   }
 
-  //! whether two splines are the same function on the same domain, whatever their knots and degrees. Decides only where `NT` is exact.
+  //! whether two splines are the same function on the same domain, whatever their knots and degrees. Decides only where
+  //! `NT` is exact.
   friend bool operator==(const Bspline_function& a, const Bspline_function& b)
   {
     if (!have_same_domain(a, b))
@@ -380,7 +400,10 @@ private:
     const Axis& own = at(axis);
     const std::vector<NT>& knots = *own.knots;
     const auto degree = static_cast<std::size_t>(own.degree), before = internal::span_of(own, begin) - degree;
-    const auto last = static_cast<std::size_t>(std::lower_bound(knots.begin() + static_cast<std::ptrdiff_t>(before + degree + 1), knots.end(), end) - knots.begin());   // the span ends there
+    // the span ends there
+    const auto last = static_cast<std::size_t>(
+        std::lower_bound(knots.begin() + static_cast<std::ptrdiff_t>(before + degree + 1), knots.end(), end) -
+        knots.begin());
     const std::size_t count = last - before;   // of control points
     if (count == own.size())
       return *this;
@@ -390,7 +413,8 @@ private:
     std::vector<int> firsts(m_axes.size(), 0), extents = internal::extents(m_axes), part = extents;
     firsts[axis] = static_cast<int>(before);
     part[axis] = static_cast<int>(count) - 1;
-    return Bspline_function(Unchecked(), std::move(axes), internal::tensor_block(*m_coefficients, extents, firsts, part));
+    return Bspline_function(Unchecked(), std::move(axes),
+                            internal::tensor_block(*m_coefficients, extents, firsts, part));
   }
 
   Bspline_function refined_to(int axis, Axis finer) const
@@ -410,11 +434,18 @@ private:
     return *this;
   }
 
-  internal::Local_weights<NT> weights_at(std::span<const NT> u, int order) const { return internal::Local_weights<NT>(m_axes, u, order, "Bspline_function: "); }
+  internal::Local_weights<NT> weights_at(std::span<const NT> u, int order) const
+  {
+    return internal::Local_weights<NT>(m_axes, u, order, "Bspline_function: ");
+  }
 
-  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const { return internal::pieces_on_cells(m_axes, *m_coefficients, breaks); }
+  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const
+  {
+    return internal::pieces_on_cells(m_axes, *m_coefficients, breaks);
+  }
 
-  static Bspline_function assembled(const std::vector<int>& degrees, const std::vector<Breaks>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
+  static Bspline_function assembled(const std::vector<int>& degrees, const std::vector<Breaks>& breaks,
+                                    const std::vector<Bernstein_tensor<NT>>& pieces)
   {
     auto [axes, coefficients] = internal::assembled_cells(degrees, breaks, pieces);
     return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients));
@@ -443,7 +474,8 @@ private:
     return degrees;
   }
 
-  static std::vector<Breaks> common_breaks(const Bspline_function& a, const Bspline_function& b, const std::vector<int>& degrees)
+  static std::vector<Breaks> common_breaks(const Bspline_function& a, const Bspline_function& b,
+                                           const std::vector<int>& degrees)
   {
     std::vector<Breaks> result;
     for (std::size_t j = 0; j < degrees.size(); ++j)
@@ -458,7 +490,8 @@ private:
 
   // On the same knots, control points are combined.
   template <class Operation>
-  static Bspline_function combined_linearly(const Bspline_function& a, const Bspline_function& b, const Operation& operation)
+  static Bspline_function combined_linearly(const Bspline_function& a, const Bspline_function& b,
+                                            const Operation& operation)
   {
     const std::vector<int> degrees = highest_degrees(a, b);
     if (!(a.m_axes == b.m_axes && a.is_clamped()))
@@ -470,7 +503,8 @@ private:
   }
 
   template <class Operation>
-  static Bspline_function combined(const Bspline_function& a, const Bspline_function& b, const std::vector<int>& degrees, const Operation& operation)
+  static Bspline_function combined(const Bspline_function& a, const Bspline_function& b,
+                                   const std::vector<int>& degrees, const Operation& operation)
   {
     const std::vector<Breaks> breaks = common_breaks(a, b, degrees);
     std::vector<Bernstein_tensor<NT>> pieces = a.pieces_on(breaks);

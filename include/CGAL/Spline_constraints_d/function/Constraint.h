@@ -25,7 +25,10 @@ inline std::vector<std::string> symbol_names(const Symbol_table& symbols)
   std::vector<std::string> names;
   for (int i = 0, size = symbols.size(); i < size; ++i) {
     const Symbol& symbol = symbols[i];
-    const char* letter = symbol.kind == Symbol::Kind::UNKNOWN ? "x" : symbol.kind == Symbol::Kind::SPLINE ? "s" : symbol.kind == Symbol::Kind::FORMULA ? "f" : "y";
+    const char* letter = symbol.kind == Symbol::Kind::UNKNOWN ? "x"
+        : symbol.kind == Symbol::Kind::SPLINE                 ? "s"
+        : symbol.kind == Symbol::Kind::FORMULA                ? "f"
+                                                              : "y";
     std::string& name = names.emplace_back(letter).append(std::to_string(i));
     for (std::size_t j = 0; j < symbol.unknowns.size(); ++j)
       name.append(j == 0 ? "(x" : ",x").append(std::to_string(symbol.unknowns[j]));
@@ -51,15 +54,17 @@ inline Spline_function expanded(const Symbol_table* symbols, const Power_polynom
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-An equation or inequality in unknowns and splines of unknowns, as a user writes it: `x*x + y*y == 2` is the constraint `function relation 0` with the function \f$x^2+y^2-2\f$
-and the relation `EQUAL`.
+An equation or inequality in unknowns and splines of unknowns, as a user writes it: `x*x + y*y == 2` is the constraint
+`function relation 0` with the function \f$x^2+y^2-2\f$ and the relation `EQUAL`.
 
-What the sides of the formula are divided by is multiplied out: \f$f\f$ is zero where \f$f/d\f$ is, provided that \f$d \neq 0\f$. Weights are proved to be positive and no more
-is said of them; every other divisor is kept as a *condition*. In an inequality, a divisor of unknown sign is multiplied with the function, for \f$f/d > 0\f$ is \f$f d > 0\f$.
+What the sides of the formula are divided by is multiplied out: \f$f\f$ is zero where \f$f/d\f$ is, provided that \f$d
+\neq 0\f$. Weights are proved to be positive and no more is said of them; every other divisor is kept as a *condition*.
+In an inequality, a divisor of unknown sign is multiplied with the function, for \f$f/d > 0\f$ is \f$f d > 0\f$.
 */
 struct Constraint
 {
-  //! left side minus right side, times the divisors: a polynomial in unknowns, which are indices into `*domains`, and, with larger indices, in splines of these and in divisors.
+  //! left side minus right side, times the divisors: a polynomial in unknowns, which are indices into `*domains`, and,
+  //! with larger indices, in splines of these and in divisors.
   Power_polynomial function;
 
   //! how the function compares with zero.
@@ -68,7 +73,8 @@ struct Constraint
   //! the ranges of the unknowns, shared by all that were made together; null when no unknown occurs in the formula.
   std::shared_ptr<const Unknown_domains> domains;
 
-  //! the divisors of the formula that may vanish. Where one of them does, the formula says nothing, whatever `function` is.
+  //! the divisors of the formula that may vanish. Where one of them does, the formula says nothing, whatever `function`
+  //! is.
   std::vector<Power_polynomial> conditions;
 
 #ifndef DOXYGEN_RUNNING
@@ -76,16 +82,19 @@ struct Constraint
 #endif
 
   /*!
-  `function` as a function of the unknowns alone, in exact arithmetic; where splines occur, times a positive number that makes all coefficients integers.
+  `function` as a function of the unknowns alone, in exact arithmetic; where splines occur, times a positive number that
+  makes all coefficients integers.
 
-  Monomials on the same unknowns become one dense tensor per cell of the breaks; monomials on a part of these unknowns join it where the coefficients do not become more. All
-  others stay apart. Complexity: for a formula with \f$m\f$ different products of splines of one unknown, one multiplication of integers for each of these products and each
+  Monomials on the same unknowns become one dense tensor per cell of the breaks; monomials on a part of these unknowns
+  join it where the coefficients do not become more. All others stay apart. Complexity: for a formula with \f$m\f$
+  different products of splines of one unknown, one multiplication of integers for each of these products and each
   coefficient of the result.
   \throws Invalid_input when a tensor gets too many coefficients, or an unknown without a range is left.
   */
   Spline_function spline_function() const { return internal::expanded(symbols.get(), function); }
 
-  //! the conditions as functions of the unknowns alone, each up to a positive factor. \throws Invalid_input as `spline_function()`.
+  //! the conditions as functions of the unknowns alone, each up to a positive factor. \throws Invalid_input as
+  //! `spline_function()`.
   std::vector<Spline_function> condition_functions() const
   {
     std::vector<Spline_function> result;

@@ -84,15 +84,17 @@ inline Power_polynomial divided(const Power_polynomial& polynomial, const Monomi
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A formula in unknowns: what `+`, `-`, `*`, `/` and `pow` make of `Unknown`s, numbers, and coordinates of curves and surfaces (`Spline_map`). Comparing two expressions makes a
-`Constraint`.
+A formula in unknowns: what `+`, `-`, `*`, `/` and `pow` make of `Unknown`s, numbers, and coordinates of curves and
+surfaces (`Spline_map`). Comparing two expressions makes a `Constraint`.
 
-A formula is a quotient \f$n/d\f$. The numerator is a polynomial, expanded and exact, in the unknowns and in the splines that occur in the formula: not in their coefficients,
-so that \f$x_1(u)\, y_2(v)\f$ is one term whatever the degrees are. The denominator is a product of weights, which are proved to be positive, and of other divisors. Equal ones
-are recognized, get a common denominator that holds them once, and cancel as in the field of rational functions: `x*x/x` is `x`. Splines are multiplied out only in
-`Constraint::spline_function()`.
+A formula is a quotient \f$n/d\f$. The numerator is a polynomial, expanded and exact, in the unknowns and in the splines
+that occur in the formula: not in their coefficients, so that \f$x_1(u)\, y_2(v)\f$ is one term whatever the degrees
+are. The denominator is a product of weights, which are proved to be positive, and of other divisors. Equal ones are
+recognized, get a common denominator that holds them once, and cancel as in the field of rational functions: `x*x/x` is
+`x`. Splines are multiplied out only in `Constraint::spline_function()`.
 
-\throws Invalid_input from every operation on two expressions whose unknowns come from different calls of `unknowns()`; and see `Power_polynomial`.
+\throws Invalid_input from every operation on two expressions whose unknowns come from different calls of `unknowns()`;
+and see `Power_polynomial`.
 */
 class Expression
 {
@@ -120,7 +122,10 @@ public:
 #endif
 
   //! tells whether the formula is a polynomial in unknowns: no spline occurs, and nothing but constants is divided by.
-  bool is_polynomial() const { return m_denominator.powers.empty() && (m_symbols == nullptr || m_symbols->has_only_unknowns(m_numerator)); }
+  bool is_polynomial() const
+  {
+    return m_denominator.powers.empty() && (m_symbols == nullptr || m_symbols->has_only_unknowns(m_numerator));
+  }
 
   //! the expanded formula.
   //! \throws Invalid_input when it is not a polynomial in the unknowns.
@@ -139,7 +144,8 @@ public:
 
   /*!
   the exact value at a point with one coordinate for each unknown that was made together with those in the formula.
-  \throws Invalid_input when the point has a wrong number of coordinates, a divisor is zero there, or an unknown without a range occurs.
+  \throws Invalid_input when the point has a wrong number of coordinates, a divisor is zero there, or an unknown without
+  a range occurs.
   */
   Exact_rational operator()(std::span<const Exact_rational> point) const
   {
@@ -209,10 +215,19 @@ public:
 
   friend Constraint operator==(Expression a, const Expression& b) { return compare(std::move(a), Relation::EQUAL, b); }
   friend Constraint operator<(Expression a, const Expression& b) { return compare(std::move(a), Relation::LESS, b); }
-  friend Constraint operator<=(Expression a, const Expression& b) { return compare(std::move(a), Relation::LESS_EQUAL, b); }
-  friend Constraint operator>=(Expression a, const Expression& b) { return compare(std::move(a), Relation::GREATER_EQUAL, b); }
+  friend Constraint operator<=(Expression a, const Expression& b)
+  {
+    return compare(std::move(a), Relation::LESS_EQUAL, b);
+  }
+  friend Constraint operator>=(Expression a, const Expression& b)
+  {
+    return compare(std::move(a), Relation::GREATER_EQUAL, b);
+  }
   friend Constraint operator>(Expression a, const Expression& b) { return compare(std::move(a), Relation::GREATER, b); }
-  friend Constraint operator!=(Expression a, const Expression& b) { return compare(std::move(a), Relation::NOT_EQUAL, b); }
+  friend Constraint operator!=(Expression a, const Expression& b)
+  {
+    return compare(std::move(a), Relation::NOT_EQUAL, b);
+  }
 
   //! writes the formula: unknowns as `x0`, `x1`, ..., splines as `s5(x0)`, divisors as `f6`.
   friend std::ostream& operator<<(std::ostream& out, const Expression& a)
@@ -222,7 +237,8 @@ public:
     const std::vector<std::string> names = internal::symbol_names(*a.m_symbols);
     if (a.m_denominator.powers.empty())
       return out << a.m_numerator.to_string(names);
-    return out << '(' << a.m_numerator.to_string(names) << ") / (" << internal::polynomial_of(a.m_denominator).to_string(names) << ')';
+    return out << '(' << a.m_numerator.to_string(names) << ") / ("
+               << internal::polynomial_of(a.m_denominator).to_string(names) << ')';
   }
 
 private:
@@ -231,11 +247,14 @@ private:
   Expression& add(const Expression& other, int sign)
   {
     join(other);
-    const Monomial common = m_denominator == other.m_denominator ? m_denominator : internal::least_common_multiple(m_denominator, other.m_denominator);
+    const Monomial common = m_denominator == other.m_denominator
+        ? m_denominator
+        : internal::least_common_multiple(m_denominator, other.m_denominator);
     if (common != m_denominator)
       m_numerator *= internal::polynomial_of(internal::quotient(common, m_denominator));
-    Power_polynomial summand = common == other.m_denominator ? other.m_numerator
-                                                             : other.m_numerator * internal::polynomial_of(internal::quotient(common, other.m_denominator));
+    Power_polynomial summand = common == other.m_denominator
+        ? other.m_numerator
+        : other.m_numerator * internal::polynomial_of(internal::quotient(common, other.m_denominator));
     if (sign > 0)
       m_numerator += std::move(summand);
     else
@@ -261,7 +280,8 @@ private:
     m_denominator = internal::quotient(m_denominator, common);
   }
 
-  // The numerator as a constant times a product of symbols. What is no such product becomes a symbol, divided by its leading coefficient so that multiples become the same one.
+  // The numerator as a constant times a product of symbols. What is no such product becomes a symbol, divided by its
+  // leading coefficient so that multiples become the same one.
   std::pair<Exact_rational, Monomial> numerator_as_divisor() const
   {
     Monomial product = internal::monomial_content(m_numerator);
@@ -275,8 +295,9 @@ private:
   }
 
   /*
-  The divisors are multiplied out. Of those with a sign, this counts in an inequality; those that may vanish are conditions, and count in an inequality as often as
-  their exponent is odd. Weights that all terms have in common are left out: they are positive.
+  The divisors are multiplied out. Of those with a sign, this counts in an inequality; those that may vanish are
+  conditions, and count in an inequality as often as their exponent is odd. Weights that all terms have in common are
+  left out: they are positive.
   */
   static Constraint compare(Expression a, Relation relation, const Expression& b)
   {

@@ -45,7 +45,8 @@ struct Monomial
   Monomial with_exponent(int variable, int exponent) const
   {
     Monomial result(*this);
-    const auto position = std::lower_bound(result.powers.begin(), result.powers.end(), std::pair<int, int>(variable, 0));
+    const auto position =
+        std::lower_bound(result.powers.begin(), result.powers.end(), std::pair<int, int>(variable, 0));
     const bool occurs = position != result.powers.end() && position->first == variable;
     if (exponent == 0) {
       if (occurs)

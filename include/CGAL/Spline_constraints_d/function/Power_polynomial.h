@@ -31,8 +31,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-How much work expansions may still cost, in units of about one small product of two terms. Exact arithmetic on data from outside
-needs such a limit: `((x+y)^99)^99` is short to write.
+How much work expansions may still cost, in units of about one small product of two terms. Exact arithmetic on data from
+outside needs such a limit: `((x+y)^99)^99` is short to write.
 */
 class Expansion_budget
 {
@@ -65,12 +65,13 @@ inline double arithmetic_work(double words_a, double words_b) { return 1 + words
 
 A sparse polynomial in any number of unknowns, in power form, with exact rational coefficients.
 
-Unknowns are non-negative integers: their indices in the system the polynomial belongs to. All arithmetic is exact. Doubles convert
-implicitly and exactly: `Power_polynomial(0.1)` is the rational number that the double `0.1` is.
+Unknowns are non-negative integers: their indices in the system the polynomial belongs to. All arithmetic is exact.
+Doubles convert implicitly and exactly: `Power_polynomial(0.1)` is the rational number that the double `0.1` is.
 
-So that expressions from outside cannot exhaust memory or time, every operation throws `Invalid_input` rather than make a
-polynomial with more than `maximal_number_of_terms` terms, a total degree above `maximal_degree`, or a coefficient whose numerator or
-denominator has more than `maximal_coefficient_bits` bits, or when one expansion would take more than about a minute.
+So that expressions from outside cannot exhaust memory or time, every operation throws `Invalid_input` rather than make
+a polynomial with more than `maximal_number_of_terms` terms, a total degree above `maximal_degree`, or a coefficient
+whose numerator or denominator has more than `maximal_coefficient_bits` bits, or when one expansion would take more than
+about a minute.
 
 Equality of polynomials is `==`; the formulas that make constraints are `Expression`s.
 */
@@ -108,8 +109,10 @@ public:
 
   //! a constant, from anything else that converts to an exact rational, such as the expression `Exact_rational(1) / 3`.
   template <class T>
-    requires (!std::is_arithmetic_v<T> && !std::same_as<T, Exact_rational> && std::convertible_to<const T&, Exact_rational>)
-  Power_polynomial(const T& constant) : Power_polynomial(Exact_rational(constant)) {}
+  requires(!std::is_arithmetic_v<T> && !std::same_as<T, Exact_rational> &&
+           std::convertible_to<const T&, Exact_rational>) Power_polynomial(const T& constant)
+    : Power_polynomial(Exact_rational(constant))
+  {}
 
   //! a constant.
   template <std::integral T>
@@ -196,7 +199,8 @@ public:
     return result;
   }
 
-  //! sum; costs time proportional to the shorter operand (times a logarithm) when the longer one is a temporary or the left one.
+  //! sum; costs time proportional to the shorter operand (times a logarithm) when the longer one is a temporary or the
+  //! left one.
   Power_polynomial& operator+=(Power_polynomial other)
   {
     internal::Expansion_budget budget = default_budget();
@@ -211,7 +215,8 @@ public:
     return add(std::move(other), budget);
   }
 
-  //! product, by integer arithmetic over common denominators: one integer multiplication and one hashed addition for each pair of terms.
+  //! product, by integer arithmetic over common denominators: one integer multiplication and one hashed addition for
+  //! each pair of terms.
   Power_polynomial& operator*=(const Power_polynomial& other)
   {
     internal::Expansion_budget budget = default_budget();
@@ -287,13 +292,15 @@ public:
   Power_polynomial& add(Power_polynomial other, internal::Expansion_budget& budget);
   void negate(internal::Expansion_budget& budget);
   Power_polynomial& divide(const Power_polynomial& divisor, internal::Expansion_budget& budget);
-  static Power_polynomial product(const Power_polynomial& a, const Power_polynomial& b, internal::Expansion_budget& budget);
+  static Power_polynomial product(const Power_polynomial& a, const Power_polynomial& b,
+                                  internal::Expansion_budget& budget);
   static Power_polynomial power(const Power_polynomial& base, int exponent, internal::Expansion_budget& budget);
 #endif
 
 private:
   void add_term(const Monomial& monomial, const Exact_rational& coefficient, internal::Expansion_budget& budget);
-  Power_polynomial times_term(const Monomial& monomial, const Exact_rational& coefficient, internal::Expansion_budget& budget) const;
+  Power_polynomial times_term(const Monomial& monomial, const Exact_rational& coefficient,
+                              internal::Expansion_budget& budget) const;
 
   int largest_variable() const
   {

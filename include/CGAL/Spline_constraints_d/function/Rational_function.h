@@ -25,9 +25,10 @@ namespace Spline_constraints {
 
 A quotient \f$n/w\f$ of two polynomials or splines on the same domain, the numerator and the weight.
 
-Operations form numerator and weight separately and never divide, so that they are exact where the number type is. Nothing is cancelled; operands
-with the same weight keep it. A weight may take any sign and even vanish until `certify_positive_weight()` has been called: the solver, which looks at
-numerators only, may do so only on certified functions.
+Operations form numerator and weight separately and never divide, so that they are exact where the number type is.
+Nothing is cancelled; operands with the same weight keep it. A weight may take any sign and even vanish until
+`certify_positive_weight()` has been called: the solver, which looks at numerators only, may do so only on certified
+functions.
 
 \tparam Function a `MultivariateSpline`: `Bernstein_tensor` or `Bspline_function`.
 
@@ -55,12 +56,13 @@ public:
     : m_numerator(std::move(numerator)), m_weight(std::move(weight))
   {
     if (m_numerator.dimension() != m_weight.dimension())
-      throw Invalid_input("Rational_function: numerator and weight have different dimensions, " + std::to_string(m_numerator.dimension()) + " and " +
-                          std::to_string(m_weight.dimension()));
+      throw Invalid_input("Rational_function: numerator and weight have different dimensions, " +
+                          std::to_string(m_numerator.dimension()) + " and " + std::to_string(m_weight.dimension()));
     for (int j = 0; j < m_weight.dimension(); ++j) {
       const std::pair<NT, NT> a = m_numerator.domain(j), b = m_weight.domain(j);
       if (are_certainly_different(a.first, b.first) || are_certainly_different(a.second, b.second))
-        throw Invalid_input("Rational_function: numerator and weight have different domains on axis " + std::to_string(j));
+        throw Invalid_input("Rational_function: numerator and weight have different domains on axis " +
+                            std::to_string(j));
     }
     if (vanishes(m_weight))
       throw Invalid_input("Rational_function: the weight is zero everywhere");
@@ -79,11 +81,13 @@ public:
   std::pair<NT, NT> domain(int axis) const { return m_weight.domain(axis); }
 
   /*!
-  proves that the weight has one sign on the whole domain, and makes it the positive one by negating numerator and weight where needed.
+  proves that the weight has one sign on the whole domain, and makes it the positive one by negating numerator and
+  weight where needed.
 
-  The proof is that all Bernstein coefficients have this sign, on parts of the domain found by halving. It concerns the weight as stored: for `double` it is made
-  in exact arithmetic, for interval types it holds for all functions enclosed.
-  \throws Invalid_input when the weight is zero somewhere, has both signs, or comes so close to zero that the limits of `options` do not suffice.
+  The proof is that all Bernstein coefficients have this sign, on parts of the domain found by halving. It concerns the
+  weight as stored: for `double` it is made in exact arithmetic, for interval types it holds for all functions enclosed.
+  \throws Invalid_input when the weight is zero somewhere, has both signs, or comes so close to zero that the limits of
+  `options` do not suffice.
   */
   void certify_positive_weight(const Weight_options& options = {})
   {
@@ -93,7 +97,8 @@ public:
     }
   }
 
-  //! the value at a point. \throws Invalid_input when the weight is zero there, or as the evaluation of numerator and weight.
+  //! the value at a point. \throws Invalid_input when the weight is zero there, or as the evaluation of numerator and
+  //! weight.
   NT operator()(std::span<const NT> u) const
   {
     const NT below = m_weight(u);
@@ -114,8 +119,9 @@ public:
   }
 
   /*!
-  bounds of the function on its domain: where the coefficients of the weight have one sign, the values lie between the least and the largest quotient of
-  coefficients of equal degrees; elsewhere the domain is halved until they have. Rounding is not accounted for.
+  bounds of the function on its domain: where the coefficients of the weight have one sign, the values lie between the
+  least and the largest quotient of coefficients of equal degrees; elsewhere the domain is halved until they have.
+  Rounding is not accounted for.
   \throws Invalid_input as `certify_positive_weight()`.
   */
   std::pair<NT, NT> bounds(const Weight_options& options = {}) const
@@ -143,7 +149,8 @@ public:
     const Function weight_derivative = m_weight.derivative(axis);
     if (vanishes(weight_derivative))
       return Rational_function(m_numerator.derivative(axis), m_weight);
-    return Rational_function(m_numerator.derivative(axis) * m_weight - m_numerator * weight_derivative, m_weight * m_weight);
+    return Rational_function(m_numerator.derivative(axis) * m_weight - m_numerator * weight_derivative,
+                             m_weight * m_weight);
   }
 
   //! the function on a part of its domain, as numerator and weight do it.
@@ -157,7 +164,8 @@ public:
   {
     auto above = m_numerator.split(axis, t);
     auto below = m_weight.split(axis, t);
-    return {Rational_function(std::move(above.first), std::move(below.first)), Rational_function(std::move(above.second), std::move(below.second))};
+    return {Rational_function(std::move(above.first), std::move(below.first)),
+            Rational_function(std::move(above.second), std::move(below.second))};
   }
 
   //! sum. \throws Invalid_input when the domains differ.
@@ -177,7 +185,8 @@ public:
     return Rational_function(a.m_numerator * b.m_numerator, a.m_weight * b.m_weight);
   }
 
-  //! quotient; the numerator of `b` becomes part of the weight. \throws Invalid_input when it is zero everywhere or the domains differ.
+  //! quotient; the numerator of `b` becomes part of the weight. \throws Invalid_input when it is zero everywhere or the
+  //! domains differ.
   friend Rational_function operator/(const Rational_function& a, const Rational_function& b)
   {
     if (have_equal_weights(a, b))
@@ -192,7 +201,8 @@ private:
   static bool are_certainly_different(const NT& a, const NT& b)
   {
     const NT difference = a - b;
-    return internal::certainly_has_sign(difference, CGAL::POSITIVE) || internal::certainly_has_sign(difference, CGAL::NEGATIVE);
+    return internal::certainly_has_sign(difference, CGAL::POSITIVE) ||
+        internal::certainly_has_sign(difference, CGAL::NEGATIVE);
   }
 
   static void check_value(const NT& weight)
@@ -216,7 +226,8 @@ private:
       return false;
   }
 
-  // Bézier pieces of numerator and weight on the same cells and of the same degrees: adding zero times the other brings degrees and breaks together.
+  // Bézier pieces of numerator and weight on the same cells and of the same degrees: adding zero times the other brings
+  // degrees and breaks together.
   std::pair<std::vector<Bernstein_tensor<NT>>, std::vector<Bernstein_tensor<NT>>> matching_pieces() const
   {
     const Function nothing = m_weight * NT(0) + m_numerator * NT(0);

@@ -27,9 +27,10 @@ namespace Spline_constraints {
 
 One summand of a `Spline_function`: a piecewise polynomial of the unknowns `variables`, exact, in power form.
 
-Axis `j` belongs to the unknown `variables[j]` (increasing) and is cut at `breaks[j]` (increasing; empty when the term is one polynomial everywhere).
-`pieces` holds a dense coefficient tensor per cell, cells and coefficients both in row-major order with the last axis fastest: entry \f$(k_0,k_1,\dots)\f$ of a
-piece is the coefficient of \f$\prod_j x_{v_j}^{k_j}\f$.
+Axis `j` belongs to the unknown `variables[j]` (increasing) and is cut at `breaks[j]` (increasing; empty when the term
+is one polynomial everywhere). `pieces` holds a dense coefficient tensor per cell, cells and coefficients both in
+row-major order with the last axis fastest: entry \f$(k_0,k_1,\dots)\f$ of a piece is the coefficient of \f$\prod_j
+x_{v_j}^{k_j}\f$.
 */
 struct Spline_term
 {
@@ -57,9 +58,11 @@ struct Spline_term
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A multivariate spline as the solver wants it: a sum of terms, each on its own subset of the unknowns, with exact rational coefficients.
+A multivariate spline as the solver wants it: a sum of terms, each on its own subset of the unknowns, with exact
+rational coefficients.
 
-Terms are kept apart as long as their unknowns are, since the range of a sum over disjoint unknowns is the sum of the ranges:
+Terms are kept apart as long as their unknowns are, since the range of a sum over disjoint unknowns is the sum of the
+ranges:
 \f$C_1(t) - C_2(s)\f$ costs \f$d_1 + d_2 + 2\f$ coefficients instead of \f$(d_1+1)(d_2+1)\f$.
 */
 class Spline_function
@@ -81,15 +84,18 @@ public:
   //! \throws Invalid_input when sizes do not match or breaks do not increase.
   explicit Spline_function(Spline_term term);
 
-  //! the term of a spline given by its Bézier pieces: `breaks` per axis (at least two each), `pieces` in row-major order of the cells on the local unit boxes.
+  //! the term of a spline given by its Bézier pieces: `breaks` per axis (at least two each), `pieces` in row-major
+  //! order of the cells on the local unit boxes.
   //! \throws Invalid_input when sizes do not match, breaks do not increase or variables do not increase.
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                             const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
 
   //! the same with control points in doubles, which are exact numbers. \throws Invalid_input likewise.
-  static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<double>>& pieces);
+  static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                            const std::vector<Bernstein_tensor<double>>& pieces);
 
-  //! one polynomial everywhere, given by its Bernstein coefficients on the unit box; axis `j` belongs to the unknown `variables[j]`.
+  //! one polynomial everywhere, given by its Bernstein coefficients on the unit box; axis `j` belongs to the unknown
+  //! `variables[j]`.
   //! \throws Invalid_input when sizes do not match or variables do not increase.
   static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial);
   static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial);
@@ -100,7 +106,8 @@ public:
   //! adds the terms of another function.
   Spline_function& operator+=(Spline_function other)
   {
-    m_terms.insert(m_terms.end(), std::make_move_iterator(other.m_terms.begin()), std::make_move_iterator(other.m_terms.end()));
+    m_terms.insert(m_terms.end(), std::make_move_iterator(other.m_terms.begin()),
+                   std::make_move_iterator(other.m_terms.end()));
     return *this;
   }
 
@@ -126,7 +133,8 @@ public:
 
 private:
   template <class NT>
-  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces);
+  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                     std::span<const Bernstein_tensor<NT>> pieces);
 };
 
 namespace internal {
@@ -150,7 +158,8 @@ inline void check(const Spline_term& term)
     cells *= term.cells(j);
   }
   if (term.pieces.size() != cells)
-    throw Invalid_input("Spline_term: " + std::to_string(term.pieces.size()) + " pieces for " + std::to_string(cells) + " cells");
+    throw Invalid_input("Spline_term: " + std::to_string(term.pieces.size()) + " pieces for " + std::to_string(cells) +
+                        " cells");
   for (std::size_t c = 0; c < cells; ++c)
     if (term.pieces[c].size() != term.piece_size())
       throw Invalid_input("Spline_term: wrong number of coefficients in piece " + std::to_string(c));
@@ -171,7 +180,8 @@ void visit_rows(std::vector<NT>& coefficients, const std::vector<int>& degrees, 
 
 // Substitutes x -> shift + scale x along an axis of a dense power-form tensor, by repeated synthetic division.
 template <class NT>
-void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis, const NT& shift, const NT& scale)
+void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis,
+                       const NT& shift, const NT& scale)
 {
   const int degree = degrees[axis];
   visit_rows(coefficients, degrees, axis, [&](NT* a, std::size_t step) {
@@ -186,8 +196,10 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
   });
 }
 
-// Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times differences.
-inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
+// Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times
+// differences.
+inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees,
+                               std::size_t axis)
 {
   const int degree = degrees[axis];
   visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
@@ -204,11 +216,13 @@ inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const s
 }
 
 /*
-Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
-that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
+Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common
+denominator. With begin = b / u and end - begin = w / u that is t = (u x - b) / w: coefficient k is multiplied by
+w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
 */
-inline void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
-                             const Exact_rational& begin, const Exact_rational& end)
+inline void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator,
+                             const std::vector<int>& degrees, std::size_t axis, const Exact_rational& begin,
+                             const Exact_rational& end)
 {
   const int degree = degrees[axis];
   Short_integer unit(1);
@@ -239,9 +253,11 @@ struct Power_form
   Short_integer denominator;
 };
 
-// The powers of the parameters of a piece given on the local unit box. Where an axis has no breaks, they are those of the local parameter; else the cells are numbered in row-major order.
+// The powers of the parameters of a piece given on the local unit box. Where an axis has no breaks, they are those of
+// the local parameter; else the cells are numbered in row-major order.
 template <class NT>
-Power_form power_form(const Bernstein_tensor<NT>& piece, const std::vector<std::vector<Exact_rational>>& breaks, std::size_t cell)
+Power_form power_form(const Bernstein_tensor<NT>& piece, const std::vector<std::vector<Exact_rational>>& breaks,
+                      std::size_t cell)
 {
   Power_form result;
   result.denominator = over_common_denominator(piece.coefficients(), result.numerators);
@@ -317,7 +333,9 @@ inline Spline_function::Spline_function(const Power_polynomial& polynomial)
 
 // Where an axis has no breaks, the piece belongs to the unit interval, and goes on beyond it.
 template <class NT>
-Spline_function Spline_function::from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces)
+Spline_function Spline_function::from_pieces(std::vector<int> variables,
+                                             std::vector<std::vector<Exact_rational>> breaks,
+                                             std::span<const Bernstein_tensor<NT>> pieces)
 {
   Spline_term term;
   term.variables = std::move(variables);
@@ -339,7 +357,10 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
       power = internal::power_form(pieces[c], term.breaks, c);
     else {
       const std::vector<NT>& bernstein = pieces[c].coefficients();
-      power = internal::power_form(Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees), term.breaks, c);
+      power = internal::power_form(
+          Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()})
+              .elevated(term.degrees),
+          term.breaks, c);
     }
     std::vector<Exact_rational>& piece = term.pieces.emplace_back(power.numerators.size());
     for (std::size_t k = 0; k < piece.size(); ++k)
@@ -359,36 +380,47 @@ inline void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>
 
 } // namespace internal
 
-inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables,
+                                                           std::vector<std::vector<Exact_rational>> breaks,
                                                            const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
 {
   internal::check_breaks_of_pieces(breaks);
   return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
 }
 
-inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables,
+                                                           std::vector<std::vector<Exact_rational>> breaks,
                                                            const std::vector<Bernstein_tensor<double>>& pieces)
 {
   internal::check_breaks_of_pieces(breaks);
   return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
 }
 
-inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial)
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables,
+                                                       const Bernstein_tensor<Exact_rational>& polynomial)
 {
-  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()),
+                     std::span(&polynomial, 1));
 }
 
-inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial)
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables,
+                                                       const Bernstein_tensor<double>& polynomial)
 {
-  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()),
+                     std::span(&polynomial, 1));
 }
 
 namespace internal {
 
 inline bool is_zero_everywhere(const Spline_function& function)
 {
-  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
-  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) {
+    return std::all_of(piece.begin(), piece.end(),
+                       [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); });
+  };
+  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) {
+    return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece);
+  });
 }
 
 } // namespace internal

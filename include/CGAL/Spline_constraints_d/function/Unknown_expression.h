@@ -113,7 +113,8 @@ template <std::size_t... Sizes>
   requires (sizeof...(Sizes) > 0) && ((Sizes == 2) && ...)
 std::array<Unknown, sizeof...(Sizes)> unknowns(const Bound (&...ranges)[Sizes])
 {
-  const std::vector<Unknown> made = unknowns(std::vector<std::array<Bound, 2>>{std::array<Bound, 2>{ranges[0], ranges[1]}...});
+  const std::vector<Unknown> made =
+      unknowns(std::vector<std::array<Bound, 2>>{std::array<Bound, 2>{ranges[0], ranges[1]}...});
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Unknown, sizeof...(Sizes)>{made[I]...};
   }(std::make_index_sequence<sizeof...(Sizes)>());
@@ -123,7 +124,8 @@ std::array<Unknown, sizeof...(Sizes)> unknowns(const Bound (&...ranges)[Sizes])
 \ingroup PkgSplineConstraintsDFunctions
 
 the ranges of the unknowns that all constraints have in common.
-\throws Invalid_input when unknowns come from different calls of `unknowns()` (the message names the constraint), or there are none.
+\throws Invalid_input when unknowns come from different calls of `unknowns()` (the message names the constraint), or
+there are none.
 */
 inline const Unknown_domains& common_domains(std::span<const Constraint> constraints)
 {
@@ -133,7 +135,8 @@ inline const Unknown_domains& common_domains(std::span<const Constraint> constra
     if (own == nullptr)
       continue;
     if (result != nullptr && own != result)
-      throw Invalid_input("common_domains: the unknowns of constraint " + std::to_string(i) + " come from another call of unknowns()");
+      throw Invalid_input("common_domains: the unknowns of constraint " + std::to_string(i) +
+                          " come from another call of unknowns()");
     result = own;
   }
   if (result == nullptr)

@@ -19,7 +19,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A point or vector whose coordinates are formulas. The functions below work on the coordinates; they throw what the operations of `Expression` throw.
+A point or vector whose coordinates are formulas. The functions below work on the coordinates; they throw what the
+operations of `Expression` throw.
 
 \tparam dimension_ the number of coordinates, 2 or 3.
 */
@@ -59,8 +60,14 @@ public:
     return result;
   }
 
-  Vector_expression& operator+=(const Vector_expression& other) { return combine(other, [](Expression& a, const Expression& b) { a += b; }); }
-  Vector_expression& operator-=(const Vector_expression& other) { return combine(other, [](Expression& a, const Expression& b) { a -= b; }); }
+  Vector_expression& operator+=(const Vector_expression& other)
+  {
+    return combine(other, [](Expression& a, const Expression& b) { a += b; });
+  }
+  Vector_expression& operator-=(const Vector_expression& other)
+  {
+    return combine(other, [](Expression& a, const Expression& b) { a -= b; });
+  }
 
   Vector_expression& operator*=(const Expression& factor)
   {
@@ -163,7 +170,8 @@ inline Vector_expression<3> cross(const Vector_expression<3>& a, const Vector_ex
 }
 
 //! the determinant of the matrix with these columns.
-inline Expression determinant(const Vector_expression<3>& a, const Vector_expression<3>& b, const Vector_expression<3>& c)
+inline Expression determinant(const Vector_expression<3>& a, const Vector_expression<3>& b,
+                              const Vector_expression<3>& c)
 {
   return dot(a, cross(b, c));
 }

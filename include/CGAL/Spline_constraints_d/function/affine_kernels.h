@@ -14,13 +14,15 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The linear part of a small tensor and what it leaves. One of the interleaved functions, or two neighbouring ones, walk over all control points from `data` on with everything else in registers:
-without tables, and with hardly anything that is done once. `Number` is a double or a Pack.
+The linear part of a small tensor and what it leaves. One of the interleaved functions, or two neighbouring ones, walk
+over all control points from `data` on with everything else in registers: without tables, and with hardly anything that
+is done once. `Number` is a double or a Pack.
 */
 struct Tensor_shape
 {
   const int* degrees;            // per axis
-  const std::size_t* lengths;    // numbers that an axis and the faster ones span; one more entry for the functions alone
+  // numbers that an axis and the faster ones span; one more entry for the functions alone
+  const std::size_t* lengths;
 };
 
 // slopes[j] <- scales[j] times the sum of the last layer along axis j less that of the first.
@@ -38,7 +40,8 @@ inline void sum_slopes(const Tensor_shape& shape, const double* data, const doub
   });
 }
 
-// What slope times abscissa leaves of the numbers along the last axis, `step` places apart: the least and the largest. `degree` is that of the axis if it is known to the compiler, else 0.
+// What slope times abscissa leaves of the numbers along the last axis, `step` places apart: the least and the largest.
+// `degree` is that of the axis if it is known to the compiler, else 0.
 template <int degree, class Number>
 class Last_axis
 {
@@ -71,9 +74,11 @@ public:
   }
 };
 
-// The least and the largest of the numbers less `base` and, for the axes from `axis` on, slope times abscissa, as far as they are less or larger than given ones. The abscissas of the axes follow each other.
+// The least and the largest of the numbers less `base` and, for the axes from `axis` on, slope times abscissa, as far
+// as they are less or larger than given ones. The abscissas of the axes follow each other.
 template <int axes, int axis = 0, class Line, class Number>
-inline void bound_rest(const Tensor_shape& shape, const double* data, const double* abscissas, const Number (&slopes)[axes], const Line& last, const Number& base, Number& least, Number& most)
+inline void bound_rest(const Tensor_shape& shape, const double* data, const double* abscissas,
+                       const Number (&slopes)[axes], const Line& last, const Number& base, Number& least, Number& most)
 {
   if constexpr (axis + 1 == axes) {
     const auto [lower, upper] = last.bounds(data);
@@ -83,18 +88,21 @@ inline void bound_rest(const Tensor_shape& shape, const double* data, const doub
     const int degree = shape.degrees[axis];
     const std::size_t inner = shape.lengths[axis + 1];
     for (int k = 0; k <= degree; ++k, data += inner)
-      bound_rest<axes, axis + 1>(shape, data, abscissas + degree + 1, slopes, last, base + slopes[axis] * abscissas[k], least, most);
+      bound_rest<axes, axis + 1>(shape, data, abscissas + degree + 1, slopes, last, base + slopes[axis] * abscissas[k],
+                                 least, most);
   }
 }
 
-// The same along a single axis, with the bounds of the numbers themselves, in one pass over `count` numbers every `step` places. The slope is that from the first to the last.
+// The same along a single axis, with the bounds of the numbers themselves, in one pass over `count` numbers every
+// `step` places. The slope is that from the first to the last.
 template <class Number>
 struct Line_bounds
 {
   Number least, most, slope, rest_least, rest_most;
 
   Line_bounds(const double* data, std::size_t count, std::size_t step, const double* abscissas)
-    : least(load(Number(), data)), most(least), slope(load(Number(), data + (count - 1) * step) - least), rest_least(count > 1 ? least - slope * abscissas[0] : least), rest_most(rest_least)
+    : least(load(Number(), data)), most(least), slope(load(Number(), data + (count - 1) * step) - least),
+      rest_least(count > 1 ? least - slope * abscissas[0] : least), rest_most(rest_least)
   {
     for (std::size_t k = 1; k < count; ++k) {
       const Number value = load(Number(), data + k * step), rest = value - slope * abscissas[k];
@@ -108,7 +116,8 @@ struct Line_bounds
   // Makes the bounds wider by the error of the numbers and, for what was rounded here, by a share of what was added.
   void widen(const Number& error_of_numbers, double share)
   {
-    const Number size = greater(magnitude(least), magnitude(most)), error = error_of_numbers + size * share, rest_error = error_of_numbers + (size + magnitude(slope)) * share;
+    const Number size = greater(magnitude(least), magnitude(most)), error = error_of_numbers + size * share,
+                 rest_error = error_of_numbers + (size + magnitude(slope)) * share;
     least = least - error;
     most = most + error;
     rest_least = rest_least - rest_error;

@@ -14,10 +14,11 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The part of `outer` whose coefficients from `first` on belong to the axes from `axis` on, composed with the inner functions of these axes.
+// The part of `outer` whose coefficients from `first` on belong to the axes from `axis` on, composed with the inner
+// functions of these axes.
 template <class NT>
-Bernstein_tensor<NT> composed_from(const Bernstein_tensor<NT>& outer, const std::vector<Bernstein_tensor<NT>>& inner, std::size_t axis,
-                                   std::size_t first)
+Bernstein_tensor<NT> composed_from(const Bernstein_tensor<NT>& outer, const std::vector<Bernstein_tensor<NT>>& inner,
+                                   std::size_t axis, std::size_t first)
 {
   const int dimension = inner[0].dimension();
   if (axis == inner.size())
@@ -42,10 +43,12 @@ Bernstein_tensor<NT> composed_from(const Bernstein_tensor<NT>& outer, const std:
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-returns the composition \f$v \mapsto f(g_0(v), g_1(v), \dots)\f$ of a tensor with one inner function per axis, all of the same dimension: any polynomial
-substitution, affine changes of variables included. Its degree along axis \f$k\f$ is \f$\sum_j d_j \deg_k g_j\f$. Exact where `NT` is.
+returns the composition \f$v \mapsto f(g_0(v), g_1(v), \dots)\f$ of a tensor with one inner function per axis, all of
+the same dimension: any polynomial substitution, affine changes of variables included. Its degree along axis \f$k\f$ is
+\f$\sum_j d_j \deg_k g_j\f$. Exact where `NT` is.
 
-\throws Invalid_input when the inner functions are of the wrong number or differ in dimension, or when `outer` has no axes.
+\throws Invalid_input when the inner functions are of the wrong number or differ in dimension, or when `outer` has no
+axes.
 */
 template <class NT>
 Bernstein_tensor<NT> compose(const Bernstein_tensor<NT>& outer, const std::vector<Bernstein_tensor<NT>>& inner)
@@ -54,7 +57,8 @@ Bernstein_tensor<NT> compose(const Bernstein_tensor<NT>& outer, const std::vecto
   if (inner.empty())
     throw Invalid_input("compose: a function without axes cannot be composed");
   for (std::size_t j = 1; j < inner.size(); ++j)
-    internal::check_count(inner[j].degrees().size(), inner[0].degrees().size(), "compose: dimension of inner function " + std::to_string(j));
+    internal::check_count(inner[j].degrees().size(), inner[0].degrees().size(),
+                          "compose: dimension of inner function " + std::to_string(j));
   return internal::composed_from(outer, inner, 0, 0);
 }
 

@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Row n of Pascal's triangle, by additions alone: exact where NT is exact, and in double as long as the numbers are below 2^53.
+// Row n of Pascal's triangle, by additions alone: exact where NT is exact, and in double as long as the numbers are
+// below 2^53.
 template <class NT>
 std::vector<NT> binomials(int n)
 {
@@ -41,9 +42,10 @@ void multiply_by_linear(NT* polynomial, std::size_t degree, const NT& constant, 
 }
 
 /*
-Row k holds the coefficients of (a + b x)^(d-k) (p + q x)^k. This is the polar form: with (1-s, s) and (1-t, t) row k gives the weights of the
-Bernstein coefficients in the blossom at (s,...,s,t,...,t), which is coefficient k on the interval [s,t]; with (1,s) and (1,t) it holds the elementary
-symmetric functions of the same arguments, the blossoms of the monomials up to a binomial (Ramshaw, Blossoming, 1987).
+Row k holds the coefficients of (a + b x)^(d-k) (p + q x)^k. This is the polar form: with (1-s, s) and (1-t, t) row k
+gives the weights of the Bernstein coefficients in the blossom at (s,...,s,t,...,t), which is coefficient k on the
+interval [s,t]; with (1,s) and (1,t) it holds the elementary symmetric functions of the same arguments, the blossoms of
+the monomials up to a binomial (Ramshaw, Blossoming, 1987).
 */
 template <class NT>
 Row_matrix<NT> linear_powers(int degree, const NT& a, const NT& b, const NT& p, const NT& q)
@@ -74,7 +76,8 @@ template <class NT>
 Row_matrix<NT> elevation_matrix(int from, int to)
 {
   Row_matrix<NT> result(static_cast<std::size_t>(to) + 1, static_cast<std::size_t>(from) + 1);
-  const std::vector<NT> old_binomials = binomials<NT>(from), added = binomials<NT>(to - from), new_binomials = binomials<NT>(to);
+  const std::vector<NT> old_binomials = binomials<NT>(from), added = binomials<NT>(to - from),
+                        new_binomials = binomials<NT>(to);
   for (int k = 0; k <= to; ++k)
     for (int i = (std::max)(0, k - (to - from)); i <= (std::min)(k, from); ++i)
       result(k, i) = NT(old_binomials[i] * added[k - i]) / new_binomials[k];

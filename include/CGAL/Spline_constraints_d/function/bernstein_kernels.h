@@ -17,8 +17,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The inner loops of the solver. A tensor is a contiguous array; one axis of it is seen as `outer` x (degree + 1) x `inner` numbers,
-where `inner` counts everything that varies faster, interleaved functions included, so that each step runs over contiguous rows.
+The inner loops of the solver. A tensor is a contiguous array; one axis of it is seen as `outer` x (degree + 1) x
+`inner` numbers, where `inner` counts everything that varies faster, interleaved functions included, so that each step
+runs over contiguous rows.
 */
 struct Axis_view
 {
@@ -73,8 +74,8 @@ inline void keep_after_in_rows(NT* data, const Axis_view& view, const Mean& mean
 }
 
 /*
-The same for doubles of low degree: the control points of two neighbouring lines along the axis fit into the registers of the machine, where the whole triangle is formed before anything is
-stored. The same operations in the same order.
+The same for doubles of low degree: the control points of two neighbouring lines along the axis fit into the registers
+of the machine, where the whole triangle is formed before anything is stored. The same operations in the same order.
 */
 constexpr int most_degree_in_registers = 10;
 
@@ -94,8 +95,9 @@ inline void keep_after(Number (&b)[degree + 1], const Mean& mean)
   unroll<degree>([&](auto level) { unroll<degree - level>([&](auto k) { b[k] = mean(b[k], b[k + 1]); }); });
 }
 
-// Calls change(b, position, inner) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`. Two lines that make up a pack (`is_pack`), as those of
-// planar curves, have places that are known to the compiler.
+// Calls change(b, position, inner) for the control points of every line along the axis, or of two neighbouring ones,
+// the first of which is at `position`. Two lines that make up a pack (`is_pack`), as those of planar curves, have
+// places that are known to the compiler.
 template <int degree, bool is_pack, class Change>
 BOOST_FORCEINLINE void change_lines(double* data, const Axis_view& view, const Change& change)
 {
@@ -149,13 +151,17 @@ struct Restrict_lines
   }
 };
 
-// Runs the kernel that was compiled for the degree of an axis; false when there is none. They are functions of their own: in one, registers would run out, and those for few numbers would save them all.
+// Runs the kernel that was compiled for the degree of an axis; false when there is none. They are functions of their
+// own: in one, registers would run out, and those for few numbers would save them all.
 template <class Kernel, class... Arguments>
 inline bool run_in_registers(const Axis_view& view, Arguments&&... arguments)
 {
   constexpr int most = most_degree_in_registers;
-  static constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) { return std::array{&Kernel::template run<k % most + 1, (k >= most)>...}; }(
-    std::make_integer_sequence<int, 2 * most>());
+  static constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>)
+  {
+    return std::array{&Kernel::template run<k % most + 1, (k >= most)>...};
+  }
+  (std::make_integer_sequence<int, 2 * most>());
   if (view.degree < 1 || view.degree > most)
     return false;
   kernels[view.degree - 1 + (view.inner == pack_size ? most : 0)](arguments...);
@@ -205,10 +211,11 @@ inline void split_at(NT* data, NT* after, const Axis_view& view, const NT& t)
   split(data, after, view, Blend<NT>(t));
 }
 
-// Replaces `data` by the part between two parameters, which may lie outside [0,1]. `inner_t` is (t1 - t0) / (1 - t0), the
-// place of t1 in what remains after the first cut.
+// Replaces `data` by the part between two parameters, which may lie outside [0,1]. `inner_t` is (t1 - t0) / (1 - t0),
+// the place of t1 in what remains after the first cut.
 template <class NT>
-inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT& inner_t, bool cuts_before, bool cuts_after)
+inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT& inner_t, bool cuts_before,
+                        bool cuts_after)
 {
   const Blend<NT> first(t0), second(inner_t);
   if constexpr (std::is_same_v<NT, double>)

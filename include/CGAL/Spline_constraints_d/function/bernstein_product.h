@@ -21,9 +21,10 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The product of Bernstein tensors. In scaled form, c_i = C(d,i) b_i on every axis, it is a plain convolution, as for powers (Farouki and
-Rajan, Algorithms for polynomials in Bernstein form, 1988). Only axes on which both factors have a positive degree need the scaling:
-C(d,i) C(0,0) / C(d,i) = 1 on the others, so that a product of functions of different variables is an outer product, without any rounding but its own.
+The product of Bernstein tensors. In scaled form, c_i = C(d,i) b_i on every axis, it is a plain convolution, as for
+powers (Farouki and Rajan, Algorithms for polynomials in Bernstein form, 1988). Only axes on which both factors have a
+positive degree need the scaling: C(d,i) C(0,0) / C(d,i) = 1 on the others, so that a product of functions of different
+variables is an outer product, without any rounding but its own.
 */
 
 // The three shapes of a convolution. The result's degrees are the sums.
@@ -221,11 +222,13 @@ std::vector<Integer> unpacked_rows(const std::vector<Integer>& rows, std::size_t
 }
 
 /*
-Convolution of integers. When every sum fits into 53 bits it is done in double, where it is exact in any rounding mode. Else the rows of the
-last axis are packed into one integer each (Kronecker substitution), so that a product of rows is one multiplication of long integers.
+Convolution of integers. When every sum fits into 53 bits it is done in double, where it is exact in any rounding mode.
+Else the rows of the last axis are packed into one integer each (Kronecker substitution), so that a product of rows is
+one multiplication of long integers.
 */
 template <class Integer>
-std::vector<Integer> convolved_integers(const Convolution_shape& shape, const std::vector<Integer>& a, const std::vector<Integer>& b)
+std::vector<Integer> convolved_integers(const Convolution_shape& shape, const std::vector<Integer>& a,
+                                        const std::vector<Integer>& b)
 {
   std::size_t summands = 1;
   for (std::size_t j = 0; j < shape.result.size(); ++j)
@@ -246,12 +249,15 @@ std::vector<Integer> convolved_integers(const Convolution_shape& shape, const st
   const std::size_t a_extent = static_cast<std::size_t>(shape.first.back()) + 1;
   const std::size_t b_extent = static_cast<std::size_t>(shape.second.back()) + 1;
   const Integer base = power_of_two<Integer>(static_cast<int>(std::ceil(bits)) + 2);
-  const Convolution_shape row_shape({shape.first.begin(), shape.first.end() - 1}, {shape.second.begin(), shape.second.end() - 1});
-  const std::vector<Integer> rows = convolved(row_shape, packed_rows(a, a_extent, base), packed_rows(b, b_extent, base));
+  const Convolution_shape row_shape({shape.first.begin(), shape.first.end() - 1},
+                                    {shape.second.begin(), shape.second.end() - 1});
+  const std::vector<Integer> rows =
+      convolved(row_shape, packed_rows(a, a_extent, base), packed_rows(b, b_extent, base));
   return unpacked_rows(rows, a_extent + b_extent - 1, base);
 }
 
-// The product of tensors of fractions, through integers. False when the denominators have too little in common for that to pay.
+// The product of tensors of fractions, through integers. False when the denominators have too little in common for that
+// to pay.
 template <class NT>
 bool multiply_fractions(const Convolution_shape& shape, const std::vector<bool>& is_shared, const std::vector<NT>& a,
                         const std::vector<NT>& b, std::vector<NT>& c)
@@ -280,8 +286,8 @@ inline constexpr bool is_fraction_v = std::is_same_v<typename CGAL::Fraction_tra
 
 // Coefficients of the product of two Bernstein tensors of the same dimension; its degrees are the sums.
 template <class NT>
-std::vector<NT> bernstein_product(const std::vector<int>& a_degrees, const std::vector<NT>& a, const std::vector<int>& b_degrees,
-                                  const std::vector<NT>& b)
+std::vector<NT> bernstein_product(const std::vector<int>& a_degrees, const std::vector<NT>& a,
+                                  const std::vector<int>& b_degrees, const std::vector<NT>& b)
 {
   std::vector<bool> is_shared(a_degrees.size());
   bool shares_an_axis = false;
@@ -297,7 +303,8 @@ std::vector<NT> bernstein_product(const std::vector<int>& a_degrees, const std::
     if (multiply_fractions(shape, is_shared, a, b, c))
       return c;
   }
-  std::vector<NT> c = convolved(shape, scaled(a, scaling_weights<NT>(a_degrees, is_shared)), scaled(b, scaling_weights<NT>(b_degrees, is_shared)));
+  std::vector<NT> c = convolved(shape, scaled(a, scaling_weights<NT>(a_degrees, is_shared)),
+                                scaled(b, scaling_weights<NT>(b_degrees, is_shared)));
   const std::vector<NT> weights = scaling_weights<NT>(shape.result, is_shared);
   for (std::size_t i = 0; i < c.size(); ++i)
     c[i] /= weights[i];

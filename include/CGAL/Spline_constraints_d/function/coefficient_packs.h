@@ -24,8 +24,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Two doubles side by side, as one instruction of every x86-64 takes them. Compilers keep packs with fixed indices in registers; they do not keep rows of an array there, and do
-not change the order of a reduction to one number.
+Two doubles side by side, as one instruction of every x86-64 takes them. Compilers keep packs with fixed indices in
+registers; they do not keep rows of an array there, and do not change the order of a reduction to one number.
 */
 constexpr int pack_size = 2;
 
@@ -73,8 +73,14 @@ inline void store(double* to, const Pack& pack)
   to[0] = pack.first;
   to[1] = pack.second;
 }
-inline Pack lesser(const Pack& a, const Pack& b) { return {b.first < a.first ? b.first : a.first, b.second < a.second ? b.second : a.second}; }
-inline Pack greater(const Pack& a, const Pack& b) { return {b.first > a.first ? b.first : a.first, b.second > a.second ? b.second : a.second}; }
+inline Pack lesser(const Pack& a, const Pack& b)
+{
+  return {b.first < a.first ? b.first : a.first, b.second < a.second ? b.second : a.second};
+}
+inline Pack greater(const Pack& a, const Pack& b)
+{
+  return {b.first > a.first ? b.first : a.first, b.second > a.second ? b.second : a.second};
+}
 inline Pack magnitude(const Pack& a) { return {std::abs(a.first), std::abs(a.second)}; }
 
 #endif
@@ -89,7 +95,8 @@ inline double magnitude(double a) { return std::abs(a); }
 template <int count, class Step>
 inline void unroll(const Step& step)
 {
-  [&]<int... k>(std::integer_sequence<int, k...>) { (step(std::integral_constant<int, k>()), ...); }(std::make_integer_sequence<int, count>());
+  [&]<int... k>(std::integer_sequence<int, k...>) { (step(std::integral_constant<int, k>()), ...); }
+  (std::make_integer_sequence<int, count>());
 }
 
 // Calls run(integral_constant<int, k>) for the k between 1 and `most` that `value` is; otherwise for k = 0.
@@ -104,11 +111,13 @@ inline void run_with_constant(std::size_t value, const Run& run)
     run_with_constant<most - 1>(value, run);
 }
 
-// Packs of the numbers of so many interleaved functions: after how many the functions come round, and how many at a time hide the latency of an operation.
+// Packs of the numbers of so many interleaved functions: after how many the functions come round, and how many at a
+// time hide the latency of an operation.
 template <int members>
 constexpr int packs_per_round = std::lcm(members, pack_size) / pack_size;
 template <int members>
-constexpr int packs_at_a_time = packs_per_round<members> * (packs_per_round<members> >= 3 ? 1 : 4 / packs_per_round<members>);
+constexpr int packs_at_a_time = packs_per_round<members>*(packs_per_round<members> >= 3 ? 1
+                                                                                        : 4 / packs_per_round<members>);
 
 // A number per function, times a factor, for a round.
 template <int members>
@@ -118,8 +127,9 @@ struct Pack_round
 
   explicit Pack_round(const double* numbers, double factor = 1)
   {
-    unroll<packs_per_round<members>>(
-      [&](auto k) { packs[k] = Pack(numbers[k * pack_size % members], numbers[(k * pack_size + 1) % members]) * factor; });
+    unroll<packs_per_round<members>>([&](auto k) {
+      packs[k] = Pack(numbers[k * pack_size % members], numbers[(k * pack_size + 1) % members]) * factor;
+    });
   }
 };
 
@@ -130,8 +140,10 @@ struct Ranges
 };
 
 /*
-The least and the largest numbers per function, for so many functions that are interleaved. below(Pack(), begin, i) and above(Pack(), begin, i) are the numbers from place i on of a range
-that begins at `begin`, with the first function, and has a multiple of `members` numbers. Because the last step over a range may take numbers a second time, a range needs `shortest` of them.
+The least and the largest numbers per function, for so many functions that are interleaved. below(Pack(), begin, i) and
+above(Pack(), begin, i) are the numbers from place i on of a range that begins at `begin`, with the first function, and
+has a multiple of `members` numbers. Because the last step over a range may take numbers a second time, a range needs
+`shortest` of them.
 */
 template <int members>
 class Pack_bounds
@@ -225,16 +237,18 @@ private:
 };
 
 /*
-Bounds per function of numbers below(type, begin, i) and above(type, begin, i) over the places i of ranges that begin at `begin`, each less base(range)[function] when a base is given. `type` is
-Pack() or a double, and so is the result. `members` is the number of functions when that is known to the compiler, else 0.
+Bounds per function of numbers below(type, begin, i) and above(type, begin, i) over the places i of ranges that begin at
+`begin`, each less base(range)[function] when a base is given. `type` is Pack() or a double, and so is the result.
+`members` is the number of functions when that is known to the compiler, else 0.
 */
 template <int members, class Below, class Above, class Base = std::nullptr_t>
-inline void bound_ranges(std::size_t functions, const Ranges& ranges, const Below& below, const Above& above, double* __restrict lower,
-                         double* __restrict upper, const Base& base = nullptr)
+inline void bound_ranges(std::size_t functions, const Ranges& ranges, const Below& below, const Above& above,
+                         double* __restrict lower, double* __restrict upper, const Base& base = nullptr)
 {
   constexpr bool has_base = !std::is_same_v<Base, std::nullptr_t>;
   if constexpr (members > 0)
-    if (ranges.size >= Pack_bounds<members>::shortest && ranges.count * ranges.size >= Pack_bounds<members>::worthwhile) {
+    if (ranges.size >= Pack_bounds<members>::shortest &&
+        ranges.count * ranges.size >= Pack_bounds<members>::worthwhile) {
       Pack_bounds<members> bounds;
       if constexpr (has_base)
         for (std::size_t r = 0; r < ranges.count; ++r) {
@@ -290,7 +304,8 @@ inline void sum_range(std::size_t functions, std::size_t size, const Value& valu
 
 // to[i] <- from[i] + factor addend[i modulo the number of functions] for the i below `size`.
 template <int members>
-inline void add_repeated(std::size_t functions, std::size_t size, const double* from, const double* addend, double factor, double* to)
+inline void add_repeated(std::size_t functions, std::size_t size, const double* from, const double* addend,
+                         double factor, double* to)
 {
   const std::size_t count = members > 0 ? members : functions;
   std::size_t i = 0;
@@ -299,7 +314,8 @@ inline void add_repeated(std::size_t functions, std::size_t size, const double* 
     if (size >= few * pack_size) {
       const Pack_round<members> repeated(addend, factor);
       for (; i + few * pack_size <= size; i += few * pack_size)
-        unroll<few>([&](auto k) { store(to + i + k * pack_size, load(Pack(), from + i + k * pack_size) + repeated.packs[k]); });
+        unroll<few>(
+            [&](auto k) { store(to + i + k * pack_size, load(Pack(), from + i + k * pack_size) + repeated.packs[k]); });
     }
   }
   for (; i < size; i += count)
@@ -307,7 +323,8 @@ inline void add_repeated(std::size_t functions, std::size_t size, const double* 
       to[i + m] = from[i + m] + factor * addend[m];
 }
 
-// change(type, i) for the places i below `size`, which it takes one by one or two by two. Inlined always: a call for a few numbers costs as much as they do.
+// change(type, i) for the places i below `size`, which it takes one by one or two by two. Inlined always: a call for a
+// few numbers costs as much as they do.
 template <class Change>
 BOOST_FORCEINLINE void for_each_place(std::size_t size, const Change& change)
 {
@@ -318,7 +335,8 @@ BOOST_FORCEINLINE void for_each_place(std::size_t size, const Change& change)
     change(0.0, i);
 }
 
-// The least and the largest of `count` numbers each, `size` places apart: bounds over an axis, whatever varies faster being kept.
+// The least and the largest of `count` numbers each, `size` places apart: bounds over an axis, whatever varies faster
+// being kept.
 inline void bound_over_axis(const double* data, std::size_t count, std::size_t size, double* least, double* most)
 {
   for_each_place(size, [&](auto type, std::size_t i) {
@@ -333,8 +351,10 @@ inline void bound_over_axis(const double* data, std::size_t count, std::size_t s
   });
 }
 
-// The same for two arrays, one that bounds from below and one from above. The results may take the places of the first numbers.
-inline void bound_over_axis(const double* lower, const double* upper, std::size_t count, std::size_t size, double* least, double* most)
+// The same for two arrays, one that bounds from below and one from above. The results may take the places of the first
+// numbers.
+inline void bound_over_axis(const double* lower, const double* upper, std::size_t count, std::size_t size,
+                            double* least, double* most)
 {
   for_each_place(size, [&](auto type, std::size_t i) {
     auto low = load(type, lower + i), high = load(type, upper + i);
@@ -352,7 +372,8 @@ constexpr std::size_t least_row = 48;
 
 // Bounds per function of a row of so many numbers that bound from below and as many that bound from above.
 template <int members>
-inline void bound_row(std::size_t functions, std::size_t size, const double* lower, const double* upper, double* least, double* most)
+inline void bound_row(std::size_t functions, std::size_t size, const double* lower, const double* upper, double* least,
+                      double* most)
 {
   if (size < least_row)
     bound_over_axis(lower, upper, size / functions, functions, least, most);

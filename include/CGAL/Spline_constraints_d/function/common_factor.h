@@ -44,8 +44,8 @@ inline Integer_terms integer_terms(const Power_polynomial& f, Big_integer& denom
 }
 
 /*
-Polynomials as integers: the values at a point with large integer coordinates, from which coefficients below half of the first coordinate can be read back as digits. Each coordinate is
-larger than all values of the unknowns before it.
+Polynomials as integers: the values at a point with large integer coordinates, from which coefficients below half of the
+first coordinate can be read back as digits. Each coordinate is larger than all values of the unknowns before it.
 */
 class Integer_evaluation
 {
@@ -85,7 +85,8 @@ public:
     for (const auto& [monomial, coefficient] : terms) {
       Big_integer product(coefficient);
       for (const auto& [variable, exponent] : monomial.powers)
-        product *= m_powers[std::lower_bound(m_variables.begin(), m_variables.end(), variable) - m_variables.begin()][exponent];
+        product *= m_powers[std::lower_bound(m_variables.begin(), m_variables.end(), variable) - m_variables.begin()]
+                           [exponent];
       sum += product;
     }
     return sum;
@@ -154,11 +155,13 @@ inline Power_polynomial polynomial_of(const Integer_terms& terms, const Big_inte
 
 A common factor of polynomials that are not all zero, as a rule the greatest one; nothing when none was found.
 
-The heuristic of Char, Geddes and Gonnet (GCDHEU, 1989): polynomials become integers by evaluation at a point with large integer coordinates, and the digits of the greatest common divisor of these are
-the coefficients of the factor. A factor is returned only when its products with the cofactors are the polynomials, so it is exact; that none is returned proves nothing, also when the
-integers would have more than 2^22 bits. Zero polynomials have the cofactor zero.
+The heuristic of Char, Geddes and Gonnet (GCDHEU, 1989): polynomials become integers by evaluation at a point with large
+integer coordinates, and the digits of the greatest common divisor of these are the coefficients of the factor. A factor
+is returned only when its products with the cofactors are the polynomials, so it is exact; that none is returned proves
+nothing, also when the integers would have more than 2^22 bits. Zero polynomials have the cofactor zero.
 
-The cost is that of one greatest common divisor of integers with about \f$b \prod_j (d_j+1)\f$ bits, for coefficients of \f$b\f$ bits and degrees \f$d_j\f$.
+The cost is that of one greatest common divisor of integers with about \f$b \prod_j (d_j+1)\f$ bits, for coefficients of
+\f$b\f$ bits and degrees \f$d_j\f$.
 */
 inline std::optional<Common_factor> common_factor(const std::vector<Power_polynomial>& polynomials)
 {
@@ -196,7 +199,8 @@ inline std::optional<Common_factor> common_factor(const std::vector<Power_polyno
       return std::nullopt;
     const Big_integer value = evaluation(*factor);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::optional<Integer_terms> cofactor = values[i] % value == 0 ? evaluation.interpolate(Big_integer(values[i] / value)) : std::nullopt;
+      const std::optional<Integer_terms> cofactor =
+          values[i] % value == 0 ? evaluation.interpolate(Big_integer(values[i] / value)) : std::nullopt;
       if (!cofactor)
         break;
       result.cofactors.push_back(polynomial_of(*cofactor, denominators[i]));
@@ -236,7 +240,8 @@ inline Power_polynomial square_free_part(const Power_polynomial& polynomial)
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
-polynomials \f$g_1, \dots, g_m\f$ with \f$f = c\, g_1 g_2^2 \cdots g_m^m\f$ for a constant \f$c\f$, exactly, where no \f$g_k\f$ has repeated factors that `common_factor()` finds, nor two of them a common one. Just \f$f\f$ if it has none.
+polynomials \f$g_1, \dots, g_m\f$ with \f$f = c\, g_1 g_2^2 \cdots g_m^m\f$ for a constant \f$c\f$, exactly, where no
+\f$g_k\f$ has repeated factors that `common_factor()` finds, nor two of them a common one. Just \f$f\f$ if it has none.
 
 Source: Yun, On square-free decomposition algorithms, 1976; with all derivatives in the place of one.
 */

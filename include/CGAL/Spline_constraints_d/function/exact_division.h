@@ -27,7 +27,8 @@ inline std::map<int, Power_polynomial> coefficients_by_power(const Power_polynom
 {
   std::map<int, Power_polynomial> result;
   for (const auto& [monomial, coefficient] : polynomial.terms())
-    result[monomial.exponent(unknown)] += Power_polynomial(coefficient) * polynomial_of(monomial.with_exponent(unknown, 0));
+    result[monomial.exponent(unknown)] +=
+        Power_polynomial(coefficient) * polynomial_of(monomial.with_exponent(unknown, 0));
   return result;
 }
 
@@ -90,7 +91,8 @@ inline Power_polynomial polynomial_of_piece(const Spline_term& term, std::size_t
 }
 
 // The spline of these unknowns with one polynomial for each cell.
-inline Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, const std::vector<Breaks_of_axis>& breaks, const std::vector<Power_polynomial>& polynomials)
+inline Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, const std::vector<Breaks_of_axis>& breaks,
+                                            const std::vector<Power_polynomial>& polynomials)
 {
   Integer_pieces<Big_integer> result{std::vector<int>(unknowns.size(), 0), breaks, {}};
   Big_integer denominator(1);
@@ -114,7 +116,8 @@ inline Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, co
 }
 
 // The quotient of a polynomial in splines, piece by piece, as a symbol.
-inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend, const Polynomial_divisor& divisor, int exponent, Symbol_table& symbols)
+inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend, const Polynomial_divisor& divisor,
+                                               int exponent, Symbol_table& symbols)
 {
   const Formula_expansion expansion(symbols, dividend);
   const Spline_term term = expansion.scaled_term();
@@ -130,7 +133,8 @@ inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend,
     for (int k = 0; k < exponent && quotient; ++k)
       quotient = divisor.quotient(*quotient);
     if (!quotient)
-      throw Invalid_input("divided_exactly: the factor does not divide the piece of cell " + std::to_string(c) + " of " + std::to_string(term.pieces.size()));
+      throw Invalid_input("divided_exactly: the factor does not divide the piece of cell " + std::to_string(c) +
+                          " of " + std::to_string(term.pieces.size()));
     quotients.push_back(*quotient / Power_polynomial(scaled_rational(expansion.denominator(), 0)));
   }
   const auto spline = std::make_shared<const Integer_spline>(spline_of_polynomials(term.variables, breaks, quotients));
@@ -143,17 +147,21 @@ inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend,
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-the formula divided by `pow(factor, exponent)`, where this leaves no remainder. Unlike division, it makes no condition: the quotient is a polynomial, or a spline, wherever the
-formula is, and its zeros on those of the factor are found. Factors that are known to vanish, such as \f$u - v\f$ in formulas for one curve at two parameters, are removed in
-this way: `divided_exactly(c(u) - c(v), u - v)` is zero where the curve meets itself, and where it stops.
+the formula divided by `pow(factor, exponent)`, where this leaves no remainder. Unlike division, it makes no condition:
+the quotient is a polynomial, or a spline, wherever the formula is, and its zeros on those of the factor are found.
+Factors that are known to vanish, such as \f$u - v\f$ in formulas for one curve at two parameters, are removed in this
+way: `divided_exactly(c(u) - c(v), u - v)` is zero where the curve meets itself, and where it stops.
 
-A formula with splines is multiplied out to one dense tensor, and divided piece by piece. *All* pieces have to be divisible: on a spline with breaks inside they are not, since
-\f$c_i(u) - c_j(v)\f$ has no factor \f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is divided in some cells only is not continuous, which no
-proof across a break would survive. Split the curve at its `breaks()` instead. A pair of equal parts is divided; a pair of different parts needs no division, but parts that
-are neighbours have their common end as a solution.
+A formula with splines is multiplied out to one dense tensor, and divided piece by piece. *All* pieces have to be
+divisible: on a spline with breaks inside they are not, since
+\f$c_i(u) - c_j(v)\f$ has no factor \f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is
+divided in some cells only is not continuous, which no proof across a break would survive. Split the curve at its
+`breaks()` instead. A pair of equal parts is divided; a pair of different parts needs no division, but parts that are
+neighbours have their common end as a solution.
 
-\throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not continuous, the factor is no polynomial in unknowns or constant,
-none of its unknowns has a constant as coefficient of its highest power, or the exponent is negative.
+\throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not
+continuous, the factor is no polynomial in unknowns or constant, none of its unknowns has a constant as coefficient of
+its highest power, or the exponent is negative.
 */
 inline Expression divided_exactly(const Expression& dividend, const Expression& factor, int exponent = 1)
 {
@@ -163,7 +171,8 @@ inline Expression divided_exactly(const Expression& dividend, const Expression& 
   const auto symbols = internal::common_symbols(dividend.symbols(), factor.symbols());
   Power_polynomial numerator = symbols->without_formulas(dividend.numerator());
   if (!symbols->has_only_unknowns(numerator))
-    return Expression(internal::divided_piece_by_piece(numerator, divisor, exponent, *symbols), dividend.denominator(), symbols);
+    return Expression(internal::divided_piece_by_piece(numerator, divisor, exponent, *symbols), dividend.denominator(),
+                      symbols);
   for (int k = 0; k < exponent; ++k) {
     const std::optional<Power_polynomial> quotient = divisor.quotient(numerator);
     if (!quotient)

@@ -51,7 +51,8 @@ inline Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains
     }
     const auto tensor = Bernstein_tensor<Exact_rational>::from_power_on_box(term.degrees, term.pieces[cell], part);
     const auto [least, greatest] = std::minmax_element(tensor.coefficients().begin(), tensor.coefficients().end());
-    result = result ? Exact_range((std::min)(result->first, *least), (std::max)(result->second, *greatest)) : Exact_range(*least, *greatest);
+    result = result ? Exact_range((std::min)(result->first, *least), (std::max)(result->second, *greatest))
+                    : Exact_range(*least, *greatest);
   });
   return *result;
 }
@@ -86,13 +87,20 @@ public:
 // The two halves of a box along its widest axis. \pre there is an axis
 inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box)
 {
-  const auto widest = std::max_element(box.begin(), box.end(), [](const auto& a, const auto& b) { return a.second - a.first < b.second - b.first; }) - box.begin();
+  const auto widest =
+      std::max_element(box.begin(), box.end(),
+                       [](const auto& a, const auto& b) { return a.second - a.first < b.second - b.first; }) -
+      box.begin();
   std::pair<Unknown_domains, Unknown_domains> result(box, box);
-  result.first[widest].second = result.second[widest].first = Exact_rational((box[widest].first + box[widest].second) / 2);
+  result.first[widest].second = result.second[widest].first =
+      Exact_rational((box[widest].first + box[widest].second) / 2);
   return result;
 }
 
-inline Exact_range hull_of(const Exact_range& a, const Exact_range& b) { return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)}; }
+inline Exact_range hull_of(const Exact_range& a, const Exact_range& b)
+{
+  return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+}
 
 // A formula, for its bounds on many boxes.
 class Expression_bounds
@@ -101,7 +109,8 @@ class Expression_bounds
 
 public:
   explicit Expression_bounds(const Expression& formula)
-    : m_numerator(*formula.symbols(), formula.numerator()), m_denominator(*formula.symbols(), polynomial_of(formula.denominator()))
+    : m_numerator(*formula.symbols(), formula.numerator()),
+      m_denominator(*formula.symbols(), polynomial_of(formula.denominator()))
   {}
 
   // Nothing where the bounds of the denominator hold zero, after so many halvings of parts of the box.
@@ -116,8 +125,9 @@ public:
       return b ? std::optional(hull_of(*a, *b)) : std::nullopt;
     }
     const Exact_range above = m_numerator(box);
-    const std::array<Exact_rational, 4> quotients{Exact_rational(above.first / below.first), Exact_rational(above.first / below.second),
-                                                  Exact_rational(above.second / below.first), Exact_rational(above.second / below.second)};
+    const std::array<Exact_rational, 4> quotients{
+        Exact_rational(above.first / below.first), Exact_rational(above.first / below.second),
+        Exact_rational(above.second / below.first), Exact_rational(above.second / below.second)};
     const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());
     return Exact_range(*least, *greatest);
   }
@@ -128,16 +138,18 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-bounds of a formula: numbers that its values on a box lie between; nothing when they do not show that its denominator is different from zero.
+bounds of a formula: numbers that its values on a box lie between; nothing when they do not show that its denominator is
+different from zero.
 
-They are the least and the greatest Bernstein coefficient of the numerator, over those of the denominator; on boxes of width \f$h\f$ they exceed the values by \f$O(h^2)\f$ for polynomials
-and \f$O(h)\f$ for quotients.
+They are the least and the greatest Bernstein coefficient of the numerator, over those of the denominator; on boxes of
+width \f$h\f$ they exceed the values by \f$O(h^2)\f$ for polynomials and \f$O(h)\f$ for quotients.
 \param formula the formula.
 \param box a range for each unknown that was made together with those in the formula, within its own range.
 \param halvings how often parts of the box are halved where the bounds of the denominator hold zero.
 \throws Invalid_input when the box has a wrong number of ranges, and as `Constraint::spline_function()`.
 */
-inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula, const Unknown_domains& box, int halvings = 4)
+inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula,
+                                                                       const Unknown_domains& box, int halvings = 4)
 {
   if (formula.symbols() == nullptr)
     return internal::Exact_range(formula.numerator().constant_term(), formula.numerator().constant_term());

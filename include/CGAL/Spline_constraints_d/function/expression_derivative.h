@@ -54,7 +54,8 @@ private:
     const auto position = std::find(symbol.unknowns.begin(), symbol.unknowns.end(), m_unknown);
     if (position == symbol.unknowns.end())
       return 0;
-    const auto result = std::make_shared<const Integer_spline>(symbol.spline->piecewise_derivative(static_cast<int>(position - symbol.unknowns.begin())));
+    const auto result = std::make_shared<const Integer_spline>(
+        symbol.spline->piecewise_derivative(static_cast<int>(position - symbol.unknowns.begin())));
     result->check_continuity("derivative: that of a spline in the formula");
     return m_symbols->spline_of_unknowns(result, symbol.unknowns, 0);
   }
@@ -70,8 +71,10 @@ private:
 /*!
 the partial derivative of a formula by an unknown.
 
-The splines in the formula are differentiated one by one, so all of their derivatives have to be continuous; for a point of a rational curve `derivative(map)` asks for less.
-\throws Invalid_input when the derivative of a spline jumps (the message names the parameter), or the unknown comes from another call of `unknowns()`.
+The splines in the formula are differentiated one by one, so all of their derivatives have to be continuous; for a point
+of a rational curve `derivative(map)` asks for less.
+\throws Invalid_input when the derivative of a spline jumps (the message names the parameter), or the unknown comes from
+another call of `unknowns()`.
 */
 inline Expression derivative(const Expression& formula, const Unknown& u)
 {

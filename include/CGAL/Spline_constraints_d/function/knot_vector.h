@@ -22,9 +22,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Knots t_0 <= ... <= t_{n+d} of n control points of degree d; the domain is [t_d, t_n]. Everything here is the blossom of the polynomial on a
-non-empty span (de Boor's recurrence with one argument per level): equal arguments evaluate, the ends of a span extract Bézier points,
-d consecutive knots of a finer vector insert them.
+Knots t_0 <= ... <= t_{n+d} of n control points of degree d; the domain is [t_d, t_n]. Everything here is the blossom of
+the polynomial on a non-empty span (de Boor's recurrence with one argument per level): equal arguments evaluate, the
+ends of a span extract Bézier points, d consecutive knots of a finer vector insert them.
 */
 template <class NT>
 struct Knot_axis
@@ -57,7 +57,8 @@ void check_knots(const Knot_axis<NT>& axis, const std::string& where)
   const std::vector<NT>& knots = *axis.knots;
   const std::size_t order = static_cast<std::size_t>(axis.degree) + 1;
   if (knots.size() < 2 * order)
-    throw Invalid_input(where + ": " + std::to_string(knots.size()) + " knots, at least " + std::to_string(2 * order) + " are needed");
+    throw Invalid_input(where + ": " + std::to_string(knots.size()) + " knots, at least " + std::to_string(2 * order) +
+                        " are needed");
   check_finite(knots, where + ": knot");
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (knots[i] < knots[i - 1])
@@ -70,8 +71,8 @@ void check_knots(const Knot_axis<NT>& axis, const std::string& where)
       ++last;
     const bool is_inside = axis.begin() < knots[i] && knots[i] < axis.end();
     if (last - i > order || (is_inside && last - i == order))
-      throw Invalid_input(where + ": knot " + std::to_string(i) + " occurs " + std::to_string(last - i) + " times, the spline of degree " +
-                          std::to_string(axis.degree) + " is not continuous there");
+      throw Invalid_input(where + ": knot " + std::to_string(i) + " occurs " + std::to_string(last - i) +
+                          " times, the spline of degree " + std::to_string(axis.degree) + " is not continuous there");
     i = last;
   }
 }
@@ -112,7 +113,8 @@ std::vector<Break<NT>> common_breaks(int degree, const Knot_axis<NT>& a, const K
     entry.multiplicity += degree - a.degree;
   for (Break<NT> entry : breaks_of(b)) {
     entry.multiplicity += degree - b.degree;
-    const auto position = std::lower_bound(result.begin(), result.end(), entry.value, [](const Break<NT>& x, const NT& value) { return x.value < value; });
+    const auto position = std::lower_bound(result.begin(), result.end(), entry.value,
+                                           [](const Break<NT>& x, const NT& value) { return x.value < value; });
     if (position != result.end() && position->value == entry.value)
       position->multiplicity = (std::max)(position->multiplicity, entry.multiplicity);
     else
@@ -128,11 +130,13 @@ std::size_t span_of(const Knot_axis<NT>& axis, const NT& u)
   const auto first = axis.knots.begin() + axis.degree, last = axis.knots.begin() + axis.size();
   // At the right end the span before it; left of the domain the first one.
   const NT& inside = u < axis.end() ? (u < axis.begin() ? axis.begin() : u) : axis.end();
-  const auto after = inside < axis.end() ? std::upper_bound(first, last, inside) : std::lower_bound(first, last, inside);
+  const auto after =
+      inside < axis.end() ? std::upper_bound(first, last, inside) : std::lower_bound(first, last, inside);
   return static_cast<std::size_t>(after - axis.knots.begin()) - 1;
 }
 
-// Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span, with one argument more at a time: after d of them they are complete.
+// Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span, with one
+// argument more at a time: after d of them they are complete.
 template <class NT>
 class Blossom_weights
 {
@@ -211,7 +215,8 @@ auto derivative_weights(const Knot_axis<NT>& axis, std::size_t span, const NT& u
   return result;
 }
 
-// Bézier points of all cells of breaks that are at least as fine as the knots, cell after cell, from the control points.
+// Bézier points of all cells of breaks that are at least as fine as the knots, cell after cell, from the control
+// points.
 template <class NT>
 Band_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
 {
@@ -235,7 +240,8 @@ Band_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<B
 template <class NT>
 std::size_t central_span(const Knot_axis<NT>& axis, std::size_t j)
 {
-  const std::size_t middle = (std::min)((std::max)(j + axis.degree / 2, static_cast<std::size_t>(axis.degree)), axis.size() - 1);
+  const std::size_t middle =
+      (std::min)((std::max)(j + axis.degree / 2, static_cast<std::size_t>(axis.degree)), axis.size() - 1);
   for (std::size_t distance = 0;; ++distance) {
     if (middle + distance < axis.size() && axis.knots[middle + distance] < axis.knots[middle + distance + 1])
       return middle + distance;
@@ -251,7 +257,9 @@ Band_matrix<NT> refinement_matrix(const Knot_axis<NT>& from, const Knot_axis<NT>
   Band_matrix<NT> result = band_matrix(from);
   for (std::size_t j = 0; j < to.size(); ++j) {
     const std::size_t span = span_of(from, to.knots[central_span(to, j)]);
-    result.add_row(span - from.degree, blossom_weights(from, span, [&](int i) { return Blossom_argument<NT>{to.knots[j + 1 + i], NT(1)}; }));
+    result.add_row(span - from.degree, blossom_weights(from, span, [&](int i) {
+                     return Blossom_argument<NT>{to.knots[j + 1 + i], NT(1)};
+                   }));
   }
   return result;
 }
@@ -264,7 +272,8 @@ Band_matrix<NT> assembly_matrix(const Knot_axis<NT>& axis, const std::vector<Bre
   auto result = Band_matrix<NT>::band(order * (breaks.size() - 1), order);
   for (std::size_t j = 0; j < axis.size(); ++j) {
     const NT& begin = axis.knots[central_span(axis, j)];
-    const auto position = std::lower_bound(breaks.begin(), breaks.end(), begin, [](const Break<NT>& x, const NT& value) { return x.value < value; });
+    const auto position = std::lower_bound(breaks.begin(), breaks.end(), begin,
+                                           [](const Break<NT>& x, const NT& value) { return x.value < value; });
     const std::size_t cell = static_cast<std::size_t>(position - breaks.begin());
     const NT length = breaks[cell + 1].value - begin;
     std::vector<NT> row(order, NT(0));

@@ -38,7 +38,8 @@ struct Hyperplane_expression
 @{
 */
 
-//! the line through a point of a curve with the direction of its normal, \f$\langle p - C(u), C'(u)\rangle = 0\f$ (seed 001, equation 18); in space, the normal plane.
+//! the line through a point of a curve with the direction of its normal, \f$\langle p - C(u), C'(u)\rangle = 0\f$ (seed
+//! 001, equation 18); in space, the normal plane.
 //! \throws Invalid_input as `derivative()`.
 template <int d>
 Hyperplane_expression<d> normal_line(const Spline_map<1, d>& curve, const Unknown& u)
@@ -48,7 +49,8 @@ Hyperplane_expression<d> normal_line(const Spline_map<1, d>& curve, const Unknow
   return {std::move(direction), std::move(offset)};
 }
 
-//! the points at equal distance from two points, \f$2\langle b - a, p\rangle = \|b\|^2 - \|a\|^2\f$ (seed 000, equation 12).
+//! the points at equal distance from two points, \f$2\langle b - a, p\rangle = \|b\|^2 - \|a\|^2\f$ (seed 000, equation
+//! 12).
 template <int d>
 Hyperplane_expression<d> equidistant_hyperplane(const Vector_expression<d>& a, const Vector_expression<d>& b)
 {
@@ -56,8 +58,8 @@ Hyperplane_expression<d> equidistant_hyperplane(const Vector_expression<d>& a, c
 }
 
 /*!
-the point that two lines have in common, by Cramer's rule. The determinant of their normals becomes a divisor: it is a condition of the constraints in which the point
-occurs, since where it is zero there is no such point, or more than one.
+the point that two lines have in common, by Cramer's rule. The determinant of their normals becomes a divisor: it is a
+condition of the constraints in which the point occurs, since where it is zero there is no such point, or more than one.
 \throws Invalid_input when the determinant is the zero polynomial.
 */
 inline Vector_expression<2> meet(const Hyperplane_expression<2>& a, const Hyperplane_expression<2>& b)
@@ -67,19 +69,24 @@ inline Vector_expression<2> meet(const Hyperplane_expression<2>& a, const Hyperp
 }
 
 //! the point that three planes have in common, in the same way.
-inline Vector_expression<3> meet(const Hyperplane_expression<3>& a, const Hyperplane_expression<3>& b, const Hyperplane_expression<3>& c)
+inline Vector_expression<3> meet(const Hyperplane_expression<3>& a, const Hyperplane_expression<3>& b,
+                                 const Hyperplane_expression<3>& c)
 {
   const Vector_expression<3> bc = cross(b.normal, c.normal);
-  return (a.offset * bc + b.offset * cross(c.normal, a.normal) + c.offset * cross(a.normal, b.normal)) / dot(a.normal, bc);
+  return (a.offset * bc + b.offset * cross(c.normal, a.normal) + c.offset * cross(a.normal, b.normal)) /
+      dot(a.normal, bc);
 }
 
 /*!
-unknowns to be eliminated by `solve_linear()`: they have no range, and no constraint on a system may use them. They belong to the same formulas as `u`.
+unknowns to be eliminated by `solve_linear()`: they have no range, and no constraint on a system may use them. They
+belong to the same formulas as `u`.
 */
 template <int d>
 Vector_expression<d> unknowns_without_range(const Unknown& u)
 {
-  return internal::vector_of<d>([&](std::size_t) { return Expression(Power_polynomial::variable(u.symbols()->enter_unknown_without_range()), Monomial(), u.symbols()); });
+  return internal::vector_of<d>([&](std::size_t) {
+    return Expression(Power_polynomial::variable(u.symbols()->enter_unknown_without_range()), Monomial(), u.symbols());
+  });
 }
 
 /*!
@@ -92,14 +99,16 @@ namespace internal {
 inline int symbol_of(const Expression& expression)
 {
   const std::vector<int> symbols = expression.numerator().variables();
-  if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) || !expression.denominator().powers.empty())
+  if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) ||
+      !expression.denominator().powers.empty())
     throw Invalid_input("solve_linear, substituted: what is to be eliminated is not an unknown");
   return symbols[0];
 }
 
 // <normal, p> = offset from an equation that is linear in the symbols.
 template <int d>
-Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::array<int, d>& symbols, const std::shared_ptr<Symbol_table>& table)
+Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::array<int, d>& symbols,
+                                       const std::shared_ptr<Symbol_table>& table)
 {
   if (equation.relation != Relation::EQUAL)
     throw Invalid_input("solve_linear: not an equation");
@@ -117,7 +126,8 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
         throw Invalid_input("solve_linear: an equation is not linear in the unknowns that are to be eliminated");
     rest = rest.substituted(symbol, Power_polynomial());
   }
-  return {vector_of<d>([&](std::size_t i) { return Expression(slopes[i], Monomial(), table); }), Expression(-rest, Monomial(), table)};
+  return {vector_of<d>([&](std::size_t i) { return Expression(slopes[i], Monomial(), table); }),
+          Expression(-rest, Monomial(), table)};
 }
 
 } // namespace internal
@@ -125,16 +135,18 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-what equations say of unknowns that occur linearly in them: the values of these, by Cramer's rule. The determinant is a divisor, as in `meet()`. Put these formulas in the place
-of the unknowns in all other constraints. When the unknowns have ranges, the values are not restricted to them.
+what equations say of unknowns that occur linearly in them: the values of these, by Cramer's rule. The determinant is a
+divisor, as in `meet()`. Put these formulas in the place of the unknowns in all other constraints. When the unknowns
+have ranges, the values are not restricted to them.
 
 \code
 auto p = unknowns_without_range<2>(u);
-auto center = solve_linear({squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w))}, p);
+auto center = solve_linear({squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) ==
+squared_norm(p - c3(w))}, p);
 \endcode
 
-\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns or has a divisor that may vanish, or the determinant is the zero
-polynomial.
+\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns or has a
+divisor that may vanish, or the determinant is the zero polynomial.
 */
 template <int d>
 Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, const Vector_expression<d>& unknowns)
@@ -142,7 +154,9 @@ Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, co
   std::array<int, d> symbols;
   for (int i = 0; i < d; ++i)
     symbols[i] = internal::symbol_of(unknowns[i]);
-  const auto hyperplane = [&](int i) { return internal::hyperplane_of<d>(equations[i], symbols, unknowns[0].symbols()); };
+  const auto hyperplane = [&](int i) {
+    return internal::hyperplane_of<d>(equations[i], symbols, unknowns[0].symbols());
+  };
   if constexpr (d == 2)
     return meet(hyperplane(0), hyperplane(1));
   else
@@ -153,7 +167,8 @@ Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, co
 \ingroup PkgSplineConstraintsDFunctions
 
 the formula with another one in the place of an unknown.
-\throws Invalid_input when `unknown` is no unknown, or the parameter of a spline in the formula; or the value is such that something is divided by zero.
+\throws Invalid_input when `unknown` is no unknown, or the parameter of a spline in the formula; or the value is such
+that something is divided by zero.
 */
 inline Expression substituted(const Expression& formula, const Expression& unknown, const Expression& value)
 {
@@ -162,7 +177,8 @@ inline Expression substituted(const Expression& formula, const Expression& unkno
   const auto in_polynomial = [&](const Power_polynomial& polynomial) {
     const Power_polynomial without_formulas = table->without_formulas(polynomial);
     for (int other : without_formulas.variables())
-      if (const auto& parameters = (*table)[other].unknowns; std::find(parameters.begin(), parameters.end(), symbol) != parameters.end())
+      if (const auto& parameters = (*table)[other].unknowns;
+          std::find(parameters.begin(), parameters.end(), symbol) != parameters.end())
         throw Invalid_input("substituted: the unknown is the parameter of a spline");
     const std::map<int, Power_polynomial> coefficients = internal::coefficients_by_power(without_formulas, symbol);
     Expression result = 0;   // by Horner's scheme

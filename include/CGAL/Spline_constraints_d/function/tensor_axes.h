@@ -109,7 +109,8 @@ inline void check_finite(const std::vector<NT>& numbers, std::string_view what)
 inline void check_count(std::size_t count, std::size_t expected, std::string_view what)
 {
   if (count != expected)
-    throw Invalid_input(std::string(what) + ": " + std::to_string(count) + " where " + std::to_string(expected) + " are needed");
+    throw Invalid_input(std::string(what) + ": " + std::to_string(count) + " where " + std::to_string(expected) +
+                        " are needed");
 }
 
 // Number of entries of a tensor with these degrees.
@@ -129,7 +130,8 @@ inline std::size_t checked_tensor_size(const std::vector<int>& degrees, std::str
   std::size_t size = 1;
   for (std::size_t j = 0; j < degrees.size(); ++j) {
     if (degrees[j] < 0)
-      throw Invalid_input(std::string(who) + ": degree " + std::to_string(degrees[j]) + " of axis " + std::to_string(j) + " is negative");
+      throw Invalid_input(std::string(who) + ": degree " + std::to_string(degrees[j]) + " of axis " +
+                          std::to_string(j) + " is negative");
     const std::size_t extent = static_cast<std::size_t>(degrees[j]) + 1;
     if (size > limit / extent)
       throw Invalid_input(std::string(who) + ": too many coefficients (overflow at axis " + std::to_string(j) + ")");
@@ -174,9 +176,11 @@ void for_each_index(const std::vector<int>& bounds, const Visit& visit)
   }
 }
 
-// The positions in a tensor with degrees `all` of the entries of a smaller one that begins at the index `lower`, in the order of the smaller.
+// The positions in a tensor with degrees `all` of the entries of a smaller one that begins at the index `lower`, in the
+// order of the smaller.
 template <class Visit>
-void for_each_position(const std::vector<int>& all, const std::vector<int>& lower, const std::vector<int>& degrees, const Visit& visit)
+void for_each_position(const std::vector<int>& all, const std::vector<int>& lower, const std::vector<int>& degrees,
+                       const Visit& visit)
 {
   const std::vector<std::size_t> strides = tensor_strides(all);
   for_each_index(degrees, [&](const std::vector<int>& index) {
@@ -188,7 +192,8 @@ void for_each_position(const std::vector<int>& all, const std::vector<int>& lowe
 }
 
 template <class NT>
-std::vector<NT> tensor_block(const std::vector<NT>& data, const std::vector<int>& all, const std::vector<int>& lower, const std::vector<int>& degrees)
+std::vector<NT> tensor_block(const std::vector<NT>& data, const std::vector<int>& all, const std::vector<int>& lower,
+                             const std::vector<int>& degrees)
 {
   std::vector<NT> result;
   result.reserve(tensor_size(degrees));
@@ -197,8 +202,8 @@ std::vector<NT> tensor_block(const std::vector<NT>& data, const std::vector<int>
 }
 
 template <class NT>
-void place_tensor_block(std::vector<NT>& data, const std::vector<int>& all, const std::vector<int>& lower, const std::vector<NT>& block,
-                        const std::vector<int>& degrees)
+void place_tensor_block(std::vector<NT>& data, const std::vector<int>& all, const std::vector<int>& lower,
+                        const std::vector<NT>& block, const std::vector<int>& degrees)
 {
   std::size_t next = 0;
   for_each_position(all, lower, degrees, [&](std::size_t position) { data[position] = block[next++]; });
@@ -236,8 +241,9 @@ struct Row_matrix
 };
 
 /*
-Applies a matrix to every line of a tensor along one axis. Elevation, restriction, knot insertion and the changes between bases are all
-of this kind: they differ by the matrix, which is built once, while this loop runs over contiguous rows.
+Applies a matrix to every line of a tensor along one axis. Elevation, restriction, knot insertion and the changes
+between bases are all of this kind: they differ by the matrix, which is built once, while this loop runs over contiguous
+rows.
 */
 template <class NT>
 std::vector<NT> transform_axis(const std::vector<NT>& data, const Axis_view& view, const Row_matrix<NT>& matrix)
@@ -264,11 +270,13 @@ template <class NT>
 using Contraction_weights = std::vector<std::vector<std::vector<NT>>>;
 
 /*
-Contracts the axes of a tensor one after the other with every choice of derivative orders of total at most `order`, and calls
-`report(orders, value)` for each. Contractions of the leading axes are shared between the choices; the first costs one pass over the data.
+Contracts the axes of a tensor one after the other with every choice of derivative orders of total at most `order`, and
+calls `report(orders, value)` for each. Contractions of the leading axes are shared between the choices; the first costs
+one pass over the data.
 */
 template <class NT, class Report>
-void contract(const NT* data, std::size_t size, const Contraction_weights<NT>& weights, int order, std::vector<int>& orders, const Report& report)
+void contract(const NT* data, std::size_t size, const Contraction_weights<NT>& weights, int order,
+              std::vector<int>& orders, const Report& report)
 {
   const std::size_t axis = orders.size();
   if (axis == weights.size()) {
@@ -311,7 +319,8 @@ NT contracted_value(const std::vector<NT>& data, const Contraction_weights<NT>& 
 {
   NT result(0);
   std::vector<int> orders;
-  contract(data.data(), data.size(), weights, 0, orders, [&](const std::vector<int>&, const NT& value) { result = value; });
+  contract(data.data(), data.size(), weights, 0, orders,
+           [&](const std::vector<int>&, const NT& value) { result = value; });
   return result;
 }
 

@@ -56,10 +56,13 @@ bool certainly_has_sign(const NT& x, CGAL::Sign sign)
 template <class NT>
 int common_sign(const std::pair<NT, NT>& bounds)
 {
-  return certainly_has_sign(bounds.first, CGAL::POSITIVE) ? 1 : certainly_has_sign(bounds.second, CGAL::NEGATIVE) ? -1 : 0;
+  return certainly_has_sign(bounds.first, CGAL::POSITIVE) ? 1
+      : certainly_has_sign(bounds.second, CGAL::NEGATIVE) ? -1
+                                                          : 0;
 }
 
-// Throws when a corner of the tensor, where coefficients are values, certainly does not have the sign; sign 0 takes that of the first corner that has one.
+// Throws when a corner of the tensor, where coefficients are values, certainly does not have the sign; sign 0 takes
+// that of the first corner that has one.
 template <class NT>
 void check_corners(const Bernstein_tensor<NT>& weight, int& sign)
 {
@@ -80,12 +83,14 @@ void check_corners(const Bernstein_tensor<NT>& weight, int& sign)
 }
 
 /*
-Proves that a weight has one sign and hands `visit(numerator, weight)` parts that cover everything, on each of which all coefficients of the weight
-have this sign. The sign is returned; without proof within the limits Invalid_input is thrown.
+Proves that a weight has one sign and hands `visit(numerator, weight)` parts that cover everything, on each of which all
+coefficients of the weight have this sign. The sign is returned; without proof within the limits Invalid_input is
+thrown.
 */
 template <class NT, class Visit>
-int for_each_part_of_one_sign(const std::vector<Bernstein_tensor<NT>>& numerators, const std::vector<Bernstein_tensor<NT>>& weights,
-                              const Weight_options& options, const Visit& visit)
+int for_each_part_of_one_sign(const std::vector<Bernstein_tensor<NT>>& numerators,
+                              const std::vector<Bernstein_tensor<NT>>& weights, const Weight_options& options,
+                              const Visit& visit)
 {
   struct Part
   {
@@ -113,8 +118,11 @@ int for_each_part_of_one_sign(const std::vector<Bernstein_tensor<NT>>& numerator
         if (part.weight.degree(axis) > 0)
           break;
       }
-      if (dimension == 0 || part.weight.degree(axis) == 0 || part.depth >= options.maximal_depth || ++parts > options.maximal_parts)
-        throw Invalid_input("Rational_function: the sign of the weight could not be proved (it is zero or close to zero in piece " + std::to_string(c) + ")");
+      if (dimension == 0 || part.weight.degree(axis) == 0 || part.depth >= options.maximal_depth ||
+          ++parts > options.maximal_parts)
+        throw Invalid_input(
+            "Rational_function: the sign of the weight could not be proved (it is zero or close to zero in piece " +
+            std::to_string(c) + ")");
       auto [first_numerator, second_numerator] = part.numerator.split(axis);
       auto [first_weight, second_weight] = part.weight.split(axis);
       open.push_back({std::move(second_numerator), std::move(second_weight), part.depth + 1});
@@ -135,7 +143,8 @@ auto exact_pieces(const Function& function)
     return function.bezier_pieces();
 }
 
-// The sign of a weight, proved. Throws Invalid_input when it vanishes, has both signs, or the proof goes beyond the limits.
+// The sign of a weight, proved. Throws Invalid_input when it vanishes, has both signs, or the proof goes beyond the
+// limits.
 template <class Function>
 int certified_weight_sign(const Function& weight, const Weight_options& options)
 {

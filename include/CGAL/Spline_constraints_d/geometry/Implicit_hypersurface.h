@@ -29,8 +29,9 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-An implicit algebraic curve \f$f(x,y) = 0\f$ in the plane or surface \f$f(x,y,z) = 0\f$ in space, within a closed box: its points are the zeros of an exact polynomial there.
-`Implicit_curve_2` and `Implicit_surface_3` are names for the two.
+An implicit algebraic curve \f$f(x,y) = 0\f$ in the plane or surface \f$f(x,y,z) = 0\f$ in space, within a closed box:
+its points are the zeros of an exact polynomial there. `Implicit_curve_2` and `Implicit_surface_3` are names for the
+two.
 
 \code
 auto [x, y] = SC::unknowns({-3, 3}, {-2, 2});
@@ -75,9 +76,11 @@ public:
     : m_polynomial(std::move(polynomial)), m_box(std::move(box))
   {
     if (m_polynomial.is_constant())
-      throw Invalid_input(std::string("Implicit_hypersurface: the polynomial is ") + (m_polynomial.is_zero() ? "zero" : "a constant"));
+      throw Invalid_input(std::string("Implicit_hypersurface: the polynomial is ") +
+                          (m_polynomial.is_zero() ? "zero" : "a constant"));
     if (const int last = m_polynomial.variables().back(); last >= d)
-      throw Invalid_input("Implicit_hypersurface: unknown " + std::to_string(last) + " in a polynomial of " + std::to_string(d) + " coordinates");
+      throw Invalid_input("Implicit_hypersurface: unknown " + std::to_string(last) + " in a polynomial of " +
+                          std::to_string(d) + " coordinates");
     for (int i = 0; i < d; ++i) {
       if (!(m_box[i].first < m_box[i].second))
         throw Invalid_input("Implicit_hypersurface: the range of coordinate " + std::to_string(i) + " has no extent");
@@ -86,12 +89,17 @@ public:
   }
 
   //! the zeros of a formula in `d` unknowns, which are the coordinates; the box is that of their ranges.
-  //! \throws Invalid_input also when the formula is no polynomial, or its unknowns were made together with more or fewer than `d`.
-  explicit Implicit_hypersurface(const Expression& formula) : Implicit_hypersurface(formula.polynomial(), box_of(formula.domains().get())) {}
+  //! \throws Invalid_input also when the formula is no polynomial, or its unknowns were made together with more or
+  //! fewer than `d`.
+  explicit Implicit_hypersurface(const Expression& formula)
+    : Implicit_hypersurface(formula.polynomial(), box_of(formula.domains().get()))
+  {}
 
   //! the points that satisfy an equation: `Implicit_curve_2 circle(x*x + y*y == 1)`.
   //! \throws Invalid_input also when it is an inequality, or has divisors that may be zero.
-  explicit Implicit_hypersurface(const Constraint& equation) : Implicit_hypersurface(polynomial_of(equation), box_of(equation.domains.get())) {}
+  explicit Implicit_hypersurface(const Constraint& equation)
+    : Implicit_hypersurface(polynomial_of(equation), box_of(equation.domains.get()))
+  {}
 
   //! \f$f\f$.
   const Power_polynomial& polynomial() const { return m_polynomial; }
@@ -102,7 +110,8 @@ public:
   //! the exact value of \f$f\f$ at a point. \throws Invalid_input when it has too few coordinates.
   Exact_rational operator()(std::span<const Exact_rational> point) const { return m_polynomial(point); }
 
-  //! \f$f\f$ as a formula, for a point whose coordinates are formulas; the denominators that rational curves and surfaces have are cleared when it is compared with 0.
+  //! \f$f\f$ as a formula, for a point whose coordinates are formulas; the denominators that rational curves and
+  //! surfaces have are cleared when it is compared with 0.
   Expression operator()(const Vector_expression<d>& point) const { return internal::substituted(m_polynomial, point); }
 
   //! the exact gradient of \f$f\f$ at a point.
@@ -128,7 +137,8 @@ public:
     return CGAL::sign(m_polynomial(exact_coordinates(point)));
   }
 
-  //! whether a point is on the curve or surface, which ends at the box. \throws Invalid_input when a coordinate is not finite.
+  //! whether a point is on the curve or surface, which ends at the box. \throws Invalid_input when a coordinate is not
+  //! finite.
   template <class Point>
     requires (Point::Ambient_dimension::value == d)
   bool has_on(const Point& point) const
@@ -147,7 +157,9 @@ public:
   std::vector<Locus_piece<d>> locus_pieces() const
   {
     Locus_piece<d> piece;
-    piece.incidence = [f = *this](const Vector_expression<d>& p, std::span<const Unknown>) { return std::vector<Constraint>{f(p) == 0}; };
+    piece.incidence = [f = *this](const Vector_expression<d>& p, std::span<const Unknown>) {
+      return std::vector<Constraint>{f(p) == 0};
+    };
     piece.box.assign(m_box.begin(), m_box.end());
     return {piece};
   }
@@ -162,7 +174,8 @@ private:
   {
     const std::size_t count = domains == nullptr ? 0 : domains->size();
     if (count != d)
-      throw Invalid_input("Implicit_hypersurface: " + std::to_string(count) + " unknowns for " + std::to_string(d) + " coordinates");
+      throw Invalid_input("Implicit_hypersurface: " + std::to_string(count) + " unknowns for " + std::to_string(d) +
+                          " coordinates");
     Box result;
     std::copy(domains->begin(), domains->end(), result.begin());
     return result;
@@ -172,7 +185,8 @@ private:
   {
     if (equation.relation != Relation::EQUAL)
       throw Invalid_input("Implicit_hypersurface: an inequality instead of an equation");
-    if (!equation.conditions.empty() || (equation.symbols != nullptr && !equation.symbols->has_only_unknowns(equation.function)))
+    if (!equation.conditions.empty() ||
+        (equation.symbols != nullptr && !equation.symbols->has_only_unknowns(equation.function)))
       throw Invalid_input("Implicit_hypersurface: the equation is not one of polynomials");
     return equation.function;
   }

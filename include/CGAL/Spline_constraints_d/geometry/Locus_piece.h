@@ -21,11 +21,12 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A smooth piece of a curve or surface as constraints see it: a set of points in dimension `d`, described by unknowns of its own. They are parameters, and auxiliary unknowns that the
-parameters determine, such as the length of a derivative.
+A smooth piece of a curve or surface as constraints see it: a set of points in dimension `d`, described by unknowns of
+its own. They are parameters, and auxiliary unknowns that the parameters determine, such as the length of a derivative.
 
-There are two descriptions, and systems use the one that makes them smaller. `point` is a formula of all the unknowns, which satisfy `constraints`; `incidence` says of a given point that it is
-the one with given parameters, without auxiliary unknowns.
+There are two descriptions, and systems use the one that makes them smaller. `point` is a formula of all the unknowns,
+which satisfy `constraints`; `incidence` says of a given point that it is the one with given parameters, without
+auxiliary unknowns.
 */
 template <int d>
 struct Locus_piece
@@ -42,13 +43,15 @@ struct Locus_piece
   //! the ranges of the auxiliary unknowns.
   Unknown_domains auxiliaries = {};
 
-  //! the point as a formula of parameters and auxiliary unknowns, in this order; empty for an implicit curve or surface.
+  //! the point as a formula of parameters and auxiliary unknowns, in this order; empty for an implicit curve or
+  //! surface.
   std::function<Vector_expression<d>(Unknowns)> point = {};
 
   //! what parameters and auxiliary unknowns satisfy; empty: nothing.
   std::function<std::vector<Constraint>(Unknowns)> constraints = {};
 
-  //! what a point satisfies if it is the one with these parameters. Formulas of the point have the unknowns of its coordinates.
+  //! what a point satisfies if it is the one with these parameters. Formulas of the point have the unknowns of its
+  //! coordinates.
   std::function<std::vector<Constraint>(const Vector_expression<d>&, Unknowns)> incidence = {};
 
   //! ranges of the coordinates that the piece is cut at; empty: none.

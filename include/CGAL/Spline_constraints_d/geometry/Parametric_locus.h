@@ -19,7 +19,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A parametric curve or surface, as constraints see it: one piece with its knots inside. `to_locus()` makes it where one is needed.
+A parametric curve or surface, as constraints see it: one piece with its knots inside. `to_locus()` makes it where one
+is needed.
 
 \tparam number_of_parameters_ 1 for a curve, 2 for a surface.
 \tparam d 2 or 3.
@@ -59,7 +60,9 @@ public:
       else
         return map(u[0], u[1]);
     };
-    piece.incidence = [point = piece.point](const Vector_expression<d>& p, std::span<const Unknown> u) { return internal::equality<d>(p, point(u)); };
+    piece.incidence = [point = piece.point](const Vector_expression<d>& p, std::span<const Unknown> u) {
+      return internal::equality<d>(p, point(u));
+    };
     return {piece};
   }
 

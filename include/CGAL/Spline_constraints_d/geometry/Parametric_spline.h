@@ -22,15 +22,17 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-What spline curves and surfaces have in common: a map from a box of parameters into the plane or into space, given by numerators and a weight that are
-`Bspline_function`s on the same degrees and knots. Objects are values and never change; operations return new ones.
+What spline curves and surfaces have in common: a map from a box of parameters into the plane or into space, given by
+numerators and a weight that are `Bspline_function`s on the same degrees and knots. Objects are values and never change;
+operations return new ones.
 
-Inside, numbers are doubles where those of the kernel are floating point numbers, else `Exact_rational`. With the latter all operations are exact, with doubles each rounds as
-the operation of `Bspline_function` it is made of; decisions (`operator==`, `is_closed()`, `without_knot()`, the sign of the weight) are exact for both: they are about
-the numbers stored.
+Inside, numbers are doubles where those of the kernel are floating point numbers, else `Exact_rational`. With the latter
+all operations are exact, with doubles each rounds as the operation of `Bspline_function` it is made of; decisions
+(`operator==`, `is_closed()`, `without_knot()`, the sign of the weight) are exact for both: they are about the numbers
+stored.
 
-The weight is positive on the whole domain. That is proved when an object is made (its sign is changed together with that of the numerators where needed), and refuted or
-unproved weights are rejected with `Invalid_input`.
+The weight is positive on the whole domain. That is proved when an object is made (its sign is changed together with
+that of the numerators where needed), and refuted or unproved weights are rejected with `Invalid_input`.
 
 \tparam Derived the curve or surface.
 \tparam Kernel_ a `SplineKernel`.
@@ -99,7 +101,8 @@ public:
   //! the knots of an axis.
   std::vector<FT> knots(int axis) const { return kernel_numbers(m_map.numerator(0).knots(axis)); }
 
-  //! the distinct knots in the domain of an axis, its two ends included: between them the map is one polynomial or rational function.
+  //! the distinct knots in the domain of an axis, its two ends included: between them the map is one polynomial or
+  //! rational function.
   std::vector<FT> breaks(int axis) const { return kernel_numbers(m_map.numerator(0).breaks(axis)); }
 
   //! the range of the parameter of an axis.
@@ -110,7 +113,8 @@ public:
   }
 
   //! the control points, row-major, the last axis fastest.
-  //! \throws Invalid_input when one has weight 0, which only `from_homogeneous_coordinates()` and operations on such maps admit.
+  //! \throws Invalid_input when one has weight 0, which only `from_homogeneous_coordinates()` and operations on such
+  //! maps admit.
   std::vector<Point> control_points() const
   {
     std::vector<Point> result;
@@ -136,7 +140,8 @@ public:
   /// @{
 
   /*!
-  a box that contains the curve or surface: the hull of its control points, rounded outwards. Where control weights are not positive, parts are halved until they are.
+  a box that contains the curve or surface: the hull of its control points, rounded outwards. Where control weights are
+  not positive, parts are halved until they are.
   */
   Bbox bbox() const
   {
@@ -150,7 +155,8 @@ public:
   //! the image under an affine map: its control points are the images of these, with the same weights.
   Derived transformed(const Aff_transformation& map) const
   {
-    return Derived(m_map.transformed([&](int i, int j) { return internal::converted_number<NT>(FT(map.cartesian(i, j))); }));
+    return Derived(
+        m_map.transformed([&](int i, int j) { return internal::converted_number<NT>(FT(map.cartesian(i, j))); }));
   }
 
   //! the part over a range of the parameter of an axis; parameters keep their meaning.
@@ -181,21 +187,24 @@ public:
     return mapped([&](const auto& f) { return internal::with_domain(f, axis, number(begin), number(end)); });
   }
 
-  //! the same map with higher degrees. \throws Invalid_input when one is lower than the present one, or their number is wrong.
+  //! the same map with higher degrees. \throws Invalid_input when one is lower than the present one, or their number is
+  //! wrong.
   Derived elevated(const std::vector<int>& degrees) const
   {
     return mapped([&](const auto& f) { return f.elevated(degrees); });
   }
 
-  //! the same map with one more knot. \throws Invalid_input when it is not inside the domain, or occurs as often as the degree already.
+  //! the same map with one more knot. \throws Invalid_input when it is not inside the domain, or occurs as often as the
+  //! degree already.
   Derived with_knot(int axis, const FT& t) const
   {
     return mapped([&](const auto& f) { return f.with_knot(axis, number(t)); });
   }
 
   /*!
-  the same map with one occurrence of a knot less, if it is smooth enough there; otherwise nothing. Whether it is, is decided exactly, for doubles too (rounded control
-  points rarely are); in that case the control points that are returned are rounded.
+  the same map with one occurrence of a knot less, if it is smooth enough there; otherwise nothing. Whether it is, is
+  decided exactly, for doubles too (rounded control points rarely are); in that case the control points that are
+  returned are rounded.
   \throws Invalid_input when the knot does not occur inside the domain.
   */
   std::optional<Derived> without_knot(int axis, const FT& t) const
@@ -205,7 +214,8 @@ public:
     return std::nullopt;
   }
 
-  //! the pieces between the breaks, each on its own cell of the domain and with clamped knots, in row-major order of the cells.
+  //! the pieces between the breaks, each on its own cell of the domain and with clamped knots, in row-major order of
+  //! the cells.
   std::vector<Derived> bezier_pieces() const
   {
     std::vector<Derived> pieces(1, static_cast<const Derived&>(*this));
@@ -228,7 +238,10 @@ public:
   }
 
   //! whether two are the same map on the same domain, exactly, whatever their knots, degrees and weights.
-  friend bool operator==(const Derived& a, const Derived& b) { return a.representation().is_same_map(b.representation()); }
+  friend bool operator==(const Derived& a, const Derived& b)
+  {
+    return a.representation().is_same_map(b.representation());
+  }
 
   /// @}
 
@@ -262,12 +275,15 @@ protected:
     return result;
   }
 
-  static Representation from_functions(const std::array<Bspline_function<NT>, d>& numerators, const Bspline_function<NT>& weight, const std::string& who)
+  static Representation from_functions(const std::array<Bspline_function<NT>, d>& numerators,
+                                       const Bspline_function<NT>& weight, const std::string& who)
   {
     std::vector<Bspline_function<NT>> functions(numerators.begin(), numerators.end());
     functions.push_back(weight);
     for (const Bspline_function<NT>& f : functions)
-      internal::check_count(static_cast<std::size_t>(f.dimension()), static_cast<std::size_t>(Derived::number_of_parameters), who + ": parameters of a coordinate");
+      internal::check_count(static_cast<std::size_t>(f.dimension()),
+                            static_cast<std::size_t>(Derived::number_of_parameters),
+                            who + ": parameters of a coordinate");
     return Representation(std::move(functions), who);
   }
 

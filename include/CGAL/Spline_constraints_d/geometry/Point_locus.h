@@ -58,10 +58,13 @@ public:
   //! the point.
   std::vector<Locus_piece<d>> locus_pieces() const
   {
-    const Vector_expression<d> point = internal::vector_of<d>([&](std::size_t i) { return Expression(m_coordinates[i]); });
+    const Vector_expression<d> point =
+        internal::vector_of<d>([&](std::size_t i) { return Expression(m_coordinates[i]); });
     Locus_piece<d> piece;
     piece.point = [point](std::span<const Unknown>) { return point; };
-    piece.incidence = [point](const Vector_expression<d>& p, std::span<const Unknown>) { return internal::equality<d>(p, point); };
+    piece.incidence = [point](const Vector_expression<d>& p, std::span<const Unknown>) {
+      return internal::equality<d>(p, point);
+    };
     return {piece};
   }
 

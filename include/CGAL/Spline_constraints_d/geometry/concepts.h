@@ -32,30 +32,39 @@ concept Rational_map =
 /*!
 \ingroup PkgSplineConstraintsDConcepts
 
-The language form of the concept documented as \link ParametricCurve_2 `ParametricCurve_2`\endlink: a rational curve in the plane, as geometric operations need it.
+The language form of the concept documented as \link ParametricCurve_2 `ParametricCurve_2`\endlink: a rational curve in
+the plane, as geometric operations need it.
 */
 template <class Curve>
-concept ParametricCurve_2 = internal::Rational_map<Curve, 1, 2> && requires(const Curve& curve, const typename Curve::Kernel::FT& t) {
+concept ParametricCurve_2 = internal::Rational_map<Curve, 1, 2> &&
+    requires(const Curve& curve, const typename Curve::Kernel::FT& t)
+{
   { curve(t) } -> std::same_as<typename Curve::Kernel::Point_2>;
 };
 
 /*!
 \ingroup PkgSplineConstraintsDConcepts
 
-The language form of the concept documented as \link ParametricCurve_3 `ParametricCurve_3`\endlink: a rational curve in space.
+The language form of the concept documented as \link ParametricCurve_3 `ParametricCurve_3`\endlink: a rational curve in
+space.
 */
 template <class Curve>
-concept ParametricCurve_3 = internal::Rational_map<Curve, 1, 3> && requires(const Curve& curve, const typename Curve::Kernel::FT& t) {
+concept ParametricCurve_3 = internal::Rational_map<Curve, 1, 3> &&
+    requires(const Curve& curve, const typename Curve::Kernel::FT& t)
+{
   { curve(t) } -> std::same_as<typename Curve::Kernel::Point_3>;
 };
 
 /*!
 \ingroup PkgSplineConstraintsDConcepts
 
-The language form of the concept documented as \link ParametricSurface_3 `ParametricSurface_3`\endlink: a rational surface in space.
+The language form of the concept documented as \link ParametricSurface_3 `ParametricSurface_3`\endlink: a rational
+surface in space.
 */
 template <class Surface>
-concept ParametricSurface_3 = internal::Rational_map<Surface, 2, 3> && requires(const Surface& surface, const typename Surface::Kernel::FT& t) {
+concept ParametricSurface_3 = internal::Rational_map<Surface, 2, 3> &&
+    requires(const Surface& surface, const typename Surface::Kernel::FT& t)
+{
   { surface(t, t) } -> std::same_as<typename Surface::Kernel::Point_3>;
 };
 

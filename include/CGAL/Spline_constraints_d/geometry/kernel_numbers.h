@@ -24,17 +24,25 @@ namespace internal {
 
 // Lazy numbers over Exact_rational.
 template <class FT>
-concept Lazy_rational = std::constructible_from<FT, Exact_rational> && requires(const FT& x) { { x.exact() } -> std::convertible_to<Exact_rational>; };
+concept Lazy_rational = std::constructible_from<FT, Exact_rational> && requires(const FT& x)
+{
+  {
+    x.exact()
+    } -> std::convertible_to<Exact_rational>;
+};
 
 // Fractions of integers, whatever their type. (Lazy numbers are fractions too, of lazy integers.)
 template <class FT>
-concept Integer_fraction =
-  !Lazy_rational<FT> && CGAL::Fraction_traits<FT>::Is_fraction::value &&
-  std::derived_from<typename CGAL::Algebraic_structure_traits<typename CGAL::Fraction_traits<FT>::Numerator_type>::Algebraic_category, CGAL::Euclidean_ring_tag>;
+concept Integer_fraction = !Lazy_rational<FT> && CGAL::Fraction_traits<FT>::Is_fraction::value &&
+    std::derived_from<typename CGAL::Algebraic_structure_traits<
+                          typename CGAL::Fraction_traits<FT>::Numerator_type>::Algebraic_category,
+                      CGAL::Euclidean_ring_tag>;
 
-// Rational coordinates that say which numbers they are. Integers are none: results of divisions have to be rational again.
+// Rational coordinates that say which numbers they are. Integers are none: results of divisions have to be rational
+// again.
 template <class FT>
-concept Rational_coordinate = std::is_floating_point_v<FT> || std::same_as<FT, Exact_rational> || Lazy_rational<FT> || Integer_fraction<FT>;
+concept Rational_coordinate =
+    std::is_floating_point_v<FT> || std::same_as<FT, Exact_rational> || Lazy_rational<FT> || Integer_fraction<FT>;
 
 template <class Integer>
 Integer integer_of_type(const Big_integer& value)
@@ -61,7 +69,8 @@ Fraction fraction_of_type(const Exact_rational& x)
 template <class FT>
 using Spline_number = std::conditional_t<std::is_floating_point_v<FT>, double, Exact_rational>;
 
-// From one of double, Exact_rational and the number type of a kernel to another of them. From exact to floating point: to the nearest double.
+// From one of double, Exact_rational and the number type of a kernel to another of them. From exact to floating point:
+// to the nearest double.
 template <class Target, class Source>
 Target converted_number(const Source& x)
 {
@@ -80,7 +89,8 @@ Target converted_number(const Source& x)
   else if constexpr (Lazy_rational<Source>)
     return Exact_rational(x.exact());
   else if constexpr (Integer_fraction<Source>)
-    return Exact_rational(scaled_rational(numerator_of_rational(x), 0) / scaled_rational(denominator_of_rational(x), 0));
+    return Exact_rational(scaled_rational(numerator_of_rational(x), 0) /
+                          scaled_rational(denominator_of_rational(x), 0));
   else   // an expression that has not been evaluated yet
     return Exact_rational(x);
 }
@@ -128,8 +138,8 @@ Object kernel_object(const std::array<NT, d>& coordinates)
 /*!
 \ingroup PkgSplineConstraintsDConcepts
 
-The language form of the concept documented as \link SplineKernel `SplineKernel`\endlink: a kernel of CGAL whose coordinates are rational numbers, be they stored as
-floating point numbers, as exact rationals, or lazily.
+The language form of the concept documented as \link SplineKernel `SplineKernel`\endlink: a kernel of CGAL whose
+coordinates are rational numbers, be they stored as floating point numbers, as exact rationals, or lazily.
 */
 template <class Kernel>
 concept SplineKernel = internal::Rational_coordinate<typename Kernel::FT> && requires {
@@ -162,13 +172,15 @@ Exact_kernel::Vector_2 exact_object(const CGAL::Vector_2<Kernel>& v)
 template <class Kernel>
 Exact_kernel::Point_3 exact_object(const CGAL::Point_3<Kernel>& p)
 {
-  return {converted_number<Exact_rational>(p.x()), converted_number<Exact_rational>(p.y()), converted_number<Exact_rational>(p.z())};
+  return {converted_number<Exact_rational>(p.x()), converted_number<Exact_rational>(p.y()),
+          converted_number<Exact_rational>(p.z())};
 }
 
 template <class Kernel>
 Exact_kernel::Vector_3 exact_object(const CGAL::Vector_3<Kernel>& v)
 {
-  return {converted_number<Exact_rational>(v.x()), converted_number<Exact_rational>(v.y()), converted_number<Exact_rational>(v.z())};
+  return {converted_number<Exact_rational>(v.x()), converted_number<Exact_rational>(v.y()),
+          converted_number<Exact_rational>(v.z())};
 }
 
 } // namespace internal

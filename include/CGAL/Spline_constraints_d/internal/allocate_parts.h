@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Arrays of given sizes in one piece of memory, filled with zeros: small systems would spend more time on many small pieces than on what is computed in them.
+// Arrays of given sizes in one piece of memory, filled with zeros: small systems would spend more time on many small
+// pieces than on what is computed in them.
 template <class T>
 void allocate_parts(std::vector<T>& storage, std::initializer_list<std::pair<std::span<T>*, std::size_t>> parts)
 {

@@ -4,21 +4,23 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_INTERNAL_COMPATIBILITY_H
 #define CGAL_SPLINE_CONSTRAINTS_D_INTERNAL_COMPATIBILITY_H
 
-// What the package needs of the compiler and of CGAL, and the one place for the differences between CGAL 5.5 and CGAL 6.
+// What the package needs of the compiler and of CGAL, and the one place for the differences between CGAL 5.5 and CGAL
+// 6.
 
 #include <CGAL/version.h>
 
 #include <cfloat>
 #include <limits>
 
-// Every error bound and every directed rounding is void when the compiler may reorder or simplify floating-point arithmetic.
+// Every error bound and every directed rounding is void when the compiler may reorder or simplify floating-point
+// arithmetic.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
 #error "Spline_constraints_d proves its answers and cannot be compiled with fast-math (-ffast-math, -Ofast, /fp:fast)."
 #endif
 
 #if FLT_EVAL_METHOD != 0
-#error "Spline_constraints_d needs double arithmetic that rounds to double at once; on x87 processors compile with -msse2 -mfpmath=sse."
+#error "Spline_constraints_d needs double arithmetic without excess precision: on x87, -msse2 -mfpmath=sse."
 #endif
 
 #if CGAL_VERSION_NR < 1050511000

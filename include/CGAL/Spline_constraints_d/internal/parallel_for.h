@@ -12,7 +12,8 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-// The library of TBB is not built for the thread sanitizer, which takes the order that it keeps between threads for missing: plain threads do the same there.
+// The library of TBB is not built for the thread sanitizer, which takes the order that it keeps between threads for
+// missing: plain threads do the same there.
 #if defined(__SANITIZE_THREAD__)
 #define CGAL_SPLINE_CONSTRAINTS_PLAIN_THREADS
 #elif defined(__has_feature)
@@ -45,7 +46,8 @@ constexpr bool is_parallel = std::is_convertible_v<Concurrency_tag, Parallel_tag
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-// What is left of 0, ..., count - 1: handed out one by one and in order, since a large piece at the end would leave the other threads with nothing to do.
+// What is left of 0, ..., count - 1: handed out one by one and in order, since a large piece at the end would leave the
+// other threads with nothing to do.
 class Shared_indices
 {
   std::atomic<std::size_t> m_next = 0;
@@ -103,7 +105,9 @@ template <class Body>
 void run_on_all_threads(std::size_t count, const Body& body)
 {
   Shared_indices indices(count);
-  const auto work = [&](std::size_t) { indices.run(body, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())); };
+  const auto work = [&](std::size_t) {
+    indices.run(body, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+  };
   tbb::parallel_for(std::size_t(0), (std::min)(count, number_of_slots()), work, tbb::simple_partitioner());
 }
 
@@ -122,7 +126,8 @@ std::size_t slots_of()
   return 1;
 }
 
-// Calls body(i, slot) for i = 0, ..., count - 1, each once: in order and with slot 0, or in parallel, begun in order. Calls with the same slot do not run at the same time.
+// Calls body(i, slot) for i = 0, ..., count - 1, each once: in order and with slot 0, or in parallel, begun in order.
+// Calls with the same slot do not run at the same time.
 template <class Concurrency_tag, class Body>
 void parallel_for(std::size_t count, const Body& body)
 {
@@ -130,7 +135,8 @@ void parallel_for(std::size_t count, const Body& body)
   if constexpr (is_parallel<Concurrency_tag>)
     return run_on_all_threads(count, body);
 #else
-  static_assert(!is_parallel<Concurrency_tag>, "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
+  static_assert(!is_parallel<Concurrency_tag>,
+                "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
 #endif
   for (std::size_t i = 0; i < count; ++i)
     body(i, std::size_t(0));

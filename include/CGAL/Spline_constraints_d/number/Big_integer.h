@@ -23,11 +23,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Integers for the exact kernels of the solver: GMP's, without expression templates, whichever type stands behind `Exact_rational`.
+Integers for the exact kernels of the solver: GMP's, without expression templates, whichever type stands behind
+`Exact_rational`.
 */
 using Big_integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-// The integer whose decimal digits a number prints: for types that do not show their GMP number, while a system is set up.
+// The integer whose decimal digits a number prints: for types that do not show their GMP number, while a system is set
+// up.
 template <class Integer>
 Big_integer integer_from_digits(const Integer& value)
 {
@@ -101,10 +103,16 @@ Big_integer numerator_of_rational_over(const Rational& value, const Big_integer&
 }
 
 // The least common multiple of `common` and the denominator of a rational takes the place of `common`.
-inline void extend_common_denominator(Big_integer& common, const Exact_rational& value) { extend_common_denominator_of_rational(common, value); }
+inline void extend_common_denominator(Big_integer& common, const Exact_rational& value)
+{
+  extend_common_denominator_of_rational(common, value);
+}
 
 // value * common, an integer. \pre the denominator of the rational divides `common`
-inline Big_integer numerator_over(const Exact_rational& value, const Big_integer& common) { return numerator_of_rational_over(value, common); }
+inline Big_integer numerator_over(const Exact_rational& value, const Big_integer& common)
+{
+  return numerator_of_rational_over(value, common);
+}
 
 inline void shift_left(Big_integer& value, unsigned long bits)
 {
@@ -247,7 +255,8 @@ public:
   long exponent() const { return m_unit; }
 };
 
-// Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.
+// Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <=
+// 0.
 template <class Integer>
 struct Common_dyadic
 {

@@ -14,9 +14,9 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDNumbers
 
-What the package throws, in release builds too, when the *data* it was handed is unusable: a coefficient that is not a number, a
-domain that is empty, knots that decrease, a weight that is zero, sizes that do not match. `what()` says what is wrong and where
-(the index of the offending entry).
+What the package throws, in release builds too, when the *data* it was handed is unusable: a coefficient that is not a
+number, a domain that is empty, knots that decrease, a weight that is zero, sizes that do not match. `what()` says what
+is wrong and where (the index of the offending entry).
 */
 class Invalid_input
   : public std::invalid_argument
@@ -42,10 +42,12 @@ void check_error(const Number& error, const std::string& operation)
     throw Invalid_input(operation + ": the error must be positive");
 }
 
-// Bounds of products of four lengths up to this one, and down to its inverse, are bounded by doubles other than zero and infinity.
+// Bounds of products of four lengths up to this one, and down to its inverse, are bounded by doubles other than zero
+// and infinity.
 inline constexpr double most_magnitude = 0x1p250;
 
-// Of operations that would decide nothing with others, after all has been tried: the greatest absolute value of a coordinate.
+// Of operations that would decide nothing with others, after all has been tried: the greatest absolute value of a
+// coordinate.
 template <class Number>
 void check_greatest_coordinate(const Number& greatest, const std::string& operation)
 {

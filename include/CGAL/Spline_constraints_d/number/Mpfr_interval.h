@@ -133,7 +133,8 @@ public:
   {
     if (!mpfr_lessequal_p(lower, upper))
       throw Invalid_input("Mpfr_interval: the lower end is not a number that is at most the upper end");
-    Mpfr_interval result{Uninitialized(), require_valid_precision((std::max)(mpfr_get_prec(lower), mpfr_get_prec(upper)))};
+    Mpfr_interval result{Uninitialized(),
+                         require_valid_precision((std::max)(mpfr_get_prec(lower), mpfr_get_prec(upper)))};
     mpfr_set(result.lower_end(), lower, MPFR_RNDD);   // exact
     mpfr_set(result.upper_end(), upper, MPFR_RNDU);
     return result;

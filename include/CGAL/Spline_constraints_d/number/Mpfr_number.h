@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Owns one MPFR number. That of up to 128 bits holds its digits itself (MPFR's custom interface), so that nothing is allocated for it. Moving steals the digits of others; what was moved from may only be assigned to or destroyed.
+// Owns one MPFR number. That of up to 128 bits holds its digits itself (MPFR's custom interface), so that nothing is
+// allocated for it. Moving steals the digits of others; what was moved from may only be assigned to or destroyed.
 class Mpfr_number
 {
   static constexpr mpfr_prec_t most_bits_inside = 128;

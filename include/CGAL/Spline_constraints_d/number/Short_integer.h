@@ -20,7 +20,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Integers of any size that take no memory while they fit into two machine words: on small systems nearly all do, and most of the time would go into the memory of GMP's.
+Integers of any size that take no memory while they fit into two machine words: on small systems nearly all do, and most
+of the time would go into the memory of GMP's.
 
 A number that has outgrown the words is GMP's until another value is assigned; its memory is kept for the next time.
 */
@@ -174,7 +175,8 @@ public:
   friend void add_product(Short_integer& sum, const Short_integer& a, const Short_integer& b)
   {
     Two_words product, total;
-    if (sum.is_short_with(a) && !b.m_is_long && multiply(a.m_words, b.m_words, product) && !__builtin_add_overflow(sum.m_words, product, &total)) {
+    if (sum.is_short_with(a) && !b.m_is_long && multiply(a.m_words, b.m_words, product) &&
+        !__builtin_add_overflow(sum.m_words, product, &total)) {
       sum.m_words = total;
       return;
     }
@@ -217,7 +219,8 @@ public:
 
   friend bool is_power_of_two(const Short_integer& value)
   {
-    return value.m_is_long ? mpz_popcount(value.m_long) == 1 : value.m_words > 0 && (value.m_words & (value.m_words - 1)) == 0;
+    return value.m_is_long ? mpz_popcount(value.m_long) == 1
+                           : value.m_words > 0 && (value.m_words & (value.m_words - 1)) == 0;
   }
 
   // value 2^exponent, truncated: relative error below 2^-52, whatever the rounding mode.
@@ -233,14 +236,17 @@ public:
     return scaled_mantissa(mantissa, own_exponent + exponent);
   }
 
-  // The quotient of the magnitudes, times 2^shift, truncated. \pre denominator > 0, and the quotient has at most 127 bits
-  friend Unsigned_two_words scaled_quotient(const Short_integer& numerator, long shift, const Short_integer& denominator)
+  // The quotient of the magnitudes, times 2^shift, truncated. \pre denominator > 0, and the quotient has at most 127
+  // bits
+  friend Unsigned_two_words scaled_quotient(const Short_integer& numerator, long shift,
+                                            const Short_integer& denominator)
   {
     if (shift >= 0 && numerator.is_short_with(denominator) && bit_length(denominator) <= 64) {
       if (numerator.m_words == 0)
         return 0;
       const Unsigned_two_words divisor = magnitude(denominator.m_words);
-      Unsigned_two_words quotient = magnitude(numerator.m_words) / divisor, rest = magnitude(numerator.m_words) % divisor;
+      Unsigned_two_words quotient = magnitude(numerator.m_words) / divisor,
+                         rest = magnitude(numerator.m_words) % divisor;
       while (shift > 0 && divisor > 1) {
         const int bits = static_cast<int>((std::min)(shift, 64L));
         rest <<= bits;
@@ -257,7 +263,8 @@ public:
       set_shifted_right(result, numerator, static_cast<unsigned long>(-shift));
     result.apply(mpz_tdiv_q, denominator);
     CGAL_assertion(bit_length(result) <= 128);
-    return Unsigned_two_words(mpz_getlimbn(result.m_long, 0)) | Unsigned_two_words(mpz_getlimbn(result.m_long, 1)) << 64;
+    return Unsigned_two_words(mpz_getlimbn(result.m_long, 0)) |
+        Unsigned_two_words(mpz_getlimbn(result.m_long, 1)) << 64;
   }
 
   // The greatest common divisor, not negative.
@@ -277,7 +284,8 @@ private:
   void assign(mpz_srcptr value)
   {
     if (mpz_sizeinbase(value, 2) <= 126) {
-      const Unsigned_two_words size = Unsigned_two_words(mpz_getlimbn(value, 0)) | Unsigned_two_words(mpz_getlimbn(value, 1)) << 64;
+      const Unsigned_two_words size =
+          Unsigned_two_words(mpz_getlimbn(value, 0)) | Unsigned_two_words(mpz_getlimbn(value, 1)) << 64;
       m_words = mpz_sgn(value) < 0 ? -static_cast<Two_words>(size) : static_cast<Two_words>(size);
       m_is_long = false;
     } else {
@@ -340,7 +348,8 @@ inline Short_integer numerator_over(const Exact_rational& value, const Short_int
 }
 
 // Numbers over their common denominator, which is returned.
-inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers, std::vector<Short_integer>& numerators)
+inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers,
+                                             std::vector<Short_integer>& numerators)
 {
   Short_integer denominator(1);
   for (const Exact_rational& number : numbers)

@@ -91,7 +91,10 @@ inline double double_of_key(std::int64_t key)
 }
 
 // The next double above x or below it; infinity in this direction, and what is no number, stays.
-inline double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? double_of_key(key_of_double(x) + 1) : x; }
+inline double next_above(double x)
+{
+  return x < std::numeric_limits<double>::infinity() ? double_of_key(key_of_double(x) + 1) : x;
+}
 inline double next_below(double x) { return -next_above(-x); }
 
 // The exact value of a finite double.
@@ -114,7 +117,8 @@ inline CGAL::Comparison_result compare_to_double(const Exact_rational& x, double
   return CGAL::compare(x, rational_of_finite(bound));
 }
 
-// Whether x is seen to be a double far from underflow and overflow, which is then its value: most numbers that users write.
+// Whether x is seen to be a double far from underflow and overflow, which is then its value: most numbers that users
+// write.
 template <class Rational>
 bool is_small_dyadic([[maybe_unused]] const Rational& x, [[maybe_unused]] double& value)
 {

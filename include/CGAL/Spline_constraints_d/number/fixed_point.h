@@ -16,8 +16,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Fixed-point arithmetic in two machine words, for sums and products whose errors are counted in units. Values are integers of up to `fixed_point_bits` bits, with room for a
-difference; factors in [0,1] are multiples of 2^-127.
+Fixed-point arithmetic in two machine words, for sums and products whose errors are counted in units. Values are
+integers of up to `fixed_point_bits` bits, with room for a difference; factors in [0,1] are multiples of 2^-127.
 */
 using Fixed_point = Two_words;
 using Unsigned_fixed_point = Unsigned_two_words;
@@ -30,11 +30,15 @@ constexpr Unsigned_fixed_point upper_half(Unsigned_fixed_point a, Unsigned_fixed
 {
   const std::uint64_t a0 = static_cast<std::uint64_t>(a), a1 = static_cast<std::uint64_t>(a >> 64);
   const std::uint64_t b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
-  return Unsigned_fixed_point(a1) * b1 + ((Unsigned_fixed_point(a1) * b0) >> 64) + ((Unsigned_fixed_point(a0) * b1) >> 64);
+  return Unsigned_fixed_point(a1) * b1 + ((Unsigned_fixed_point(a1) * b0) >> 64) +
+      ((Unsigned_fixed_point(a0) * b1) >> 64);
 }
 
 // The product of two factors, too small by less than 6 units.
-constexpr Unsigned_fixed_point unsigned_product(Unsigned_fixed_point a, Unsigned_fixed_point b) { return upper_half(a, b) << 1; }
+constexpr Unsigned_fixed_point unsigned_product(Unsigned_fixed_point a, Unsigned_fixed_point b)
+{
+  return upper_half(a, b) << 1;
+}
 
 // The product of a value and a factor, too small by less than 6 units.
 constexpr Fixed_point multiplied(Fixed_point value, Unsigned_fixed_point factor)
@@ -95,7 +99,8 @@ private:
     const long shift = exponent + 127 - m_log_width;
     if (shift >= 128)
       return 0;
-    return shift >= 0 ? static_cast<Unsigned_fixed_point>(mantissa) << shift : static_cast<Unsigned_fixed_point>(mantissa >> (std::min)(-shift, 63L));
+    return shift >= 0 ? static_cast<Unsigned_fixed_point>(mantissa) << shift
+                      : static_cast<Unsigned_fixed_point>(mantissa >> (std::min)(-shift, 63L));
   }
 };
 

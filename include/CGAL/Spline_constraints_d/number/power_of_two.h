@@ -28,7 +28,8 @@ constexpr double double_power_of_two(int exponent)
 // x 2^exponent, as std::ldexp(), with no library call where the power is a normal double.
 inline double times_power_of_two(double x, long exponent)
 {
-  return -1022 <= exponent && exponent <= 1023 ? x * double_power_of_two(static_cast<int>(exponent)) : std::ldexp(x, static_cast<int>(std::clamp(exponent, -3000L, 3000L)));
+  return -1022 <= exponent && exponent <= 1023 ? x * double_power_of_two(static_cast<int>(exponent))
+                                               : std::ldexp(x, static_cast<int>(std::clamp(exponent, -3000L, 3000L)));
 }
 
 // A finite double as mantissa 2^exponent, with a mantissa of at most 53 bits.

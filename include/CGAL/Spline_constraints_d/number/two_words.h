@@ -25,10 +25,12 @@ constexpr Unsigned_two_words magnitude(Two_words value)
 constexpr int bit_length(Unsigned_two_words value)
 {
   const std::uint64_t upper = static_cast<std::uint64_t>(value >> 64);
-  return upper != 0 ? 64 + static_cast<int>(std::bit_width(upper)) : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
+  return upper != 0 ? 64 + static_cast<int>(std::bit_width(upper))
+                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
-// Fills in the product unless it may be too long: it has at most as many bits as the factors together. (Not by the builtin function, for which clang needs a library of its own.)
+// Fills in the product unless it may be too long: it has at most as many bits as the factors together. (Not by the
+// builtin function, for which clang needs a library of its own.)
 constexpr bool multiply(Two_words a, Two_words b, Two_words& product)
 {
   if (bit_length(magnitude(a)) + bit_length(magnitude(b)) > 127)
@@ -37,14 +39,18 @@ constexpr bool multiply(Two_words a, Two_words b, Two_words& product)
   return true;
 }
 
-// With a relative error below 2^-52, whatever the rounding mode: the leading 64 bits are converted, which are all that they fill.
+// With a relative error below 2^-52, whatever the rounding mode: the leading 64 bits are converted, which are all that
+// they fill.
 inline double approximate(Unsigned_two_words value)
 {
   const int bits = bit_length(value), shift = bits > 64 ? bits - 64 : 0;
   return times_power_of_two(static_cast<double>(static_cast<std::uint64_t>(value >> shift)), shift);
 }
 
-inline double approximate(Two_words value) { return value < 0 ? -approximate(magnitude(value)) : approximate(magnitude(value)); }
+inline double approximate(Two_words value)
+{
+  return value < 0 ? -approximate(magnitude(value)) : approximate(magnitude(value));
+}
 
 } // namespace internal
 } // namespace Spline_constraints

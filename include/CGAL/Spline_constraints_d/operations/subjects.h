@@ -8,29 +8,28 @@
 \page Spline_constraints_d_subjects Subjects of Operations
 
 Each folder of `operations/` is a subject. It holds the public headers of its operations, and in `internal/` what these
-have in common, in the namespace of the subject. The using-directives of `operations/subjects.h` say which other subjects it
-may use; the check of the house rules reads them there, and refuses every other include, and a circle. What is in
-`internal/` may use the types and the `internal/` of these subjects, but calls none of their operations.
+have in common, in the namespace of the subject. The using-directives of `operations/subjects.h` say which other
+subjects it may use; the check of the house rules reads them there, and refuses every other include, and a circle. What
+is in `internal/` may use the types and the `internal/` of these subjects, but calls none of their operations.
 
-| subject | what it is about | uses |
-|---|---|---|
-| `common` | operands as trees of Bézier pieces with boxes, arcs in exact numbers and in intervals, answers of several subjects | floors below |
-| `intersections` | points and curves that curves and surfaces have in common, with others and with themselves | `common` |
-| `surface_curves` | curves on surfaces: silhouettes, sections, parabolic lines, umbilics, accessible directions | `common`, `intersections` |
-| `regions` | regions of the plane with curved boundaries, as polygons and arrangements, too | `common`, `intersections` |
-| `distances` | closest points, distances of curves, surfaces and regions | `common`, `intersections`, `regions` |
-| `loci` | curves of points that two curves define: bisectors, alpha-sectors, envelopes | `common`, `intersections` |
-| `curve_features` | inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps | `common`, `intersections`, `distances`, `loci` |
-| `joints` | ends of curves that nearly meet, joined exactly | `common`, `distances` |
-| `convex_hull` | convex hulls of curves | `common`, `intersections`, `regions` |
-| `visibility` | what is seen from a point, and from where all is seen | `common`, `intersections`, `regions`, `convex_hull` |
-| `minkowski_sum` | Minkowski sums of regions and curves, swept areas | `common`, `intersections`, `regions`, `loci` |
-| `voronoi` | Voronoi diagrams, medial axes, offsets, trimmed bisectors and sectors | `common`, `intersections`, `regions`, `loci`, `minkowski_sum` |
+- `common`: operands as trees of Bézier pieces with boxes; arcs in exact numbers and in intervals; answers of several
+  subjects. It uses the floors below alone.
+- `intersections`: points and curves that curves and surfaces have in common, with others and with themselves.
+- `surface_curves`: silhouettes, sections, parabolic lines, umbilics and accessible directions of surfaces.
+- `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
+- `distances`: closest points, distances of curves, surfaces and regions.
+- `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
+- `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
+- `joints`: ends of curves that nearly meet, joined exactly.
+- `convex_hull`: convex hulls of curves.
+- `visibility`: what is seen from a point, and from where all is seen.
+- `minkowski_sum`: Minkowski sums of regions and curves, swept areas.
+- `voronoi`: Voronoi diagrams, medial axes, offsets, trimmed bisectors and sectors.
 
-In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves cut into arcs, and their graph), `disks`
-(one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest empty disks along
-an oriented boundary element), `offset`, `diagram`. In the same way `solver/internal/` goes from `exact`, `node`,
-`certification` and `subdivision` to `curves` and `verification`.
+In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves cut into arcs, and their graph),
+`disks` (one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest
+empty disks along an oriented boundary element), `offset`, `diagram`. In the same way `solver/internal/` goes from
+`exact`, `node`, `certification` and `subdivision` to `curves` and `verification`.
 */
 
 namespace CGAL {

@@ -21,8 +21,8 @@ namespace Spline_constraints {
 
 A system of equalities and inequalities between multivariate splines and zero, on a box: what the solver solves.
 
-The system owns its functions and holds them exactly, whatever number type the solver will compute with: doubles are exact numbers,
-and rationals stay exact.
+The system owns its functions and holds them exactly, whatever number type the solver will compute with: doubles are
+exact numbers, and rationals stay exact.
 */
 class Constraint_system_d
 {
@@ -69,7 +69,8 @@ public:
   }
 
   //! adds the constraint `function relation 0`. A `Power_polynomial` converts to a `Spline_function`.
-  //! \throws Invalid_input when the function uses an unknown that the system does not have, or is not defined on the whole domain.
+  //! \throws Invalid_input when the function uses an unknown that the system does not have, or is not defined on the
+  //! whole domain.
   void add(Spline_function function, Relation relation)
   {
     for (const Spline_term& term : function.terms())
@@ -78,7 +79,8 @@ public:
         const auto name = [&] { return "Constraint_system_d: unknown " + std::to_string(v); };
         if (v >= dimension())
           throw Invalid_input(name() + " of a constraint is not in the system");
-        if (!term.breaks[j].empty() && (domain(v).first < term.breaks[j].front() || term.breaks[j].back() < domain(v).second))
+        if (!term.breaks[j].empty() &&
+            (domain(v).first < term.breaks[j].front() || term.breaks[j].back() < domain(v).second))
           throw Invalid_input(name() + " ranges beyond the domain of a spline");
       }
     if (relation == Relation::EQUAL)
@@ -88,18 +90,24 @@ public:
   }
 
   /*!
-  adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a formula is divided by is no solution of it.
-  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger domain in the system than its range in the formula, which
-  proofs about divisors rely on.
+  adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a
+  formula is divided by is no solution of it.
+  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger
+  domain in the system than its range in the formula, which proofs about divisors rely on.
   */
   void add(const Constraint& constraint)
   {
-    for (int i = 0; constraint.domains != nullptr && i < dimension() && i < static_cast<int>(constraint.domains->size()); ++i)
-      if (const Domain& range = (*constraint.domains)[i]; domain(i).first < range.first || range.second < domain(i).second)
-        throw Invalid_input("Constraint_system_d: unknown " + std::to_string(i) + " of a formula ranges beyond its own range");
+    for (int i = 0;
+         constraint.domains != nullptr && i < dimension() && i < static_cast<int>(constraint.domains->size()); ++i)
+      if (const Domain& range = (*constraint.domains)[i];
+          domain(i).first < range.first || range.second < domain(i).second)
+        throw Invalid_input("Constraint_system_d: unknown " + std::to_string(i) +
+                            " of a formula ranges beyond its own range");
     add(constraint.spline_function(), constraint.relation);
     for (Spline_function& condition : constraint.condition_functions()) {
-      const auto is_condition = [&](const Inequality& known) { return known.relation == Relation::NOT_EQUAL && known.function.terms() == condition.terms(); };
+      const auto is_condition = [&](const Inequality& known) {
+        return known.relation == Relation::NOT_EQUAL && known.function.terms() == condition.terms();
+      };
       if (std::none_of(m_inequalities.begin(), m_inequalities.end(), is_condition))
         add(std::move(condition), Relation::NOT_EQUAL);
     }

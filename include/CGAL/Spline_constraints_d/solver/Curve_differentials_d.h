@@ -35,7 +35,8 @@ namespace Spline_constraints {
 
 A point of a curve with its first and second derivatives, and what they tell of the curve: tangent and curvature.
 
-The derivatives are by one of the unknowns, the parameter. Where a square root is taken the result is a `Real`: an enclosure if `NT` is one, else a double.
+The derivatives are by one of the unknowns, the parameter. Where a square root is taken the result is a `Real`: an
+enclosure if `NT` is one, else a double.
 
 \tparam NT a `SplineNumberType`.
 */
@@ -112,14 +113,17 @@ public:
   Real signed_curvature() const
   {
     if (dimension() != 2)
-      throw Invalid_input("Curve_differentials_d: a signed curvature in " + std::to_string(dimension()) + " dimensions");
+      throw Invalid_input("Curve_differentials_d: a signed curvature in " + std::to_string(dimension()) +
+                          " dimensions");
     [[maybe_unused]] const Guard guard;
-    const NT cross = m_coordinates[0].first * m_coordinates[1].second - m_coordinates[1].first * m_coordinates[0].second;
+    const NT cross =
+        m_coordinates[0].first * m_coordinates[1].second - m_coordinates[1].first * m_coordinates[0].second;
     return signed_root(cross, squared_curvature());
   }
 
   /*!
-  the same point, tangent and so on of the image of the curve under a map, such as a surface \f$S(u,v)\f$, by the chain rule; where the map has breaks, of the piece behind them.
+  the same point, tangent and so on of the image of the curve under a map, such as a surface \f$S(u,v)\f$, by the chain
+  rule; where the map has breaks, of the piece behind them.
   \param map formulas in the unknowns.
   \throws Invalid_input when the formulas are of other unknowns, or a divisor is zero.
   */
@@ -129,7 +133,8 @@ public:
     [[maybe_unused]] const Guard guard;
     std::vector<Jet> result;
     for (int i = 0; i < d; ++i)
-      result.push_back(internal::expression_value(map[i], std::span<const Exact_rational>(m_place), std::span<const Jet>(m_coordinates)));
+      result.push_back(internal::expression_value(map[i], std::span<const Exact_rational>(m_place),
+                                                  std::span<const Jet>(m_coordinates)));
     return {m_place, std::move(result), m_parameter};
   }
 
@@ -188,7 +193,8 @@ NT number_of_range(const std::pair<Exact_rational, Exact_rational>& range)
 }
 
 /*
-The derivatives of the curve of solutions through a point: f(x(t)) = 0 with a tangent a = x' is J a = 0, and J x'' = -h where h = a^T H a is the second derivative of f along the straight line with the direction a.
+The derivatives of the curve of solutions through a point: f(x(t)) = 0 with a tangent a = x' is J a = 0, and J x'' = -h
+where h = a^T H a is the second derivative of f along the straight line with the direction a.
 */
 template <class NT>
 class Implicit_differentiation
@@ -215,10 +221,12 @@ public:
     const std::size_t n = m_point.size(), length = n + n - 1;
     const std::vector<std::size_t> unknowns = with_last(parameter);
     std::vector<NT> rows = jacobian_beside_unit_matrix(unknowns);
-    const std::vector<int> row_of = gauss_jordan(rows, length, parameter < 0 ? n : n - 1, n - 1, [](const NT& x) { return magnitude(x); });
+    const std::vector<int> row_of =
+        gauss_jordan(rows, length, parameter < 0 ? n : n - 1, n - 1, [](const NT& x) { return magnitude(x); });
     if (row_of.empty())
       return std::nullopt;
-    const std::size_t free = static_cast<std::size_t>(std::find(row_of.begin(), row_of.end(), -1) - row_of.begin());   // n - 1 if there is none
+    // n - 1 if there is none
+    const std::size_t free = static_cast<std::size_t>(std::find(row_of.begin(), row_of.end(), -1) - row_of.begin());
     std::vector<NT> first(n, number(0)), second(n, number(0));
     first[unknowns[free]] = number(1);
     for (std::size_t j = 0; j < n; ++j)
@@ -280,7 +288,8 @@ private:
     for (std::size_t j = 0; j < m_point.size(); ++j)
       line.emplace_back(m_point[j], direction[j], number(0));
     for (const Spline_function& function : m_system.equalities())
-      result.push_back(spline_value(function, std::span<const Exact_rational>(m_place), std::span<const Jet<NT>>(line)));
+      result.push_back(
+          spline_value(function, std::span<const Exact_rational>(m_place), std::span<const Jet<NT>>(line)));
     return result;
   }
 
@@ -306,22 +315,29 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-derivatives, tangent and curvature of the curve of solutions through a point, by implicit differentiation of its equations. At a break of a spline they are those of the piece behind it.
+derivatives, tangent and curvature of the curve of solutions through a point, by implicit differentiation of its
+equations. At a break of a spline they are those of the piece behind it.
 
-With `NT = Exact_rational` all is exact, and belongs to the curve \f$f(x) = f(p)\f$ through the point \f$p\f$ given, which rounding has moved off the solutions a little. With an enclosure, `Mpfr_interval` or
-`CGAL::Interval_nt<false>`, and a box that is proved to hold a solution, as that of a `Curve_vertex`, the results enclose those of the solution.
+With `NT = Exact_rational` all is exact, and belongs to the curve \f$f(x) = f(p)\f$ through the point \f$p\f$ given,
+which rounding has moved off the solutions a little. With an enclosure, `Mpfr_interval` or `CGAL::Interval_nt<false>`,
+and a box that is proved to hold a solution, as that of a `Curve_vertex`, the results enclose those of the solution.
 
 \tparam NT a `SplineNumberType`.
 \param system the system that was solved, with one equality less than unknowns.
 \param box ranges of the unknowns around the point; of numbers that enclose nothing, the middle is taken.
-\param parameter the unknown to differentiate by; by default, one that varies along the curve as fast as the others or nearly so.
-\return nothing where the gradients of the equations are not proved to be independent: at a singular point; or where the chosen parameter is stationary.
-\throws Invalid_input when the number of equalities or ranges is another one, there is no such parameter, or a range lies on both sides of a break.
+\param parameter the unknown to differentiate by; by default, one that varies along the curve as fast as the others or
+nearly so.
+\return nothing where the gradients of the equations are not proved to be independent: at a singular point; or where the
+chosen parameter is stationary.
+\throws Invalid_input when the number of equalities or ranges is another one, there is no such parameter, or a range
+lies on both sides of a break.
 
-Complexity: \f$n + 1\f$ evaluations of the equations and an elimination. Source: seed 001, equations 9-17 and 34-37, for any number of unknowns.
+Complexity: \f$n + 1\f$ evaluations of the equations and an elimination. Source: seed 001, equations 9-17 and 34-37, for
+any number of unknowns.
 */
 template <SplineNumberType NT>
-std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_system_d& system, const Curve_vertex::Exact_box& box, int parameter = -1)
+std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_system_d& system,
+                                                             const Curve_vertex::Exact_box& box, int parameter = -1)
 {
   if (parameter < -1 || parameter >= system.dimension())
     throw Invalid_input("curve_differentials: no unknown " + std::to_string(parameter));
@@ -331,14 +347,17 @@ std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_sy
 
 //! \ingroup PkgSplineConstraintsDSolver
 //! the same at a vertex of a curve, as enclosures that hold for the exact solution.
-inline std::optional<Curve_differentials_d<Mpfr_interval>> curve_differentials(const Constraint_system_d& system, const Curve_vertex& vertex, int parameter = -1)
+inline std::optional<Curve_differentials_d<Mpfr_interval>>
+curve_differentials(const Constraint_system_d& system, const Curve_vertex& vertex, int parameter = -1)
 {
   return curve_differentials<Mpfr_interval>(system, vertex.box, parameter);
 }
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! the same at a point of a polyline, exactly for the curve \f$f(x) = f(p)\f$ through it. \throws Invalid_input also when a coordinate is not finite.
-inline std::optional<Curve_differentials_d<Exact_rational>> curve_differentials(const Constraint_system_d& system, const std::vector<double>& point, int parameter = -1)
+//! the same at a point of a polyline, exactly for the curve \f$f(x) = f(p)\f$ through it. \throws Invalid_input also
+//! when a coordinate is not finite.
+inline std::optional<Curve_differentials_d<Exact_rational>>
+curve_differentials(const Constraint_system_d& system, const std::vector<double>& point, int parameter = -1)
 {
   Curve_vertex::Exact_box box;
   for (const double x : point)

@@ -20,7 +20,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value; where an inequality is zero; or a singular point.
+A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or
+several, have a known value; where an inequality is zero; or a singular point.
 */
 struct Curve_vertex
 {
@@ -32,10 +33,12 @@ struct Curve_vertex
   //! whether the point lies on the boundary of the domain.
   bool is_on_boundary;
 
-  //! whether it is a singular point, by proof the only one near it. The pieces that end there are all branches of the curves; at an isolated solution there are none.
+  //! whether it is a singular point, by proof the only one near it. The pieces that end there are all branches of the
+  //! curves; at an isolated solution there are none.
   bool is_singular;
 
-  //! whether an inequality is zero at the point, by proof. If it is a strict one, the point does not belong to the curves that end there.
+  //! whether an inequality is zero at the point, by proof. If it is a strict one, the point does not belong to the
+  //! curves that end there.
   bool is_on_inequality;
 
   //! the middle of the box, rounded to doubles.
@@ -51,22 +54,26 @@ struct Curve_vertex
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A piece of a curve of solutions between two vertices. In its box the solutions are a graph over one of the unknowns: for each value of it between those of the two ends the box holds exactly one
-solution that belongs to the piece, and no other one.
+A piece of a curve of solutions between two vertices. In its box the solutions are a graph over one of the unknowns: for
+each value of it between those of the two ends the box holds exactly one solution that belongs to the piece, and no
+other one.
 */
 struct Curve_piece
 {
   //! the box.
   Curve_vertex::Exact_box box;
 
-  //! the unknown that the piece is a graph over; -1 for a piece that ends in a singular point, in whose box all pieces meet there and nowhere else.
+  //! the unknown that the piece is a graph over; -1 for a piece that ends in a singular point, in whose box all pieces
+  //! meet there and nowhere else.
   int parameter;
 
   //! indices of the vertices at its two ends, in the order along the curve.
   std::array<std::size_t, 2> ends;
 
-  //! how often the equalities count the points between its ends. 1: their gradients are linearly independent there, by proof. More than 1: equalities are products with a power as a factor, the solutions of the system without the exponents are regular
-  //! there, and this is the exponent, or the product of one of each equality; or it is the intersection multiplicity of two polynomials in three unknowns. 0: this is not known.
+  //! how often the equalities count the points between its ends. 1: their gradients are linearly independent there, by
+  //! proof. More than 1: equalities are products with a power as a factor, the solutions of the system without the
+  //! exponents are regular there, and this is the exponent, or the product of one of each equality; or it is the
+  //! intersection multiplicity of two polynomials in three unknowns. 0: this is not known.
   int multiplicity = 1;
 };
 
@@ -83,7 +90,8 @@ struct Solution_curve
   //! whether the last piece ends where the first one begins, which is a regular point.
   bool is_closed;
 
-  //! how often the equalities count its points, see `Curve_piece::multiplicity`; 0 where this is not known, or pieces differ.
+  //! how often the equalities count its points, see `Curve_piece::multiplicity`; 0 where this is not known, or pieces
+  //! differ.
   int multiplicity() const
   {
     const auto differs = [&](const Curve_piece& piece) { return piece.multiplicity != pieces.front().multiplicity; };
@@ -105,7 +113,8 @@ struct Solution_curve
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point of higher order at irrational coordinates, as a rule.
+A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point of
+higher order at irrational coordinates, as a rule.
 */
 struct Undecided_region
 {
@@ -124,7 +133,8 @@ namespace internal {
 template <class Curve>
 std::size_t number_of_closed(const std::vector<Curve>& curves)
 {
-  return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.is_closed; }));
+  return static_cast<std::size_t>(
+      std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.is_closed; }));
 }
 
 } // namespace internal
@@ -145,22 +155,27 @@ class Curve_solution_set_d
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
+  Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves,
+                       std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
                        std::vector<Undecided_region> undecided, const Summary& summary)
-    : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)), m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
+    : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)),
+      m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
 #endif
 
-  //! the curves. An open curve ends on the boundary of the domain, where an inequality is zero, at a singular point or at an undecided region.
+  //! the curves. An open curve ends on the boundary of the domain, where an inequality is zero, at a singular point or
+  //! at an undecided region.
   const std::vector<Solution_curve>& curves() const { return m_curves; }
 
   //! the vertices of all curves, which pieces refer to by their indices.
   const std::vector<Curve_vertex>& vertices() const { return m_vertices; }
 
-  //! solutions without others near them: points where a curve only touches the domain, or what the inequalities allow, from outside.
+  //! solutions without others near them: points where a curve only touches the domain, or what the inequalities allow,
+  //! from outside.
   const std::vector<std::size_t>& points() const { return m_points; }
 
-  //! indices of the vertices that are singular points: where curves cross or touch each other, cusps, and isolated solutions.
+  //! indices of the vertices that are singular points: where curves cross or touch each other, cusps, and isolated
+  //! solutions.
   const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
 
   //! where nothing is proved.
@@ -185,16 +200,20 @@ namespace internal {
 template <class Curve_set>
 std::ostream& write_counts(std::ostream& out, const Curve_set& set)
 {
-  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, " << set.singular_points().size()
-             << " singular points, " << set.undecided().size() << " undecided; complete: "
-             << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds " << set.summary().seconds;
+  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, "
+             << set.singular_points().size() << " singular points, " << set.undecided().size()
+             << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes
+             << "; seconds " << set.summary().seconds;
 }
 
 } // namespace internal
 
 //! \ingroup PkgSplineConstraintsDSolver
 //! writes one line: the numbers of curves, singular points and undecided regions.
-inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set) { return internal::write_counts(out, set); }
+inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
+{
+  return internal::write_counts(out, set);
+}
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -28,8 +28,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are subdivided. Tasks that have used up a budget become several ones, which
-// know nothing of each other but the vertices on their boundaries: so the answer does not depend on how many of them run at the same time.
+// The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are
+// subdivided. Tasks that have used up a budget become several ones, which know nothing of each other but the vertices
+// on their boundaries: so the answer does not depend on how many of them run at the same time.
 template <class Traits, class Concurrency_tag>
 class All_curves
 {
@@ -50,8 +51,11 @@ class All_curves
 
 public:
   // Asks gives_up() when curves seem to be singular, once.
-  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, std::function<bool()> gives_up = [] { return false; })
-    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options), m_gives_up(std::move(gives_up))
+  All_curves(
+      const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+      std::function<bool()> gives_up = [] { return false; })
+    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control),
+      m_vertices(options), m_gives_up(std::move(gives_up))
   {}
 
   Found_curves operator()()
@@ -73,12 +77,14 @@ public:
   }
 
 private:
-  // Whether to stop. A box is left at the tolerance, or a curve does not cross a plane at an angle: that may happen along all of it.
+  // Whether to stop. A box is left at the tolerance, or a curve does not cross a plane at an angle: that may happen
+  // along all of it.
   bool is_over()
   {
     if (m_is_asked)
       return m_is_over;
-    m_is_asked = std::any_of(m_undecided.begin(), m_undecided.end(), [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; });
+    m_is_asked = std::any_of(m_undecided.begin(), m_undecided.end(),
+                             [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; });
     for (; m_checked < m_vertices.size() && !m_is_asked; ++m_checked)
       m_is_asked = m_vertices[m_checked].kind != Plane_point::REGULAR && !m_vertices[m_checked].is_singular;
     m_is_over = m_is_asked && m_gives_up();
@@ -126,7 +132,10 @@ private:
       Exact_ranges part = box;
       (is_upper ? part[axis].first : part[axis].second) = value;
       std::vector<Cell> own;
-      std::copy_if(cells.begin(), cells.end(), std::back_inserter(own), [&, axis = axis, index = index](const Cell& cell) { return (cell[axis] >= static_cast<int>(index)) == is_upper; });
+      std::copy_if(cells.begin(), cells.end(), std::back_inserter(own),
+                   [&, axis = axis, index = index](const Cell& cell) {
+                     return (cell[axis] >= static_cast<int>(index)) == is_upper;
+                   });
       if (own.empty())
         continue;
       Vertex_indices known = on_plane;
@@ -145,7 +154,9 @@ private:
   {
     constexpr std::size_t first_budget = 256, budget = 4096;
     for (std::size_t share = first_budget; !is_over() && !m_tasks.empty(); share = budget) {
-      const std::size_t left = m_options.node_limit == 0 ? m_tasks.size() * share : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
+      const std::size_t left = m_options.node_limit == 0
+          ? m_tasks.size() * share
+          : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
       if (left == 0)
         return give_up();
       const std::vector<Curve_task> tasks = std::exchange(m_tasks, {});
@@ -156,7 +167,8 @@ private:
       parallel_for<Concurrency_tag>(count, [&](std::size_t i, std::size_t) {
         [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
         [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
-        Curve_subdivision<Traits>(m_system, tasks[i].cell, m_widths, m_options, m_control, found[i]).run(tasks[i], (std::min)(share, left - i * share), m_undecided.size());
+        Curve_subdivision<Traits>(m_system, tasks[i].cell, m_widths, m_options, m_control, found[i])
+            .run(tasks[i], (std::min)(share, left - i * share), m_undecided.size());
       });
       for (std::size_t i = 0; i < count; ++i)
         take(std::move(found[i]), tasks[i].vertices);
@@ -192,7 +204,9 @@ private:
     Vertex_indices result;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       if (!is_met[i] && !m_vertices[i].is_singular_point()) {
-        const CGAL::Uncertain<bool> is_solution = m_system.inequalities().empty() ? CGAL::Uncertain<bool>(true) : m_vertices.satisfies_inequalities(m_system, i);
+        const CGAL::Uncertain<bool> is_solution = m_system.inequalities().empty()
+            ? CGAL::Uncertain<bool>(true)
+            : m_vertices.satisfies_inequalities(m_system, i);
         if (!CGAL::is_certain(is_solution))
           m_undecided.push_back({m_vertices[i].box, {i}, Undecided_reason::INEQUALITY});
         else if (CGAL::certainly(is_solution))
@@ -207,7 +221,8 @@ private:
     std::pair<int, std::size_t> result(-1, 0);
     std::size_t most = 0;
     for (int v = 0; v < m_system.dimension(); ++v) {
-      const auto first = std::upper_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].first), last = std::lower_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].second);
+      const auto first = std::upper_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].first),
+                 last = std::lower_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].second);
       if (first < last && static_cast<std::size_t>(last - first) > most) {
         most = static_cast<std::size_t>(last - first);
         result = {v, static_cast<std::size_t>(first - m_breaks[v].begin()) + most / 2};
@@ -221,7 +236,8 @@ inline void check_curve_system(const Constraint_system_d& system)
 {
   const int n = system.dimension();
   if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
-    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
+    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " +
+                        std::to_string(n) + " unknowns");
   for (int v = 0; v < n; ++v)
     if (!(system.domain(v).first < system.domain(v).second))
       throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
@@ -230,10 +246,14 @@ inline void check_curve_system(const Constraint_system_d& system)
 // What an operation knows of its curves.
 struct Curve_search
 {
-  bool are_faces_undecided = false;                       // curves in faces of the domain, since each point is on several faces, or in several places of one
-  std::vector<std::size_t> closed_unknowns = {};          // both ends of their ranges are the same: curves in these faces are found at the lower one
-  std::vector<std::pair<std::size_t, Exact_rational>> points = {};   // faces, by an unknown and its value, that stand for one point: there are no curves in them
-  std::function<bool()> gives_up = [] { return false; };  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
+  // curves in faces of the domain, since each point is on several faces, or in several places of one
+  bool are_faces_undecided = false;
+  // both ends of their ranges are the same: curves in these faces are found at the lower one
+  std::vector<std::size_t> closed_unknowns = {};
+  // faces, by an unknown and its value, that stand for one point: there are no curves in them
+  std::vector<std::pair<std::size_t, Exact_rational>> points = {};
+  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
+  std::function<bool()> gives_up = [] { return false; };
 
   enum Use { FIND, SKIP, LEAVE };
 
@@ -242,8 +262,11 @@ struct Curve_search
     const auto& [lower, upper] = system.domain(face.axis);
     if (lower < face.value && face.value < upper)
       return FIND;
-    const auto is_one_of = [&](const std::vector<std::size_t>& unknowns) { return std::find(unknowns.begin(), unknowns.end(), static_cast<std::size_t>(face.axis)) != unknowns.end(); };
-    if (std::find(points.begin(), points.end(), std::pair(static_cast<std::size_t>(face.axis), face.value)) != points.end())
+    const auto is_one_of = [&](const std::vector<std::size_t>& unknowns) {
+      return std::find(unknowns.begin(), unknowns.end(), static_cast<std::size_t>(face.axis)) != unknowns.end();
+    };
+    if (std::find(points.begin(), points.end(), std::pair(static_cast<std::size_t>(face.axis), face.value)) !=
+        points.end())
       return SKIP;
     if (are_faces_undecided)
       return LEAVE;
@@ -251,9 +274,11 @@ struct Curve_search
   }
 };
 
-// How often curves count that were found without the repeated factors. A piece has one regular vertex at least, unless both of its ends are singular points.
+// How often curves count that were found without the repeated factors. A piece has one regular vertex at least, unless
+// both of its ends are singular points.
 template <class Multiplicity>
-void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices& vertices, const Multiplicity& multiplicity)
+void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices& vertices,
+                          const Multiplicity& multiplicity)
 {
   for (Curve_piece& piece : pieces) {
     piece.multiplicity = 0;
@@ -264,11 +289,13 @@ void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices
 }
 
 /*
-Where boxes are left at the tolerance, or singular points are on cutting planes, a curve may be one that an equality counts several times. So the solver looks for repeated factors then and, if there are some, begins again without them.
+Where boxes are left at the tolerance, or singular points are on cutting planes, a curve may be one that an equality
+counts several times. So the solver looks for repeated factors then and, if there are some, begins again without them.
 Of two polynomials in three unknowns this is seen before.
 */
 template <class Traits, class Concurrency_tag>
-Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
+Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options,
+                                      Run_control& control, const Curve_search& search)
 {
   std::optional<Simple_factors> factors;
   const auto has_simpler = [&] {
@@ -276,8 +303,10 @@ Found_curves curves_of_simple_factors(const Constraint_system_d& system, const S
     return factors->is_simpler();
   };
   std::size_t nodes = 0;
-  if (const auto polynomials = two_polynomials_in_space(system); !polynomials || !seem_to_touch_along_curves(*polynomials) || !has_simpler()) {
-    Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control, [&] { return (!factors && has_simpler()) || search.gives_up(); })();
+  if (const auto polynomials = two_polynomials_in_space(system);
+      !polynomials || !seem_to_touch_along_curves(*polynomials) || !has_simpler()) {
+    Found_curves result = All_curves<Traits, Concurrency_tag>(
+        system, options, control, [&] { return (!factors && has_simpler()) || search.gives_up(); })();
     if (!factors || !factors->is_simpler())
       return result;
     nodes = result.summary.nodes;
@@ -290,21 +319,27 @@ Found_curves curves_of_simple_factors(const Constraint_system_d& system, const S
     count_multiplicities(result.pieces, result.vertices, multiplicity);
     return result;
   };
-  Found_curves simple = curves_of(factors->system(), [&](const Exact_ranges& box, const Exact_ranges& vertex) { return factors->multiplicity(box, vertex); });
+  Found_curves simple = curves_of(factors->system(), [&](const Exact_ranges& box, const Exact_ranges& vertex) {
+    return factors->multiplicity(box, vertex);
+  });
   if (const auto& other = factors->other_system()) {
     Constraint_system_d both = factors->system();
     for (const Spline_function& equality : other->equalities())
       both.add(equality, Relation::EQUAL);
-    Found_curves others = curves_of(*other, [&](const Exact_ranges&, const Exact_ranges& vertex) { return factors->multiplicity_in_other(vertex); });
+    Found_curves others = curves_of(*other, [&](const Exact_ranges&, const Exact_ranges& vertex) {
+      return factors->multiplicity_in_other(vertex);
+    });
     simple = United_curves(std::move(simple), std::move(others), both)(Curve_vertices(rest).solve(both));
   }
   simple.summary.nodes += nodes;
   return simple;
 }
 
-// What is found of a system: curves that lie in a face of the domain or a plane of breaks, where an equality has a factor that is zero there, apart from the others.
+// What is found of a system: curves that lie in a face of the domain or a plane of breaks, where an equality has a
+// factor that is zero there, apart from the others.
 template <class Traits, class Concurrency_tag>
-Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
+Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+                          const Curve_search& search)
 {
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere)) {
     Found_curves nothing{Curve_vertices(options)};
@@ -320,23 +355,27 @@ Found_curves found_curves(const Constraint_system_d& system, const Solver_option
   const Curve_search::Use use = search.use(system, *face);
   if (use == Curve_search::LEAVE)
     on_face.leave_undecided(domain_of(system));
-  else if (const std::optional<Constraint_system_d> curves = use == Curve_search::FIND ? system_on_face(system, *face) : std::nullopt)
+  else if (const std::optional<Constraint_system_d> curves =
+               use == Curve_search::FIND ? system_on_face(system, *face) : std::nullopt)
     on_face.add(found_curves<Traits, Concurrency_tag>(*curves, options, control, search));
   return result;
 }
 
 // All curves of solutions of a system.
 template <class Traits, class Concurrency_tag>
-Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search = {})
+Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+                                const Curve_search& search = {})
 {
   check_curve_system(system);
   Found_curves found = found_curves<Traits, Concurrency_tag>(system, options, control, search);
   found.summary.seconds = control.seconds();
   const Exact_ranges domain = domain_of(system);
-  return Curve_chains(domain, found.vertices, std::move(found.pieces), std::move(found.undecided)).solution_set(std::move(found.points), found.summary);
+  return Curve_chains(domain, found.vertices, std::move(found.pieces), std::move(found.undecided))
+      .solution_set(std::move(found.points), found.summary);
 }
 
-inline Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, const Curve_search& search)
+inline Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options,
+                                       const Curve_search& search)
 {
   options.check();
   Default_solver_visitor visitor;
@@ -345,7 +384,10 @@ inline Curve_solution_set_d all_curves(const Constraint_system_d& system, const 
 }
 
 // For domains whose faces are seams or cuts, where each point is on several faces: curves in them are undecided.
-inline Curve_solution_set_d curves_within(const Constraint_system_d& system, const Solver_options& options) { return all_curves(system, options, {.are_faces_undecided = true}); }
+inline Curve_solution_set_d curves_within(const Constraint_system_d& system, const Solver_options& options)
+{
+  return all_curves(system, options, {.are_faces_undecided = true});
+}
 
 } // namespace internal
 
@@ -354,19 +396,31 @@ inline Curve_solution_set_d curves_within(const Constraint_system_d& system, con
 
 Finds all solutions of a system with one equality less than unknowns: curves, with their topology by proof.
 
-The domain is cut into boxes. The points where curves cross the cutting planes are solutions of systems with one unknown less, which `Subdivision_solver_d` finds with their proofs, once for the boxes on
-both sides. A box is dropped when it is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is no closed curve inside, and the order of the points
-on its boundary tells how they are joined. So no curve is lost, however small, nothing is joined by distance, and a curve is closed when its pieces are.
+The domain is cut into boxes. The points where curves cross the cutting planes are solutions of systems with one unknown
+less, which `Subdivision_solver_d` finds with their proofs, once for the boxes on both sides. A box is dropped when it
+is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is
+no closed curve inside, and the order of the points on its boundary tells how they are joined. So no curve is lost,
+however small, nothing is joined by distance, and a curve is closed when its pieces are.
 
-Singular points with rational coordinates are proved with the number of branches that end there, whatever their order: cusps, points where curves touch, multiple points, isolated solutions; also on the boundary of the domain, on breaks, and where inequalities are zero. At other places inside the domain this is done
-where two curves cross transversally, and for isolated solutions with a definite quadratic part. Both need at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
+Singular points with rational coordinates are proved with the number of branches that end there, whatever their order:
+cusps, points where curves touch, multiple points, isolated solutions; also on the boundary of the domain, on breaks,
+and where inequalities are zero. At other places inside the domain this is done where two curves cross transversally,
+and for isolated solutions with a definite quadratic part. Both need at most four unknowns. Where nothing succeeds,
+boxes are left undecided; those that touch are one region.
 
-Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
-\f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
+Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not
+belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins,
+which
+\f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point
+where two are zero.
 
-A curve that an equality counts several times, by a repeated factor in each of its cells, is found once, with its `Solution_curve::multiplicity()`; so are many curves along which two polynomials in three unknowns have parallel gradients (see the manual). Curves that lie in a face of the domain, or in a plane of breaks, are found, and where others meet them, if an equality is zero on the whole face or plane; otherwise they are undecided.
+A curve that an equality counts several times, by a repeated factor in each of its cells, is found once, with its
+`Solution_curve::multiplicity()`; so are many curves along which two polynomials in three unknowns have parallel
+gradients (see the manual). Curves that lie in a face of the domain, or in a plane of breaks, are found, and where
+others meet them, if an equality is zero on the whole face or plane; otherwise they are undecided.
 
-\tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
+\tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
+number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
 
 Source: seed 001, section 2 (the curves); the graph test in the place of a tracing by steps.
@@ -377,13 +431,19 @@ class Curve_solver_d
   Solver_options m_options;
 
 public:
-  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision; the number of nodes is that for the curves in a face or a plane of breaks, and for all others, each.
+  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not
+  //! split any further. The limits hold for the boxes of the subdivision; the number of nodes is that for the curves in
+  //! a face or a plane of breaks, and for all others, each.
   //! \throws Invalid_input when an option makes no sense.
-  explicit Curve_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options) { m_options.check(); }
+  explicit Curve_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options)
+  {
+    m_options.check();
+  }
 
   //! all curves of solutions.
   //! \param system the constraints; one equality less than unknowns.
-  //! \param visitor can stop the solver; a model of `SolverVisitor`. Of the progress it is told only that the run goes on.
+  //! \param visitor can stop the solver; a model of `SolverVisitor`. Of the progress it is told only that the run goes
+  //! on.
   //! \throws Invalid_input when the number of equalities is another one, or the range of an unknown is one number.
   template <SolverVisitor Visitor>
   Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
@@ -402,16 +462,22 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all solutions of a system with one equality less than unknowns, with the default traits: curves, with their topology by proof.
+all solutions of a system with one equality less than unknowns, with the default traits: curves, with their topology by
+proof.
 \param system the constraints; one equality less than unknowns.
 \param options as for `Curve_solver_d`.
 \throws Invalid_input as `Curve_solver_d`.
 */
-inline Curve_solution_set_d solve_curves(const Constraint_system_d& system, const Solver_options& options = {.tolerance = 1e-8}) { return Curve_solver_d<>(options)(system); }
+inline Curve_solution_set_d solve_curves(const Constraint_system_d& system,
+                                         const Solver_options& options = {.tolerance = 1e-8})
+{
+  return Curve_solver_d<>(options)(system);
+}
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-all curves of solutions of constraints written as formulas: `solve_curves(x*x + y*y + z*z == 4, square(x - 1) + y*y == 1)`.
+all curves of solutions of constraints written as formulas: `solve_curves(x*x + y*y + z*z == 4, square(x - 1) + y*y ==
+1)`.
 \throws Invalid_input as `make_system()` and the function above.
 */
 template <std::same_as<Constraint>... Constraints>

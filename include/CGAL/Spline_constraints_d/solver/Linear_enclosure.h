@@ -27,9 +27,10 @@ namespace Spline_constraints {
 
 The equalities of a node as linear equations with interval right-hand sides, and their preconditioned form.
 
-Every solution s of the node satisfies A s + g = 0 for some g in [lower, upper]. A sparse system is never expanded for it: A is read off the
-affine enclosures. With C an approximate inverse of A on those equations and unknowns where it pays, (C A) s + C g = 0 holds as well, and
-where C A is close to the identity each row bounds one unknown. Products are \f$O(m^2 n)\f$, no tensor is formed.
+Every solution s of the node satisfies A s + g = 0 for some g in [lower, upper]. A sparse system is never expanded for
+it: A is read off the affine enclosures. With C an approximate inverse of A on those equations and unknowns where it
+pays, (C A) s + C g = 0 holds as well, and where C A is close to the identity each row bounds one unknown. Products are
+\f$O(m^2 n)\f$, no tensor is formed.
 */
 class Linear_enclosure
 {
@@ -47,11 +48,20 @@ class Linear_enclosure
 
 public:
   Linear_enclosure(int dimension, int equations)
-    : m_dimension(dimension), m_equations(equations), m_elimination(known_size() > 0 ? 0 : equations, known_size() > 0 ? 0 : dimension)
+    : m_dimension(dimension), m_equations(equations),
+      m_elimination(known_size() > 0 ? 0 : equations, known_size() > 0 ? 0 : dimension)
   {
     const std::size_t n = dimension, m = equations;
-    internal::allocate_parts<double>(m_numbers, {{&m_inverse, m * m}, {&m_middle, m}, {&m_half_width, m}, {&m_size, m}, {&m_product, m * n},
-                                                 {&m_lower, m}, {&m_upper, m}, {&m_centre, n}, {&m_reach, n}});
+    internal::allocate_parts<double>(m_numbers,
+                                     {{&m_inverse, m * m},
+                                      {&m_middle, m},
+                                      {&m_half_width, m},
+                                      {&m_size, m},
+                                      {&m_product, m * n},
+                                      {&m_lower, m},
+                                      {&m_upper, m},
+                                      {&m_centre, n},
+                                      {&m_reach, n}});
     internal::allocate_parts<int>(m_indices, {{&m_pivot_of_row, m}, {&m_row_of, n}});
   }
   //! not copied: parts of it are looked at.
@@ -82,12 +92,13 @@ public:
   //! every unknown has a row of its own: C is an approximate (left) inverse.
   bool has_inverse() const { return m_rank == m_dimension; }
 
-  //! the image of the whole node under s -> s - C f(s): all solutions of the node lie in [centre - reach, centre + reach] on each axis.
-  //! Only with an inverse.
+  //! the image of the whole node under s -> s - C f(s): all solutions of the node lie in [centre - reach, centre +
+  //! reach] on each axis. Only with an inverse.
   double centre(int j) const { return m_centre[j]; }
   double reach(int j) const { return m_reach[j]; }
 
-  //! contracts the box to that image; false when no solution is left. Cheaper than the rows, which say little more. Only with an inverse.
+  //! contracts the box to that image; false when no solution is left. Cheaper than the rows, which say little more.
+  //! Only with an inverse.
   bool contract_by_image(Local_box& box) const
   {
     bool is_left = true;
@@ -102,7 +113,8 @@ public:
   //! row of C for the unknown j: f_j' = sum_k inverse(j, k) f_k is close to s_j.
   const double* inverse_row(int j) const { return m_inverse.data() + m_row_of[j] * m_equations; }
 
-  //! the errors of the functions make up a good part of the width of some preconditioned row, and keep its unknown from being known well.
+  //! the errors of the functions make up a good part of the width of some preconditioned row, and keep its unknown from
+  //! being known well.
   bool is_blurred_by(const std::vector<double>& errors) const
   {
     for (int i = 0; i < m_equations; ++i) {
@@ -119,7 +131,8 @@ private:
   static constexpr int largest_known_size = 4;   // beyond, it does not matter
   int known_size() const { return m_dimension == m_equations && m_dimension <= largest_known_size ? m_dimension : 0; }
 
-  // run(integral_constant<int, size>), with the number of equations and of unknowns known to the compiler; 0: not known.
+  // run(integral_constant<int, size>), with the number of equations and of unknowns known to the compiler; 0: not
+  // known.
   template <class Run>
   void run_with_size(const Run& run) const
   {
@@ -221,13 +234,16 @@ void Linear_enclosure::precondition_with(Node_view& node, internal::Row_eliminat
       multiply_row(row);
 }
 
-// A row of C A and C g with its rounding errors, from the original rows: elimination may be as inaccurate as it likes. What it says of its unknown: three roundings, of the reciprocal and
-// the products, are small beside the analysis error.
+// A row of C A and C g with its rounding errors, from the original rows: elimination may be as inaccurate as it likes.
+// What it says of its unknown: three roundings, of the reciprocal and the products, are small beside the analysis
+// error.
 template <int size, class Row>
-BOOST_FORCEINLINE void Linear_enclosure::multiply(const internal::Row_elimination<size>& elimination, Row row, const double* slopes)
+BOOST_FORCEINLINE void Linear_enclosure::multiply(const internal::Row_elimination<size>& elimination, Row row,
+                                                  const double* slopes)
 {
   const int n = elimination.columns(), m = elimination.rows(), equation = elimination.equation(row);
-  double sums[size + 1], *inverse = m_inverse.data() + equation * m, *product = size > 0 ? sums : m_product.data() + equation * n;
+  double sums[size + 1], *inverse = m_inverse.data() + equation * m,
+                         *product = size > 0 ? sums : m_product.data() + equation * n;
   double middle = 0, radius = 0, row_size = 0;
   std::fill_n(product, n, 0.0);
   for (int k = 0; k < m; ++k) {

@@ -21,8 +21,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A bound on the relative error of a sum or product of the few dozen terms that occur in the analysis of a node, in any rounding mode.
-Everything below computes in plain double and widens its result by this much of the sum of absolute values, so that no proof hangs on the rounding mode.
+A bound on the relative error of a sum or product of the few dozen terms that occur in the analysis of a node, in any
+rounding mode. Everything below computes in plain double and widens its result by this much of the sum of absolute
+values, so that no proof hangs on the rounding mode.
 */
 constexpr double analysis_error = 0x1p-45;
 
@@ -31,10 +32,12 @@ constexpr double analysis_error = 0x1p-45;
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-What the policies of the solver see of a node: all functions of the system on one box, in the local coordinates \f$s \in [-1/2,1/2]^n\f$.
+What the policies of the solver see of a node: all functions of the system on one box, in the local coordinates \f$s \in
+[-1/2,1/2]^n\f$.
 
-Every node looks the same here, whatever the number type it is computed in: double Bernstein coefficients and, per block and function, a
-bound on their error. All quantities are enclosures; those that cost a pass over the coefficients are computed on demand.
+Every node looks the same here, whatever the number type it is computed in: double Bernstein coefficients and, per block
+and function, a bound on their error. All quantities are enclosures; those that cost a pass over the coefficients are
+computed on demand.
 */
 class Node_view
 {
@@ -43,7 +46,8 @@ class Node_view
   const double* m_errors = nullptr;
   bool m_has_bounds = false, m_has_affine = false, m_has_derivatives = false;
 
-  // What is known of a block before its coefficients are, and the passes over them, chosen for its numbers of functions and axes.
+  // What is known of a block before its coefficients are, and the passes over them, chosen for its numbers of functions
+  // and axes.
   struct Plan
   {
     std::size_t over_first;          // of the bounds over its first axis
@@ -66,8 +70,10 @@ class Node_view
   std::span<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
   std::span<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
   std::span<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
-  std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper, m_block_rest_lower, m_block_rest_upper;
-  std::span<double> m_line_slopes, m_line_rest_lower, m_line_rest_upper;   // of blocks with one axis or none, per block and function
+  std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper, m_block_rest_lower,
+      m_block_rest_upper;
+  // of blocks with one axis or none, per block and function
+  std::span<double> m_line_slopes, m_line_rest_lower, m_line_rest_upper;
   std::vector<int> m_index;
 
 public:
@@ -112,11 +118,20 @@ public:
   double rest_upper(int f) { compute_affine(); return m_rest_upper[f]; }
 
   //! bounds of the partial derivatives of a function on the box, one per unknown, in local coordinates.
-  const double* derivative_lower(int f) { compute_derivatives(); return m_derivative_lower.data() + static_cast<std::size_t>(f) * dimension(); }
-  const double* derivative_upper(int f) { compute_derivatives(); return m_derivative_upper.data() + static_cast<std::size_t>(f) * dimension(); }
+  const double* derivative_lower(int f)
+  {
+    compute_derivatives();
+    return m_derivative_lower.data() + static_cast<std::size_t>(f) * dimension();
+  }
+  const double* derivative_upper(int f)
+  {
+    compute_derivatives();
+    return m_derivative_upper.data() + static_cast<std::size_t>(f) * dimension();
+  }
 
-  //! calls `visit(j, lower, upper)` for every axis `j` of a block with the bounds of its layers of control points: entry `k * m + f` belongs to layer `k`
-  //! of the `f`-th of the block's `m` functions. Costs about two passes over the block for all axes together.
+  //! calls `visit(j, lower, upper)` for every axis `j` of a block with the bounds of its layers of control points:
+  //! entry `k * m + f` belongs to layer `k` of the `f`-th of the block's `m` functions. Costs about two passes over the
+  //! block for all axes together.
   template <class Visitor>
   void visit_layers(const internal::Block& block, const Visitor& visit);
 
@@ -149,7 +164,8 @@ private:
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
   template <class Number>
-  internal::Line_bounds<Number> bound_line_at(const internal::Block& block, const Plan& plan, std::size_t m, std::size_t functions);
+  internal::Line_bounds<Number> bound_line_at(const internal::Block& block, const Plan& plan, std::size_t m,
+                                              std::size_t functions);
   template <int members>
   void bound_line(const internal::Block& block, const Plan& plan);
   template <int members>
@@ -167,12 +183,18 @@ private:
 
   // The number of functions of a block; `members` is 0 for more than it pays to tell apart.
   template <int members>
-  static std::size_t functions_of(const internal::Block& block) { return members > 0 ? static_cast<std::size_t>(members) : block.functions.size(); }
+  static std::size_t functions_of(const internal::Block& block)
+  {
+    return members > 0 ? static_cast<std::size_t>(members) : block.functions.size();
+  }
 
   static bool is_line(const internal::Block& block) { return block.axes.size() <= 1; }
 
   // What varies faster than the first axis.
-  static std::size_t inner_size(const internal::Block& block) { return block.axes.empty() ? block.functions.size() : block.lengths[1]; }
+  static std::size_t inner_size(const internal::Block& block)
+  {
+    return block.axes.empty() ? block.functions.size() : block.lengths[1];
+  }
 };
 
 inline Node_view::Node_view(const internal::System_layout& layout)
@@ -204,12 +226,24 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     members = (std::max)(members, m);
     slopes = (std::max)(slopes, m * axes);
   }
-  internal::allocate_parts<double>(
-    m_storage, {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull, 2 * functions}, {&m_affine, entries + 2 * functions},
-                {&m_derivatives, 2 * entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
-                {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
-                {&m_block_rest_lower, members}, {&m_block_rest_upper, members}, {&m_line_slopes, layout.errors}, {&m_line_rest_lower, layout.errors},
-                {&m_line_rest_upper, layout.errors}});
+  internal::allocate_parts<double>(m_storage,
+                                   {{&m_block_lower, layout.errors},
+                                    {&m_block_upper, layout.errors},
+                                    {&m_hull, 2 * functions},
+                                    {&m_affine, entries + 2 * functions},
+                                    {&m_derivatives, 2 * entries},
+                                    {&m_least_over_first, over_first},
+                                    {&m_most_over_first, over_first},
+                                    {&m_work, work},
+                                    {&m_base, members},
+                                    {&m_block_slopes, slopes},
+                                    {&m_layer_lower, layers},
+                                    {&m_layer_upper, layers},
+                                    {&m_block_rest_lower, members},
+                                    {&m_block_rest_upper, members},
+                                    {&m_line_slopes, layout.errors},
+                                    {&m_line_rest_lower, layout.errors},
+                                    {&m_line_rest_upper, layout.errors}});
   m_hull_lower = m_hull.first(functions);
   m_hull_upper = m_hull.last(functions);
   m_slopes = m_affine.first(entries);
@@ -219,8 +253,10 @@ inline Node_view::Node_view(const internal::System_layout& layout)
   m_derivative_upper = m_derivatives.last(entries);
   m_index.resize(layout.dimension);
   if (!layout.blocks.empty() &&
-      std::all_of(layout.blocks.begin(), layout.blocks.end(), [&](const internal::Block& block) { return is_line(block) && block.functions.size() == functions; }))
-    m_bound_sum_of_lines = functions == internal::pack_size ? &Node_view::bound_sum_of_lines<internal::pack_size> : &Node_view::bound_sum_of_lines<0>;
+      std::all_of(layout.blocks.begin(), layout.blocks.end(),
+                  [&](const internal::Block& block) { return is_line(block) && block.functions.size() == functions; }))
+    m_bound_sum_of_lines = functions == internal::pack_size ? &Node_view::bound_sum_of_lines<internal::pack_size>
+                                                            : &Node_view::bound_sum_of_lines<0>;
 }
 
 inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
@@ -228,12 +264,14 @@ inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
   internal::run_with_constant<6>(block.functions.size(), [&](auto members) {
     plan.bound = is_line(block) ? &Node_view::bound_line<members> : &Node_view::bound_block<members>;
     plan.enclose = is_line(block) ? &Node_view::enclose_line : &Node_view::enclose_block<members>;
-    plan.bound_differences = is_line(block) ? &Node_view::bound_differences_of_line : &Node_view::bound_differences<members>;
+    plan.bound_differences =
+        is_line(block) ? &Node_view::bound_differences_of_line : &Node_view::bound_differences<members>;
   });
   if (block.functions.size() > 1 && block.size() <= most_coefficients_of_small)
     internal::run_with_constant<most_axes_of_small>(block.axes.size(), [&](auto axes) {
       if constexpr (axes > 1)
-        internal::run_with_constant<4>(block.degrees.back(), [&](auto degree) { plan.enclose = &Node_view::enclose_small_block<axes, degree>; });
+        internal::run_with_constant<4>(
+            block.degrees.back(), [&](auto degree) { plan.enclose = &Node_view::enclose_small_block<axes, degree>; });
     });
 }
 
@@ -305,7 +343,8 @@ void Node_view::enclose_small_block(const internal::Block& block, const Plan& pl
 {
   const std::size_t functions = block.functions.size();
   const internal::Tensor_shape shape{block.degrees.data(), block.lengths.data()};
-  const double *greville = m_greville.data() + plan.greville, *scales = m_layer_scales.data() + plan.layer_scales, *last_abscissas = greville;
+  const double *greville = m_greville.data() + plan.greville, *scales = m_layer_scales.data() + plan.layer_scales,
+               *last_abscissas = greville;
   for (int j = 0; j < axes - 1; ++j)
     last_abscissas += block.degrees[j] + 1;
   internal::for_each_place(functions, [&](auto type, std::size_t m) {
@@ -313,7 +352,8 @@ void Node_view::enclose_small_block(const internal::Block& block, const Plan& pl
     const double* data = m_coefficients + block.offset + m;
     Number slopes[axes], least(HUGE_VAL), most(-HUGE_VAL);
     internal::sum_slopes<axes>(shape, data, scales, slopes);
-    const internal::Last_axis<last_degree, Number> last(slopes[axes - 1], last_abscissas, block.degrees.back(), functions);
+    const internal::Last_axis<last_degree, Number> last(slopes[axes - 1], last_abscissas, block.degrees.back(),
+                                                        functions);
     internal::bound_rest<axes>(shape, data, greville, slopes, last, Number(0), least, most);
     internal::unroll<axes>([&](auto j) { internal::store(m_block_slopes.data() + j * functions + m, slopes[j]); });
     internal::store(m_block_rest_lower.data() + m, least);
@@ -322,8 +362,9 @@ void Node_view::enclose_small_block(const internal::Block& block, const Plan& pl
   add_enclosure(block);
 }
 
-// The slope along an axis is the mean of the last layer minus the mean of the first; what the linear function leaves of the control net
-// (its value at the Greville abscissae k/d subtracted) bounds the rest. The faster axes' part of it is tabulated, the slower ones contribute a number per row.
+// The slope along an axis is the mean of the last layer minus the mean of the first; what the linear function leaves of
+// the control net (its value at the Greville abscissae k/d subtracted) bounds the rest. The faster axes' part of it is
+// tabulated, the slower ones contribute a number per row.
 template <int members>
 void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
 {
@@ -350,8 +391,8 @@ void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
   const auto rest = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {
     return internal::load(type, data + begin + i) - internal::load(type, line + i);
   };
-  internal::bound_ranges<members>(functions, {block.size() / plan.row, plan.row, plan.row}, rest, rest, m_block_rest_lower.data(), m_block_rest_upper.data(),
-                                  base);
+  internal::bound_ranges<members>(functions, {block.size() / plan.row, plan.row, plan.row}, rest, rest,
+                                  m_block_rest_lower.data(), m_block_rest_upper.data(), base);
   add_enclosure(block);
 }
 
@@ -367,7 +408,11 @@ void Node_view::compute_slopes(const internal::Block& block)
     const double* last = data + inner * block.degrees[j];
     double* slope = m_block_slopes.data() + j * functions;
     internal::sum_range<members>(
-      functions, inner, [&](auto type, std::size_t i) -> decltype(type) { return internal::load(type, last + i) - internal::load(type, data + i); }, slope);
+        functions, inner,
+        [&](auto type, std::size_t i) -> decltype(type) {
+          return internal::load(type, last + i) - internal::load(type, data + i);
+        },
+        slope);
     const double scale = static_cast<double>(functions) / (points * static_cast<double>(inner));
     for (std::size_t m = 0; m < functions; ++m)
       slope[m] *= scale;
@@ -392,7 +437,8 @@ void Node_view::tabulate(const internal::Block& block, const Plan& plan, double*
     greville -= block.degrees[j] + 1;
     const double* slope = m_block_slopes.data() + j * functions;
     for (int k = block.degrees[j]; k >= 0; --k)
-      internal::add_repeated<members>(functions, block.lengths[j + 1], line, slope, greville[k], line + k * block.lengths[j + 1]);
+      internal::add_repeated<members>(functions, block.lengths[j + 1], line, slope, greville[k],
+                                      line + k * block.lengths[j + 1]);
   }
 }
 
@@ -412,12 +458,14 @@ inline void Node_view::bound_derivatives()
 template <int members>
 void Node_view::bound_differences(const internal::Block& block, std::size_t axis)
 {
-  const std::size_t functions = functions_of<members>(block), inner = block.lengths[axis + 1], line = block.lengths[axis];
+  const std::size_t functions = functions_of<members>(block), inner = block.lengths[axis + 1],
+                    line = block.lengths[axis];
   const double* data = m_coefficients + block.offset;
   const auto difference = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {
     return internal::load(type, data + begin + inner + i) - internal::load(type, data + begin + i);
   };
-  internal::bound_ranges<members>(functions, {block.size() / line, line, line - inner}, difference, difference, m_block_rest_lower.data(), m_block_rest_upper.data());
+  internal::bound_ranges<members>(functions, {block.size() / line, line, line - inner}, difference, difference,
+                                  m_block_rest_lower.data(), m_block_rest_upper.data());
   add_derivatives(block, axis);
 }
 
@@ -425,8 +473,10 @@ void Node_view::bound_differences(const internal::Block& block, std::size_t axis
 inline void Node_view::add_derivatives(const internal::Block& block, std::size_t axis)
 {
   for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
-    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis], e = block.first_error + m;
-    const double size = (std::max)(std::abs(m_block_lower[e]), std::abs(m_block_upper[e])), error = 2 * m_errors[e] + internal::analysis_error * size;
+    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis],
+                      e = block.first_error + m;
+    const double size = (std::max)(std::abs(m_block_lower[e]), std::abs(m_block_upper[e])),
+                 error = 2 * m_errors[e] + internal::analysis_error * size;
     m_derivative_lower[entry] += block.degrees[axis] * (m_block_rest_lower[m] - error);
     m_derivative_upper[entry] += block.degrees[axis] * (m_block_rest_upper[m] + error);
   }
@@ -446,7 +496,8 @@ void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
     else {
       internal::run_with_constant<6>(functions, [&](auto members) {
         for (std::size_t k = 0; k < count; ++k)
-          internal::bound_row<members>(functions, inner, lower + k * inner, upper + k * inner, m_layer_lower.data() + k * functions, m_layer_upper.data() + k * functions);
+          internal::bound_row<members>(functions, inner, lower + k * inner, upper + k * inner,
+                                       m_layer_lower.data() + k * functions, m_layer_upper.data() + k * functions);
       });
       visit(j, static_cast<const double*>(m_layer_lower.data()), static_cast<const double*>(m_layer_upper.data()));
     }

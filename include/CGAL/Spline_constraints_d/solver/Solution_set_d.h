@@ -26,7 +26,8 @@ namespace Spline_constraints {
 What is proved of the box of a solution.
 */
 enum class Solution_kind {
-  CERTIFIED,   ///< exactly one solution of the equalities, and it is regular, in the domain, and satisfies all inequalities
+  /// exactly one solution of the equalities, and it is regular, in the domain, and satisfies all inequalities
+  CERTIFIED,
   CLUSTER,     ///< at least one solution, not regular or not told apart from others; no solution elsewhere near the box
   CONTINUUM,   ///< infinitely many solutions: all that lie in the box, or in the boxes of `Solution_d::cover()`
   UNDECIDED    ///< may hold solutions; `Solution_d::reason()` says what stopped the solver
@@ -43,9 +44,12 @@ enum class Undecided_reason {
   TIME,        ///< the time limit was reached
   NODES,       ///< the node limit was reached
   STOPPED,     ///< the visitor stopped the solver
-  DOMAIN_BOUNDARY,   ///< one regular solution of the equalities, on or next to the boundary of the domain: inside or outside is not decided
-  OVERDETERMINED,    ///< more equalities than unknowns, and the one point that can be a solution does not satisfy all of them certainly
-  INEQUALITY         ///< one regular solution of the equalities, on or next to the boundary of an inequality: not decided
+  /// one regular solution of the equalities, on or next to the boundary of the domain: inside or outside is not decided
+  DOMAIN_BOUNDARY,
+  /// more equalities than unknowns, and the one point that can be a solution does not satisfy all of them certainly
+  OVERDETERMINED,
+  /// one regular solution of the equalities, on or next to the boundary of an inequality: not decided
+  INEQUALITY
 };
 
 inline std::ostream& operator<<(std::ostream& out, Solution_kind kind)
@@ -66,8 +70,9 @@ inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
 
 One answer of the solver: a box with what is proved of it.
 
-`Coordinate` is `double`, or `Exact_rational` for the number types whose boxes are finer than doubles. An answer of `Certified_solver_traits` that took more precision than doubles have
-holds both: `exact_box()` is the box that the proof is about, and `box()` the smallest box of doubles around it, which other answers may share.
+`Coordinate` is `double`, or `Exact_rational` for the number types whose boxes are finer than doubles. An answer of
+`Certified_solver_traits` that took more precision than doubles have holds both: `exact_box()` is the box that the proof
+is about, and `box()` the smallest box of doubles around it, which other answers may share.
 */
 template <class Coordinate>
 class Solution_d
@@ -102,16 +107,18 @@ private:
 
 public:
   Solution_d() = default;
-  Solution_d(Solution_kind kind, Box box, Box region, const char* number_type, Undecided_reason reason = Undecided_reason::NONE,
-             int multiplicity = 0)
-    : m_kind(kind), m_reason(reason), m_multiplicity(multiplicity), m_number_type(number_type), m_box(std::move(box)), m_region(std::move(region))
+  Solution_d(Solution_kind kind, Box box, Box region, const char* number_type,
+             Undecided_reason reason = Undecided_reason::NONE, int multiplicity = 0)
+    : m_kind(kind), m_reason(reason), m_multiplicity(multiplicity), m_number_type(number_type), m_box(std::move(box)),
+      m_region(std::move(region))
   {}
 
   //! an answer with finer coordinates, found with `precision` bits.
-  Solution_d(const Solution_d<Exact_rational>& fine, int precision)
-    requires(!std::same_as<Coordinate, Exact_rational>)
-    : m_kind(fine.kind()), m_reason(fine.reason()), m_multiplicity(fine.multiplicity()), m_number_type(fine.number_type()),
-      m_details(std::make_shared<const Details>(Details{.box = fine.box(), .region = fine.uniqueness_region(), .precision = precision}))
+  Solution_d(const Solution_d<Exact_rational>& fine, int precision) requires(!std::same_as<Coordinate, Exact_rational>)
+    : m_kind(fine.kind()), m_reason(fine.reason()), m_multiplicity(fine.multiplicity()),
+      m_number_type(fine.number_type()),
+      m_details(std::make_shared<const Details>(
+          Details{.box = fine.box(), .region = fine.uniqueness_region(), .precision = precision}))
   {
     for (const auto& [lower, upper] : fine.box())
       m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
@@ -119,9 +126,12 @@ public:
       m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
   }
 
-  //! a continuum of the given dimension that some boxes cover; or the segment between two points; or what looks like one, `UNDECIDED`.
-  Solution_d(Solution_kind kind, int dimension, std::vector<Exact_box> cover, std::vector<std::vector<Exact_rational>> ends)
-    : m_kind(kind), m_reason(kind == Solution_kind::UNDECIDED ? Undecided_reason::CONTINUUM : Undecided_reason::NONE), m_number_type("exact")
+  //! a continuum of the given dimension that some boxes cover; or the segment between two points; or what looks like
+  //! one, `UNDECIDED`.
+  Solution_d(Solution_kind kind, int dimension, std::vector<Exact_box> cover,
+             std::vector<std::vector<Exact_rational>> ends)
+    : m_kind(kind), m_reason(kind == Solution_kind::UNDECIDED ? Undecided_reason::CONTINUUM : Undecided_reason::NONE),
+      m_number_type("exact")
   {
     Exact_box box = cover.front();
     for (const Exact_box& part : cover)
@@ -134,7 +144,8 @@ public:
         m_box.emplace_back(lower, upper);
       else
         m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
-    m_details = std::make_shared<const Details>(Details{.box = std::move(box), .dimension = dimension, .cover = std::move(cover), .ends = std::move(ends)});
+    m_details = std::make_shared<const Details>(
+        Details{.box = std::move(box), .dimension = dimension, .cover = std::move(cover), .ends = std::move(ends)});
   }
 
   //! what is proved.
@@ -160,22 +171,30 @@ public:
     return result;
   }
 
-  //! a box around the enclosure that holds no other solution of the equalities, for a certified solution; of a cluster, a box around it without any solution in the domain outside of the cluster's box.
-  //! Empty for other answers. In doubles it is rounded inwards: where `exact_box()` is finer than doubles, a range may be empty, its lower end above the upper one.
+  //! a box around the enclosure that holds no other solution of the equalities, for a certified solution; of a cluster,
+  //! a box around it without any solution in the domain outside of the cluster's box. Empty for other answers. In
+  //! doubles it is rounded inwards: where `exact_box()` is finer than doubles, a range may be empty, its lower end
+  //! above the upper one.
   const Box& uniqueness_region() const { return m_region; }
 
   //! the same without rounding.
-  Exact_box exact_uniqueness_region() const { return details().region.empty() ? Exact_box(m_region.begin(), m_region.end()) : details().region; }
+  Exact_box exact_uniqueness_region() const
+  {
+    return details().region.empty() ? Exact_box(m_region.begin(), m_region.end()) : details().region;
+  }
 
-  //! the dimension of the set of solutions that a `CONTINUUM` is. With `UNDECIDED` and a `cover()`: they have at most this one, but for what lies in tiny boxes. 0 for other answers.
+  //! the dimension of the set of solutions that a `CONTINUUM` is. With `UNDECIDED` and a `cover()`: they have at most
+  //! this one, but for what lies in tiny boxes. 0 for other answers.
   int dimension() const { return details().dimension; }
 
-  //! boxes that hold all solutions of a `CONTINUUM`, or of what looks like one but is `UNDECIDED`; empty for other answers. They touch each other; one or several connected components run
-  //! through them. Each box of a `CONTINUUM` holds solutions of its dimension, except for tiny ones where it has a singular point, only touches the box, or leaves the set that the inequalities
-  //! describe.
+  //! boxes that hold all solutions of a `CONTINUUM`, or of what looks like one but is `UNDECIDED`; empty for other
+  //! answers. They touch each other; one or several connected components run through them. Each box of a `CONTINUUM`
+  //! holds solutions of its dimension, except for tiny ones where it has a singular point, only touches the box, or
+  //! leaves the set that the inequalities describe.
   const std::vector<Exact_box>& cover() const { return details().cover; }
 
-  //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the closure of what the inequalities allow. Empty otherwise.
+  //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the
+  //! closure of what the inequalities allow. Empty otherwise.
   const std::vector<std::vector<Exact_rational>>& ends() const { return details().ends; }
 
 #ifndef DOXYGEN_RUNNING
@@ -240,14 +259,15 @@ inline std::ostream& operator<<(std::ostream& out, const Summary& s)
   out << (s.is_complete ? "complete" : "incomplete");
   if (!s.is_complete)
     out << " (" << s.why_not << ')';
-  return out << ", " << s.nodes << " nodes, " << s.restarts << " exact rebuilds, depth " << s.depth << ", " << s.seconds << " s";
+  return out << ", " << s.nodes << " nodes, " << s.restarts << " exact rebuilds, depth " << s.depth << ", " << s.seconds
+             << " s";
 }
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-All answers of a run, ordered by kind and then by the lower corners of their boxes. Every solution in the domain lies in the box of one of
-them: exactly one for certified solutions.
+All answers of a run, ordered by kind and then by the lower corners of their boxes. Every solution in the domain lies in
+the box of one of them: exactly one for certified solutions.
 */
 template <class Coordinate>
 class Solution_set_d
@@ -266,7 +286,9 @@ public:
     : m_solutions(std::move(solutions)), m_summary(summary)
   {
     std::sort(m_solutions.begin(), m_solutions.end(), [](const Solution& a, const Solution& b) {
-      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() != b.box() ? a.box() < b.box() : a.exact_box() < b.exact_box();
+      return a.kind() != b.kind() ? a.kind() < b.kind()
+          : a.box() != b.box()    ? a.box() < b.box()
+                                  : a.exact_box() < b.exact_box();
     });
   }
 

@@ -19,8 +19,8 @@ Options of the solver, to be used with designated initialisers.
 */
 struct Solver_options
 {
-  //! a box that is narrower than `tolerance * max(1, |x|)` on all axes and still undecided is not split any further. Certified
-  //! solutions do not depend on it: they are refined to the full precision of their coordinates.
+  //! a box that is narrower than `tolerance * max(1, |x|)` on all axes and still undecided is not split any further.
+  //! Certified solutions do not depend on it: they are refined to the full precision of their coordinates.
   double tolerance = 1e-10;
 
   //! seconds after which what is left is reported as undecided; 0: none.
@@ -29,13 +29,16 @@ struct Solver_options
   //! number of nodes after which what is left is reported as undecided; 0: none.
   std::size_t node_limit = 0;
 
-  //! bits after the binary point that enclosures with rational coordinates aim at, and the precision of multiprecision numbers; at most 900.
+  //! bits after the binary point that enclosures with rational coordinates aim at, and the precision of multiprecision
+  //! numbers; at most 900.
   int precision = 128;
 
-  //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below 128: it does not climb; 0: nor does it look for irrational double roots. At most 900.
+  //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below
+  //! 128: it does not climb; 0: nor does it look for irrational double roots. At most 900.
   int ladder_precision = 256;
 
-  //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not resolved.
+  //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not
+  //! resolved.
   std::size_t coarsening_step = 2048;
 
   //! \throws Invalid_input when a value makes no sense.

@@ -25,13 +25,14 @@ namespace Spline_constraints {
 Finds all solutions of a system of at least as many spline equations as unknowns, with inequalities, on a box.
 
 
-The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a proof that a box around it holds exactly one
-(seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is undecided
+The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a
+proof that a box around it holds exactly one (seed 000, Algorithm 2.1, with the tests of the traits). What can be
+neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is undecided
 unless a limit is reached.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`.
-\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all cores through TBB. The answers are the same, in the same
-order, except where a time limit or the visitor ends the run.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all
+cores through TBB. The answers are the same, in the same order, except where a time limit or the visitor ends the run.
 */
 template <ConstraintSolverTraits Traits = Certified_solver_traits, class Concurrency_tag = CGAL::Sequential_tag>
 class Subdivision_solver_d
@@ -50,7 +51,8 @@ public:
 
   //! all solutions of the system.
   //! \param system the constraints; at least as many equalities as unknowns.
-  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`. It is called by one thread at a time, not always by the same one.
+  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`. It is called by one
+  //! thread at a time, not always by the same one.
   //! \throws Invalid_input when there are fewer equalities than unknowns.
   template <SolverVisitor Visitor>
   Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const;
@@ -76,7 +78,8 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
   Summary summary;
   internal::Run_control control(visitor, m_options);
-  std::vector<typename Solution_set::Solution> solutions = internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
+  std::vector<typename Solution_set::Solution> solutions =
+      internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;
@@ -100,7 +103,8 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 /*!
 \ingroup PkgSplineConstraintsDSolver
 the system of constraints between the unknowns of one call of `unknowns()`, with their conditions.
-\throws Invalid_input when the constraints use unknowns of different calls, or none; and as `Constraint::spline_function()`.
+\throws Invalid_input when the constraints use unknowns of different calls, or none; and as
+`Constraint::spline_function()`.
 */
 inline Constraint_system_d make_system(std::span<const Constraint> constraints)
 {

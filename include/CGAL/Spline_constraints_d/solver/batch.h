@@ -24,8 +24,9 @@ namespace Spline_constraints {
 
 namespace internal {
 
-// Calls task(i) for i = 0, ..., count - 1, each once, in order or in parallel. An `Invalid_input` is thrown on with the index in front: that of the smallest index, whatever the
-// order in time, so that tasks of larger ones may be left out then.
+// Calls task(i) for i = 0, ..., count - 1, each once, in order or in parallel. An `Invalid_input` is thrown on with the
+// index in front: that of the smallest index, whatever the order in time, so that tasks of larger ones may be left out
+// then.
 template <class Concurrency_tag, class Task>
 void for_each_of_batch(std::size_t count, const Task& task)
 {
@@ -55,15 +56,19 @@ void for_each_of_batch(std::size_t count, const Task& task)
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all solutions of each of many systems, with the default solver: the answers of `solve()` for one system at a time, in the order of the systems.
+all solutions of each of many systems, with the default solver: the answers of `solve()` for one system at a time, in
+the order of the systems.
 
-The systems may differ in everything. They are independent of each other, so with `CGAL::Parallel_tag` whole systems are handed to the threads; the answers are the same.
-This is faster than solving each with all threads when systems are small. A time limit or a node limit counts for each system alone, not for the batch.
+The systems may differ in everything. They are independent of each other, so with `CGAL::Parallel_tag` whole systems are
+handed to the threads; the answers are the same. This is faster than solving each with all threads when systems are
+small. A time limit or a node limit counts for each system alone, not for the batch.
 
-\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all cores through TBB.
-\tparam Range a random access range of `Constraint_system_d`. With more than one thread, several elements are accessed at the same time.
-\throws Invalid_input when that is thrown for a system, or an option makes no sense; the message names the index of the system, the smallest one if there are several.
-There are no answers then.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all
+cores through TBB.
+\tparam Range a random access range of `Constraint_system_d`. With more than one thread, several elements are accessed
+at the same time.
+\throws Invalid_input when that is thrown for a system, or an option makes no sense; the message names the index of the
+system, the smallest one if there are several. There are no answers then.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::random_access_range Range>
   requires std::ranges::sized_range<Range> && std::same_as<std::ranges::range_value_t<Range>, Constraint_system_d>

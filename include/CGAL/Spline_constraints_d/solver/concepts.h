@@ -33,11 +33,12 @@ concept Reduction =
 
 //! \ingroup PkgSplineConstraintsDConcepts
 //! rates the axes of a node for the next split.
-template <class T>
-concept Splitter = std::default_initializable<T> &&
-                   requires(T splitter, Node_view& node, const std::vector<double>& widths, std::vector<double>& rating) {
-                     splitter.rate(node, widths, rating);
-                   };
+  template <class T>
+  concept Splitter = std::default_initializable<T> &&
+      requires(T splitter, Node_view& node, const std::vector<double>& widths, std::vector<double>& rating)
+  {
+    splitter.rate(node, widths, rating);
+  };
 
 //! \ingroup PkgSplineConstraintsDConcepts
 //! bundles the number type and the policies of a solver.

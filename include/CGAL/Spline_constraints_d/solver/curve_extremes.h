@@ -32,14 +32,18 @@ What is proved of a point where a quantity is stationary along a curve of soluti
 enum class Curve_extreme_kind {
   MAXIMUM,    ///< a local maximum: the quantity is smaller on both sides
   MINIMUM,    ///< a local minimum
-  UNDECIDED   ///< neither is proved: a singular point of the curve, a point where the second derivative is zero as well, or an answer of the solver that is not certified
+  /// neither is proved: a singular point of the curve, a point where the second derivative is zero as well, or an
+  /// answer of the solver that is not certified
+  UNDECIDED
 };
 
 //! \ingroup PkgSplineConstraintsDSolver
 //! writes `maximum`, `minimum` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Curve_extreme_kind kind)
 {
-  return out << (kind == Curve_extreme_kind::MAXIMUM ? "maximum" : kind == Curve_extreme_kind::MINIMUM ? "minimum" : "undecided");
+  return out << (kind == Curve_extreme_kind::MAXIMUM       ? "maximum"
+                     : kind == Curve_extreme_kind::MINIMUM ? "minimum"
+                                                           : "undecided");
 }
 
 /*!
@@ -65,7 +69,10 @@ struct Curve_extremes_d
 
 namespace internal {
 
-inline Expression left_side(const Constraint& constraint) { return Expression(constraint.function, Monomial(), constraint.symbols); }
+inline Expression left_side(const Constraint& constraint)
+{
+  return Expression(constraint.function, Monomial(), constraint.symbols);
+}
 
 // By expansion along the first row.
 inline Expression determinant_of(const std::vector<std::vector<Expression>>& matrix)
@@ -90,7 +97,8 @@ class Curve_quantity
   std::vector<Expression> m_tangent;   // as fast as the gradients of the equations are long
 
 public:
-  Curve_quantity(std::span<const Constraint> constraints, const std::string& name) : m_constraints(constraints.begin(), constraints.end())
+  Curve_quantity(std::span<const Constraint> constraints, const std::string& name)
+    : m_constraints(constraints.begin(), constraints.end())
   {
     const std::size_t n = common_domains(constraints).size();
     std::vector<Expression> equations;
@@ -102,7 +110,8 @@ public:
         equations.push_back(left_side(constraint));
     }
     if (equations.size() + 1 != n)
-      throw Invalid_input(name + ": " + std::to_string(equations.size()) + " equalities for " + std::to_string(n) + " unknowns");
+      throw Invalid_input(name + ": " + std::to_string(equations.size()) + " equalities for " + std::to_string(n) +
+                          " unknowns");
     make_tangent(equations);
   }
 
@@ -123,10 +132,12 @@ public:
   {
     std::vector<Constraint> constraints = m_constraints;
     constraints.push_back(rate == 0);
-    const Solution_set_d<double> solutions = Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
+    const Solution_set_d<double> solutions =
+        Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
     Curve_extremes_d result{{}, solutions.summary()};
     for (const Solution_d<double>& solution : solutions)
-      result.extremes.push_back({solution.is_certified() ? kind(rate, solution.exact_box()) : Curve_extreme_kind::UNDECIDED, solution});
+      result.extremes.push_back(
+          {solution.is_certified() ? kind(rate, solution.exact_box()) : Curve_extreme_kind::UNDECIDED, solution});
     return result;
   }
 
@@ -158,8 +169,12 @@ private:
       still.emplace_back(NT(lower, upper), NT(0), NT(0));
     }
     for (std::size_t j = 0; j < box.size(); ++j)
-      moving.emplace_back(still[j].value, expression_value(m_tangent[j], std::span<const Exact_rational>(place), std::span<const Jet<NT>>(still)).value, NT(0));
-    const CGAL::Uncertain<CGAL::Sign> sign = expression_value(rate, std::span<const Exact_rational>(place), std::span<const Jet<NT>>(moving)).first.sign();
+      moving.emplace_back(
+          still[j].value,
+          expression_value(m_tangent[j], std::span<const Exact_rational>(place), std::span<const Jet<NT>>(still)).value,
+          NT(0));
+    const CGAL::Uncertain<CGAL::Sign> sign =
+        expression_value(rate, std::span<const Exact_rational>(place), std::span<const Jet<NT>>(moving)).first.sign();
     if (CGAL::certainly(sign == CGAL::NEGATIVE))
       return Curve_extreme_kind::MAXIMUM;
     return CGAL::certainly(sign == CGAL::POSITIVE) ? Curve_extreme_kind::MINIMUM : Curve_extreme_kind::UNDECIDED;
@@ -171,19 +186,23 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all turning points of the curves of solutions: points where an unknown is stationary along the curve. They solve the equations together with the one that says that the tangent has no component in that direction: a minor of the
-Jacobian is zero. The sign of the second derivative, over the box of the solution, tells maxima from minima.
+all turning points of the curves of solutions: points where an unknown is stationary along the curve. They solve the
+equations together with the one that says that the tangent has no component in that direction: a minor of the Jacobian
+is zero. The sign of the second derivative, over the box of the solution, tells maxima from minima.
 
-Singular points of the curves are solutions as well, and undecided. If the unknown is constant on a whole curve, that curve is what the solver reports of a continuum.
+Singular points of the curves are solutions as well, and undecided. If the unknown is constant on a whole curve, that
+curve is what the solver reports of a continuum.
 
 \param constraints the constraints; one equality less than unknowns. Inequalities hold for the points.
 \param u the unknown.
 \param options those of the solver.
-\throws Invalid_input as `make_system()`; when the number of equalities is another one, the unknown comes from another call of `unknowns()`, or the derivative of a spline jumps.
+\throws Invalid_input as `make_system()`; when the number of equalities is another one, the unknown comes from another
+call of `unknowns()`, or the derivative of a spline jumps.
 
 Complexity: that of the solver, for equations of \f$n-1\f$ times the degree.
 */
-inline Curve_extremes_d turning_points(std::span<const Constraint> constraints, const Unknown& u, const Solver_options& options = {})
+inline Curve_extremes_d turning_points(std::span<const Constraint> constraints, const Unknown& u,
+                                       const Solver_options& options = {})
 {
   const internal::Curve_quantity quantity(constraints, "turning_points");
   internal::common_symbols(quantity.unknowns().front().symbols(), u.symbols());
@@ -197,7 +216,8 @@ inline Expression rate_of_signed_curvature(const Curve_quantity& curve)
 {
   const Expression &f_y = curve.tangent()[0], f_x = -curve.tangent()[1];
   const auto by = [&](const Expression& formula, std::size_t i) { return derivative(formula, curve.unknowns()[i]); };
-  const Expression k = by(f_x, 0) * square(f_y) - 2 * by(f_x, 1) * f_x * f_y + by(f_y, 1) * square(f_x), d = square(f_x) + square(f_y);
+  const Expression k = by(f_x, 0) * square(f_y) - 2 * by(f_x, 1) * f_x * f_y + by(f_y, 1) * square(f_x),
+                   d = square(f_x) + square(f_y);
   return 2 * d * curve.derivative_along(k) - 3 * k * curve.derivative_along(d);
 }
 
@@ -220,26 +240,36 @@ inline Expression rate_of_squared_curvature(const Curve_quantity& curve)
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all points of curves where their curvature is stationary: the vertices of a plane curve \f$F(x,y) = 0\f$, or those of curves in space.
+all points of curves where their curvature is stationary: the vertices of a plane curve \f$F(x,y) = 0\f$, or those of
+curves in space.
 
-With \f$K = F_{xx} F_y^2 - 2 F_{xy} F_x F_y + F_{yy} F_x^2\f$ and \f$D = F_x^2 + F_y^2\f$ the curvature in the plane is \f$K / D^{3/2}\f$, positive where
-\f$F < 0\f$ is convex: a maximum is one of this, so where it is negative the curve bends least there. The equation is \f$2 D K' = 3 K D'\f$, with derivatives along the curve; at its zeros the sign of its own derivative tells maxima from minima.
+With \f$K = F_{xx} F_y^2 - 2 F_{xy} F_x F_y + F_{yy} F_x^2\f$ and \f$D = F_x^2 + F_y^2\f$ the curvature in the plane is
+\f$K / D^{3/2}\f$, positive where
+\f$F < 0\f$ is convex: a maximum is one of this, so where it is negative the curve bends least there. The equation is
+\f$2 D K' = 3 K D'\f$, with derivatives along the curve; at its zeros the sign of its own derivative tells maxima from
+minima.
 
-In three and more unknowns, with the tangent \f$T\f$ of cofactors of the Jacobian, \f$D = |T|^2\f$ and \f$N = D\,|T'|^2 - \langle T, T'\rangle^2\f$, the squared curvature is \f$N / D^3\f$, and the equation \f$D N' = 3 N D'\f$; the curvature itself has no sign, and points where it is zero are minima.
+In three and more unknowns, with the tangent \f$T\f$ of cofactors of the Jacobian, \f$D = |T|^2\f$ and \f$N = D\,|T'|^2
+- \langle T, T'\rangle^2\f$, the squared curvature is \f$N / D^3\f$, and the equation \f$D N' = 3 N D'\f$; the curvature
+itself has no sign, and points where it is zero are minima.
 
-Singular points of the curves are solutions as well, and undecided. Circles and straight lines are what the solver reports of a continuum.
+Singular points of the curves are solutions as well, and undecided. Circles and straight lines are what the solver
+reports of a continuum.
 
 \param constraints the constraints; one equality less than unknowns. Inequalities hold for the points.
 \param options those of the solver.
-\throws Invalid_input as `make_system()`; when the number of equalities is another one, or one of the first three derivatives of a spline jumps.
+\throws Invalid_input as `make_system()`; when the number of equalities is another one, or one of the first three
+derivatives of a spline jumps.
 
-Complexity: that of the solver, for an equation of about five times the degree in the plane, and nine times the degree of the tangent in space.
+Complexity: that of the solver, for an equation of about five times the degree in the plane, and nine times the degree
+of the tangent in space.
 */
 inline Curve_extremes_d curvature_extremes(std::span<const Constraint> constraints, const Solver_options& options = {})
 {
   const internal::Curve_quantity curve(constraints, "curvature_extremes");
   const bool is_plane = curve.unknowns().size() == 2;
-  return curve.stationary_points(is_plane ? internal::rate_of_signed_curvature(curve) : internal::rate_of_squared_curvature(curve), options);
+  return curve.stationary_points(
+      is_plane ? internal::rate_of_signed_curvature(curve) : internal::rate_of_squared_curvature(curve), options);
 }
 
 } // namespace Spline_constraints

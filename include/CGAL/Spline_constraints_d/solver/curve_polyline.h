@@ -46,11 +46,15 @@ class Curve_sampler
   std::unique_ptr<Curve_sampler> m_simpler;   // of the system with simple factors, when it was needed
 
 public:
-  explicit Curve_sampler(const Constraint_system_d& system) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout) {}
+  explicit Curve_sampler(const Constraint_system_d& system)
+    : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout)
+  {}
 
-  // Appends the samples of a piece behind `from`, until each chord is one by `is_chord(from, sample of the curve between, to)`; `to` is the last one.
+  // Appends the samples of a piece behind `from`, until each chord is one by `is_chord(from, sample of the curve
+  // between, to)`; `to` is the last one.
   template <class Image, class Image_of, class Is_chord>
-  void append(std::vector<Curve_sample<Image>>& samples, const Curve_piece& piece, const Curve_sample<Image>& from, const Curve_sample<Image>& to, const Image_of& image_of, const Is_chord& is_chord, int depth = 0)
+  void append(std::vector<Curve_sample<Image>>& samples, const Curve_piece& piece, const Curve_sample<Image>& from,
+              const Curve_sample<Image>& to, const Image_of& image_of, const Is_chord& is_chord, int depth = 0)
   {
     constexpr int least_depth = 1, most_depth = 20;
     if (piece.parameter < 0) {
@@ -73,7 +77,8 @@ public:
 private:
   int n() const { return m_system.dimension(); }
 
-  // The point of a piece with the same parameter as one near it. Where Newton's method does not find it, the solver does.
+  // The point of a piece with the same parameter as one near it. Where Newton's method does not find it, the solver
+  // does.
   Point on_curve(const Curve_piece& piece, const Point& near)
   {
     Point result = near;
@@ -85,7 +90,8 @@ private:
       return result;
     if (Curve_sampler* const sampler = has_moved ? nullptr : simpler())
       return sampler->on_curve(piece, near);
-    const auto slice = Subdivision_solver_d<Certified_solver_traits>()(on_plane(m_system, piece.box, piece.parameter, Exact_rational(near[piece.parameter])));
+    const auto slice = Subdivision_solver_d<Certified_solver_traits>()(
+        on_plane(m_system, piece.box, piece.parameter, Exact_rational(near[piece.parameter])));
     if (slice.empty())
       return near;   // beside the end of the piece, since the ends are rounded
     result = slice.begin()->point();
@@ -136,7 +142,8 @@ private:
       }
       for (std::size_t i = 0; i + 1 < length; ++i)
         rows[i * length + length - 1] = values[i];
-      const std::vector<int> row_of = gauss_jordan(rows, length, length - 1, length - 1, [](double x) { return std::abs(x); });
+      const std::vector<int> row_of =
+          gauss_jordan(rows, length, length - 1, length - 1, [](double x) { return std::abs(x); });
       if (row_of.empty())
         return false;
       double longest = 0;
@@ -148,7 +155,8 @@ private:
         }
       if (!std::isfinite(longest))
         return false;
-      const double next = step == 0 ? longest : longest * (longest / last);   // if steps become shorter at the same rate; they do so faster
+      // if steps become shorter at the same rate; they do so faster
+      const double next = step == 0 ? longest : longest * (longest / last);
       if (next <= 0x1p-50 * (std::max)(size, 0x1p-20))
         return true;
       last = longest;
@@ -156,7 +164,8 @@ private:
     return false;
   }
 
-  // Makes values in a cell cheap: exact ones take several times as long, and those with 127 bits are more than doubles need.
+  // Makes values in a cell cheap: exact ones take several times as long, and those with 127 bits are more than doubles
+  // need.
   void enter(const Cell& cell)
   {
     m_cell = cell;
@@ -180,7 +189,9 @@ private:
     m_source.evaluate_closely(cell, std::span<const double>(point), m_values);
     std::vector<double> result;
     for (const Exact_source::Value& value : m_values)
-      result.push_back(std::ldexp(value.mantissa, static_cast<int>((std::max)(-largest_exponent, (std::min)(value.exponent, largest_exponent)))));
+      result.push_back(
+          std::ldexp(value.mantissa,
+                     static_cast<int>((std::max)(-largest_exponent, (std::min)(value.exponent, largest_exponent)))));
     return result;
   }
 };
@@ -209,9 +220,11 @@ double angle_between_chords(const Point& from, const Point& point, const Point& 
   return first == 0 || second == 0 ? 0 : std::acos((std::min)(1.0, (std::max)(-1.0, product / first / second)));
 }
 
-// Samples along a curve with their images by `image_of(unknowns)`, and a chord between each two by `is_chord(from, sample between, to)`.
+// Samples along a curve with their images by `image_of(unknowns)`, and a chord between each two by `is_chord(from,
+// sample between, to)`.
 template <class Image_of, class Is_chord>
-auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, const Image_of& image_of, const Is_chord& is_chord)
+auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve,
+                   const Image_of& image_of, const Is_chord& is_chord)
 {
   using Sample = Curve_sample<decltype(image_of(std::vector<double>()))>;
   const auto sample_at = [&](std::size_t vertex) {
@@ -230,25 +243,30 @@ auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-points along a curve of solutions: its vertices, and between them so many others that the curve passes the middle of each chord at no more than a given distance. Every one is a solution up to rounding:
-the points between vertices are found by Newton's method in the boxes of the pieces, where they are unique. The points of a closed curve begin and end with the same one. Pieces that
-end in a singular point, at most a sixtieth of the domain long, are one chord.
+points along a curve of solutions: its vertices, and between them so many others that the curve passes the middle of
+each chord at no more than a given distance. Every one is a solution up to rounding: the points between vertices are
+found by Newton's method in the boxes of the pieces, where they are unique. The points of a closed curve begin and end
+with the same one. Pieces that end in a singular point, at most a sixtieth of the domain long, are one chord.
 
 \param system the system that was solved.
 \param set its solutions.
 \param curve one of their curves.
 \param error the distance, in the space of the unknowns; positive.
-\param angle in radians, positive: the chords to a point of the curve between the ends of a chord, and from it, differ in direction by no more. So the chords on both sides of a point differ by about twice as much at most. By default the directions do not matter.
+\param angle in radians, positive: the chords to a point of the curve between the ends of a chord, and from it, differ
+in direction by no more. So the chords on both sides of a point differ by about twice as much at most. By default the
+directions do not matter.
 \throws Invalid_input when the distance or the angle is not positive.
 */
-inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double error, double angle = 4)
+inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set,
+                                                    const Solution_curve& curve, double error, double angle = 4)
 {
   internal::check_error(error, "to_polyline");
   if (!(angle > 0))
     throw Invalid_input("to_polyline: the angle must be positive");
   const auto nothing = [](const std::vector<double>&) { return 0; };
   const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
-    return internal::distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= error && internal::angle_between_chords(from.unknowns, sample.unknowns, to.unknowns) <= angle;
+    return internal::distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= error &&
+        internal::angle_between_chords(from.unknowns, sample.unknowns, to.unknowns) <= angle;
   };
   std::vector<std::vector<double>> result;
   for (const auto& sample : internal::curve_samples(system, set, curve, nothing, is_chord))

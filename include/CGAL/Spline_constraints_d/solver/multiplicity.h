@@ -58,7 +58,8 @@ inline std::vector<std::size_t> cells_at(const Spline_term& term, const std::vec
   return result;
 }
 
-inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const std::vector<Exact_rational>& point, int order, Taylor_terms& result)
+inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const std::vector<Exact_rational>& point,
+                             int order, Taylor_terms& result)
 {
   std::vector<Exact_rational> coefficients = term.pieces[cell];
   for (std::size_t j = 0; j < term.variables.size(); ++j)
@@ -76,7 +77,8 @@ inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const st
   }
 }
 
-// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces where they jump.
+// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces
+// where they jump.
 inline bool taylor_expansion(const Spline_function& function, const std::vector<Exact_rational>& point, int order,
                              Taylor_terms& result)
 {
@@ -174,7 +176,8 @@ public:
   }
 };
 
-// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break between pieces where derivatives up to this order jump.
+// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break
+// between pieces where derivatives up to this order jump.
 inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
                             const std::vector<std::vector<int>>& exponents, std::vector<std::vector<Big_integer>>& rows)
 {
@@ -207,8 +210,9 @@ inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector
   return true;
 }
 
-// Whether the rank of the matrix is at most `rank`, which it is modulo some prime: a larger minor would be divisible by every prime modulo which the rank is
-// the same, and Hadamard's bound ends that. Gives up (false) when that takes too many primes.
+// Whether the rank of the matrix is at most `rank`, which it is modulo some prime: a larger minor would be divisible by
+// every prime modulo which the rank is the same, and Hadamard's bound ends that. Gives up (false) when that takes too
+// many primes.
 inline bool rank_is_at_most(const std::vector<std::vector<Big_integer>>& rows, std::size_t rank, Prime_sequence primes)
 {
   std::vector<long> bits;   // of the row norms
@@ -246,10 +250,13 @@ struct Local_structure
 
 Whether a rational solution of the equalities is isolated, and its multiplicity, in exact arithmetic.
 
-The nullity of the Macaulay matrix of order \f$\alpha\f$ (all \f$x^\beta f_i\f$, truncated at total degree \f$\alpha\f$ around the point) grows with \f$\alpha\f$ until it reaches the
-multiplicity and stays there exactly when the point is isolated, over any field (Dayton, Zeng 2005). Ranks modulo a prime bound the true ones from below: nullities that
-stay constant modulo a prime prove isolation, and so many primes that Hadamard's bound is passed prove the multiplicity. Orders up to 500 columns are
-tried. A point on a break between pieces of a spline is decided if the derivatives up to the order that is needed do not jump there: what is proved is then true on all sides. On the first and the last break of an axis, the outermost pieces count as continued.
+The nullity of the Macaulay matrix of order \f$\alpha\f$ (all \f$x^\beta f_i\f$, truncated at total degree \f$\alpha\f$
+around the point) grows with \f$\alpha\f$ until it reaches the multiplicity and stays there exactly when the point is
+isolated, over any field (Dayton, Zeng 2005). Ranks modulo a prime bound the true ones from below: nullities that stay
+constant modulo a prime prove isolation, and so many primes that Hadamard's bound is passed prove the multiplicity.
+Orders up to 500 columns are tried. A point on a break between pieces of a spline is decided if the derivatives up to
+the order that is needed do not jump there: what is proved is then true on all sides. On the first and the last break of
+an axis, the outermost pieces count as continued.
 */
 inline Local_structure local_structure(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
 {

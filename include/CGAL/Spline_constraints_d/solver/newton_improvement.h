@@ -27,14 +27,22 @@ namespace Spline_constraints {
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-Why `improve_point()` stopped. The step is the least-norm Newton step at the point; it is tiny when none of its entries exceeds \f$2^{-50}\f$ times the largest
-coordinate.
+Why `improve_point()` stopped. The step is the least-norm Newton step at the point; it is tiny when none of its entries
+exceeds \f$2^{-50}\f$ times the largest coordinate.
 */
 enum class Newton_status {
-  CONVERGED,       ///< all equalities vanish exactly; or no entry of the step exceeds a unit in the last place of its coordinate, or \f$2^{-80}\f$ times the largest coordinate; or the step is tiny and lowers the residual no further
-  STAGNATED,       ///< the step is not tiny, and neither it nor any of its halves down to \f$2^{-12}\f$ lowers the residual as a linear function would by half
-  SINGULAR,        ///< the Jacobian, rows scaled to largest entry 1, has smaller numerical rank than there are equalities, or the step overflows
-  LEFT_DOMAIN,     ///< the step is not tiny, even its \f$2^{-12}\f$-th part leads out of the domain, and no step along the faces that the point lies on lowers the residual so
+  /// all equalities vanish exactly; or no entry of the step exceeds a unit in the last place of its coordinate, or
+  /// \f$2^{-80}\f$ times the largest coordinate; or the step is tiny and lowers the residual no further
+  CONVERGED,
+  /// the step is not tiny, and neither it nor any of its halves down to \f$2^{-12}\f$ lowers the residual as a linear
+  /// function would by half
+  STAGNATED,
+  /// the Jacobian, rows scaled to largest entry 1, has smaller numerical rank than there are equalities, or the step
+  /// overflows
+  SINGULAR,
+  /// the step is not tiny, even its \f$2^{-12}\f$-th part leads out of the domain, and no step along the faces that the
+  /// point lies on lowers the residual so
+  LEFT_DOMAIN,
   ITERATION_LIMIT  ///< none of these after `Newton_options::maximal_iterations` steps
 };
 
@@ -53,7 +61,8 @@ struct Newton_options
   //! most steps that are taken.
   int maximal_iterations = 100;
 
-  //! the Jacobian has the rank of the number of pivots of its rank-revealing QR decomposition above this multiple of the largest one.
+  //! the Jacobian has the rank of the number of pivots of its rank-revealing QR decomposition above this multiple of
+  //! the largest one.
   double rank_tolerance = 1e-13;
 
   //! \throws Invalid_input when a value makes no sense.
@@ -74,16 +83,20 @@ struct Newton_result
 {
   std::vector<double> point;    ///< in the domain
   Newton_status status = Newton_status::ITERATION_LIMIT;
-  double residual = 0;          ///< the largest absolute value of an equality at the point, evaluated exactly and rounded
+  /// the largest absolute value of an equality at the point, evaluated exactly and rounded
+  double residual = 0;
   int iterations = 0;           ///< steps taken
 };
 
 namespace internal {
 
-// Value and derivatives of a function by all unknowns of a system at a point of the domain; at a break those from the right.
-inline Value_and_gradient<Exact_rational> exact_value_and_gradient(const Spline_function& function, const std::vector<Exact_rational>& point)
+// Value and derivatives of a function by all unknowns of a system at a point of the domain; at a break those from the
+// right.
+inline Value_and_gradient<Exact_rational> exact_value_and_gradient(const Spline_function& function,
+                                                                   const std::vector<Exact_rational>& point)
 {
-  Value_and_gradient<Exact_rational> result{Exact_rational(0), std::vector<Exact_rational>(point.size(), Exact_rational(0))};
+  Value_and_gradient<Exact_rational> result{Exact_rational(0),
+                                            std::vector<Exact_rational>(point.size(), Exact_rational(0))};
   for (const Spline_term& term : function.terms()) {
     std::size_t cell = 0;
     Contraction_weights<Exact_rational> weights;
@@ -108,8 +121,9 @@ inline Value_and_gradient<Exact_rational> exact_value_and_gradient(const Spline_
 }
 
 /*
-The iteration of improve_point(). Values and derivatives are exact and rounded only after row i has been divided by its largest derivative m_scale[i]: the residual
-f_i / m_scale[i] is a length, a first-order bound from below on the distance to the zero set of f_i, and nothing overflows.
+The iteration of improve_point(). Values and derivatives are exact and rounded only after row i has been divided by its
+largest derivative m_scale[i]: the residual f_i / m_scale[i] is a length, a first-order bound from below on the distance
+to the zero set of f_i, and nothing overflows.
 */
 class Newton_iteration
 {
@@ -127,8 +141,8 @@ class Newton_iteration
 
 public:
   Newton_iteration(const Constraint_system_d& system, const Newton_options& options)
-    : m_system(system), m_rank_tolerance(options.rank_tolerance), m_unknowns(system.dimension()), m_equalities(system.equalities().size()),
-      m_jacobian(m_equalities, m_unknowns), m_residual(m_equalities)
+    : m_system(system), m_rank_tolerance(options.rank_tolerance), m_unknowns(system.dimension()),
+      m_equalities(system.equalities().size()), m_jacobian(m_equalities, m_unknowns), m_residual(m_equalities)
   {
     for (std::size_t j = 0; j < m_unknowns; ++j) {
       const auto& [lower, upper] = system.domain(static_cast<int>(j));
@@ -183,7 +197,8 @@ private:
     return is_inside(*step * 0x1p-12) ? Newton_status::STAGNATED : Newton_status::LEFT_DOMAIN;
   }
 
-  // Jacobian and residuals at the point, rows divided by their largest derivatives; false when all derivatives of a function vanish.
+  // Jacobian and residuals at the point, rows divided by their largest derivatives; false when all derivatives of a
+  // function vanish.
   bool linearise()
   {
     m_scale.clear();
@@ -202,7 +217,8 @@ private:
     return m_residual.allFinite();
   }
 
-  // The shortest step to the zero of the linearisation that leaves the held unknowns alone (seed 000, Section 2.2); none when there are fewer independent rows than rows.
+  // The shortest step to the zero of the linearisation that leaves the held unknowns alone (seed 000, Section 2.2);
+  // none when there are fewer independent rows than rows.
   std::optional<Vector> least_norm_step(const std::vector<bool>& is_held) const
   {
     Eigen::MatrixXd jacobian = m_jacobian;
@@ -234,7 +250,8 @@ private:
     return step;
   }
 
-  // Goes a part of a step, as far as the domain reaches, when this multiplies the norm of the residual by at most `factor`.
+  // Goes a part of a step, as far as the domain reaches, when this multiplies the norm of the residual by at most
+  // `factor`.
   bool try_step(const Vector& step, double part, double factor)
   {
     std::vector<double> target = m_point;
@@ -311,35 +328,42 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-Improves an approximate solution of the equalities of a system to the full precision of doubles by Newton-Raphson iteration (seed 000, Section 2.2). With fewer
-equalities than unknowns each step is the shortest one to the zero set of the linearised functions, by a rank-revealing complete orthogonal decomposition:
-the result is, up to second order in the distance, the point of the solution set closest to the start.
+Improves an approximate solution of the equalities of a system to the full precision of doubles by Newton-Raphson
+iteration (seed 000, Section 2.2). With fewer equalities than unknowns each step is the shortest one to the zero set of
+the linearised functions, by a rank-revealing complete orthogonal decomposition: the result is, up to second order in
+the distance, the point of the solution set closest to the start.
 
-This is a tool of approximation: *nothing is certified*, neither that a solution is near the result nor that the result belongs to the start. It converges quadratically to
-regular solutions and linearly to others, as far as these are reached at all; steps are halved until they lower the residual. Values and derivatives are exact and rounded
-once, so that the last place of the result does not suffer from cancellation.
+This is a tool of approximation: *nothing is certified*, neither that a solution is near the result nor that the result
+belongs to the start. It converges quadratically to regular solutions and linearly to others, as far as these are
+reached at all; steps are halved until they lower the residual. Values and derivatives are exact and rounded once, so
+that the last place of the result does not suffer from cancellation.
 
-*Domain.* The point never leaves the domain: a start outside of it is moved to the nearest point of it, a step ends coordinate by coordinate at the faces,
-and an unknown that is on a face from which the step points outward is held there while the others make a shortest step of their own.
-Inequalities are not looked at. At a break of a spline the derivative is the one from the right.
+*Domain.* The point never leaves the domain: a start outside of it is moved to the nearest point of it, a step ends
+coordinate by coordinate at the faces, and an unknown that is on a face from which the step points outward is held there
+while the others make a shortest step of their own. Inequalities are not looked at. At a break of a spline the
+derivative is the one from the right.
 
 \param system its equalities, at most as many as unknowns, are to vanish.
 \param start one finite number per unknown.
 \param options when to stop.
 \return the last point and what it is worth. Without equalities this is the start, moved into the domain.
-\throws Invalid_input when there are more equalities than unknowns, the start has the wrong size or an entry that is not finite, an option makes no sense, or there is no
-double in the domain of an unknown.
+\throws Invalid_input when there are more equalities than unknowns, the start has the wrong size or an entry that is not
+finite, an option makes no sense, or there is no double in the domain of an unknown.
 
-Complexity per step: an exact evaluation of each function with its derivatives, linear in its number of coefficients, and \f$O(m^2 n)\f$ for \f$m\f$ equalities in \f$n\f$ unknowns.
+Complexity per step: an exact evaluation of each function with its derivatives, linear in its number of coefficients,
+and \f$O(m^2 n)\f$ for \f$m\f$ equalities in \f$n\f$ unknowns.
 */
-inline Newton_result improve_point(const Constraint_system_d& system, std::vector<double> start, const Newton_options& options = {})
+inline Newton_result improve_point(const Constraint_system_d& system, std::vector<double> start,
+                                   const Newton_options& options = {})
 {
   options.check();
   const std::size_t unknowns = system.dimension();
   if (system.equalities().size() > unknowns)
-    throw Invalid_input("improve_point: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(unknowns) + " unknowns");
+    throw Invalid_input("improve_point: " + std::to_string(system.equalities().size()) + " equalities for " +
+                        std::to_string(unknowns) + " unknowns");
   if (start.size() != unknowns)
-    throw Invalid_input("improve_point: the start has " + std::to_string(start.size()) + " coordinates for " + std::to_string(unknowns) + " unknowns");
+    throw Invalid_input("improve_point: the start has " + std::to_string(start.size()) + " coordinates for " +
+                        std::to_string(unknowns) + " unknowns");
   for (std::size_t j = 0; j < unknowns; ++j)
     if (!std::isfinite(start[j]))
       throw Invalid_input("improve_point: coordinate " + std::to_string(j) + " of the start is not finite");

@@ -34,8 +34,9 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-The projected polyhedron of Sherbrooke and Patrikalakis (seed 002): seen along one axis, the graph of each equality lies in the convex hull
-of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that hull misses zero there is no solution.
+The projected polyhedron of Sherbrooke and Patrikalakis (seed 002): seen along one axis, the graph of each equality lies
+in the convex hull of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that hull misses
+zero there is no solution.
 
 About two passes over the coefficients. For a sum of terms on disjoint unknowns the hull is that of the expanded tensor.
 
@@ -71,14 +72,16 @@ private:
     for (std::size_t m = 0; m < block.functions.size() && block.functions[m] < node.equalities(); ++m) {
       const int f = block.functions[m];
       const std::size_t entry = block.first_error + m;
-      const double lower = node.lower(f), upper = node.upper(f), block_lower = node.block_lower(entry), block_upper = node.block_upper(entry);
+      const double lower = node.lower(f), upper = node.upper(f), block_lower = node.block_lower(entry),
+                   block_upper = node.block_upper(entry);
       const double size = std::abs(lower) + std::abs(upper) + std::abs(block_lower) + std::abs(block_upper);
       const double slack = node.errors()[entry] + internal::analysis_error * size;
       m_others.emplace_back(lower - block_lower - slack, upper - block_upper + slack);
     }
   }
 
-  bool contract_axis(const internal::Block& block, std::size_t axis, const double* lower, const double* upper, Local_box& box)
+  bool contract_axis(const internal::Block& block, std::size_t axis, const double* lower, const double* upper,
+                     Local_box& box)
   {
     const std::size_t members = block.functions.size();
     const int degree = block.degrees[axis];
@@ -101,11 +104,15 @@ private:
     return true;
   }
 
-  // The smallest t in [0,1] where the hull of the layers meets zero, seen from the first layer on (or from the last one back);
-  // 2 when it misses zero. The crossing is on an edge from a layer before the first that reaches zero to that one or a later one.
-  double crossing(int degree, std::size_t members, std::size_t member, double add_lower, double add_upper, bool is_reversed) const
+  // The smallest t in [0,1] where the hull of the layers meets zero, seen from the first layer on (or from the last one
+  // back);
+  // 2 when it misses zero. The crossing is on an edge from a layer before the first that reaches zero to that one or a
+  // later one.
+  double crossing(int degree, std::size_t members, std::size_t member, double add_lower, double add_upper,
+                  bool is_reversed) const
   {
-    const std::ptrdiff_t step = is_reversed ? -static_cast<std::ptrdiff_t>(members) : static_cast<std::ptrdiff_t>(members);
+    const std::ptrdiff_t step =
+        is_reversed ? -static_cast<std::ptrdiff_t>(members) : static_cast<std::ptrdiff_t>(members);
     const std::size_t first = member + (is_reversed ? degree * members : 0);
     const double *from_lower = m_lower + first, *from_upper = m_upper + first;
     const auto lower = [&](int k) { return from_lower[k * step] + add_lower; };
@@ -113,7 +120,8 @@ private:
     if (lower(0) <= 0 && upper(0) >= 0)
       return 0;
     const bool is_above = lower(0) > 0;
-    const auto distance = [&](int k) { return is_above ? lower(k) : -upper(k); };   // from zero, positive while on the side of layer 0
+    // from zero, positive while on the side of layer 0
+    const auto distance = [&](int k) { return is_above ? lower(k) : -upper(k); };
     int reaching = 1;
     while (reaching <= degree && distance(reaching) > 0)
       ++reaching;
@@ -137,13 +145,16 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine enclosures.
+The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine
+enclosures.
 
-The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
-and separable equations are never expanded. Where there is a complete inverse for as many equalities as unknowns, the image under the Newton operator \f$s - C f(s)\f$ is all that the preconditioned rows say of the whole node, and where that is a
-small part of it nothing else is asked. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks, some of these have several
-axes and, by counted operations, that costs no more than a split. A second sweep over the linear rows follows where
-anything was gained, since it is cheap beside a pass.
+The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node,
+so they come first; sparse and separable equations are never expanded. Where there is a complete inverse for as many
+equalities as unknowns, the image under the Newton operator \f$s - C f(s)\f$ is all that the preconditioned rows say of
+the whole node, and where that is a small part of it nothing else is asked. Where they leave no complete inverse, the
+control points of \f$C f\f$ are formed if all equalities share their blocks, some of these have several axes and, by
+counted operations, that costs no more than a split. A second sweep over the linear rows follows where anything was
+gained, since it is cheap beside a pass.
 
 \cgalModels{Reduction}
 */
@@ -156,7 +167,8 @@ public:
   //! contracts the box; `false` when it proves that no solution is left.
   bool contract(Node_view& node, Linear_enclosure& linear, Local_box& box)
   {
-    const bool has_image = linear.has_inverse() && linear.equations() == linear.dimension();   // all that the preconditioned rows say of the whole node
+    // all that the preconditioned rows say of the whole node
+    const bool has_image = linear.has_inverse() && linear.equations() == linear.dimension();
     if (has_image && !linear.contract_by_image(box))
       return false;
     if (has_image && is_small_part(box))
@@ -183,7 +195,8 @@ private:
     return true;
   }
 
-  // So much is gained, half of the width being left on the mean of the axes, that passes over the coefficients are better spent on what is left.
+  // So much is gained, half of the width being left on the mean of the axes, that passes over the coefficients are
+  // better spent on what is left.
   static bool is_small_part(const Local_box& box)
   {
     double volume = 1;

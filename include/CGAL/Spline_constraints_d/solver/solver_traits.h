@@ -19,7 +19,8 @@ namespace Spline_constraints {
 
 What a solver is made of: the number type it subdivides with and its three policies.
 
-\tparam tracks_rounding_ whether error bounds widen every test. Without, sign tests on rounded doubles can lose solutions.
+\tparam tracks_rounding_ whether error bounds widen every test. Without, sign tests on rounded doubles can lose
+solutions.
 
 \cgalModels{ConstraintSolverTraits}
 */
@@ -35,12 +36,13 @@ struct Solver_traits
 };
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! plain doubles: the rounding of the subdivision is ignored, so solutions may be missed where it matters, and `is_complete()` proves nothing. The solutions that
-//! are found are certified with all errors.
+//! plain doubles: the rounding of the subdivision is ignored, so solutions may be missed where it matters, and
+//! `is_complete()` proves nothing. The solutions that are found are certified with all errors.
 using Fast_solver_traits = Solver_traits<double, Graph_box_test, Preconditioned_reduction, Smear_splitter, false>;
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! doubles with a bound on their rounding error, rebuilt from the exact functions where the bound becomes visible. The default.
+//! doubles with a bound on their rounding error, rebuilt from the exact functions where the bound becomes visible. The
+//! default.
 using Certified_solver_traits = Solver_traits<double>;
 
 //! \ingroup PkgSplineConstraintsDSolver

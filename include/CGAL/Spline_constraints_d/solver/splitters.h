@@ -23,7 +23,8 @@ Splits where the equations vary most: the axis with the largest sum over the equ
 class Smear_splitter
 {
 public:
-  //! rates the axes: the solver splits the one with the largest value that can still be split. `widths` are relative to the domain.
+  //! rates the axes: the solver splits the one with the largest value that can still be split. `widths` are relative to
+  //! the domain.
   void rate(Node_view& node, const std::vector<double>&, std::vector<double>& rating)
   {
     const int n = node.dimension();

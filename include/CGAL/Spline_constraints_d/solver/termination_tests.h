@@ -19,9 +19,10 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-Fills `bounds` with an \f$n \times n\f$ bound (row-major) on \f$|I - C\,J|\f$ over all Jacobians \f$J\f$ that the derivative bounds of the node allow, in the node's local
-coordinates, and returns the largest row sum; infinite when there is no approximate inverse \f$C\f$. Below one, \f$s \mapsto s - C f(s)\f$ is a contraction of
-the node: it holds at most one solution, and \f$C\f$ is regular. Costs a pass over the coefficients per unknown, then \f$O(n^3)\f$.
+Fills `bounds` with an \f$n \times n\f$ bound (row-major) on \f$|I - C\,J|\f$ over all Jacobians \f$J\f$ that the
+derivative bounds of the node allow, in the node's local coordinates, and returns the largest row sum; infinite when
+there is no approximate inverse \f$C\f$. Below one, \f$s \mapsto s - C f(s)\f$ is a contraction of the node: it holds at
+most one solution, and \f$C\f$ is regular. Costs a pass over the coefficients per unknown, then \f$O(n^3)\f$.
 */
 inline double contraction_bound(Node_view& node, const Linear_enclosure& linear, std::vector<double>& bounds)
 {
@@ -72,10 +73,11 @@ public:
 
 The normal-cone test of Elber and Kim (seed 000, Theorem 1), decided by the dual hyperplanes of Hanniel and Elber.
 
-Each equality gets a cone \f$(v_i, \alpha_i)\f$ around all its gradients: \f$v_i\f$ is the mean direction of the gradient's control vectors, \f$\alpha_i\f$ the
-largest angle to one of them (for a sum of terms: the ball around the sum of the means that the deviations of the terms add up to). The
-tangent cones meet in the origin alone when all vertices of the parallelepiped \f$|\langle x, v_i\rangle| \le \sin\alpha_i\f$ lie inside the unit ball. Proves uniqueness only, and
-is weaker than the graph box from four unknowns on. \f$2^{n-1}\f$ vertices up to `n = 12`, a norm bound beyond.
+Each equality gets a cone \f$(v_i, \alpha_i)\f$ around all its gradients: \f$v_i\f$ is the mean direction of the
+gradient's control vectors, \f$\alpha_i\f$ the largest angle to one of them (for a sum of terms: the ball around the sum
+of the means that the deviations of the terms add up to). The tangent cones meet in the origin alone when all vertices
+of the parallelepiped \f$|\langle x, v_i\rangle| \le \sin\alpha_i\f$ lie inside the unit ball. Proves uniqueness only,
+and is weaker than the graph box from four unknowns on. \f$2^{n-1}\f$ vertices up to `n = 12`, a norm bound beyond.
 
 \cgalModels{TerminationTest}
 */
@@ -100,10 +102,12 @@ public:
 
 private:
   bool bound_normals(Node_view& node, int function);
-  bool bound_by_control_vectors(Node_view& node, const internal::Block& block, std::size_t member, double* axis, double& sine);
+  bool bound_by_control_vectors(Node_view& node, const internal::Block& block, std::size_t member, double* axis,
+                                double& sine);
   bool bound_by_ball(Node_view& node, int function, double* axis, double& sine);
   template <class Visitor>
-  void visit_control_vectors(const Node_view& node, const internal::Block& block, std::size_t member, const Visitor& visit);
+  void visit_control_vectors(const Node_view& node, const internal::Block& block, std::size_t member,
+                             const Visitor& visit);
   bool tangent_cones_meet_in_origin(int n);
 };
 
@@ -123,8 +127,8 @@ inline bool Normal_cone_test::bound_normals(Node_view& node, int function)
                      : bound_by_ball(node, function, axis, m_sines[function]);
 }
 
-// Calls visit(g) with every control vector g of the gradient on the block's own basis: along an axis of degree d, the derivative raised
-// to degree d again has the coefficients k (b_k - b_{k-1}) + (d - k)(b_{k+1} - b_k).
+// Calls visit(g) with every control vector g of the gradient on the block's own basis: along an axis of degree d, the
+// derivative raised to degree d again has the coefficients k (b_k - b_{k-1}) + (d - k)(b_{k+1} - b_k).
 template <class Visitor>
 void Normal_cone_test::visit_control_vectors(const Node_view& node, const internal::Block& block, std::size_t member,
                                              const Visitor& visit)
@@ -146,8 +150,8 @@ void Normal_cone_test::visit_control_vectors(const Node_view& node, const intern
   }
 }
 
-inline bool Normal_cone_test::bound_by_control_vectors(Node_view& node, const internal::Block& block, std::size_t member,
-                                                       double* axis, double& sine)
+inline bool Normal_cone_test::bound_by_control_vectors(Node_view& node, const internal::Block& block,
+                                                       std::size_t member, double* axis, double& sine)
 {
   const std::size_t axes = block.axes.size(), entry = block.first_error + member;
   const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));

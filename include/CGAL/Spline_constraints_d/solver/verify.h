@@ -22,10 +22,12 @@ namespace internal {
 namespace verification {
 
 /*
-Proves that all points of a segment are solutions, and satisfy the inequalities or are limits of points that do. Between breaks an equality is a polynomial along the segment, of at most the sum of
-its degrees: it is zero when it has one zero more than that.
+Proves that all points of a segment are solutions, and satisfy the inequalities or are limits of points that do. Between
+breaks an equality is a polynomial along the segment, of at most the sum of its degrees: it is zero when it has one zero
+more than that.
 */
-inline bool is_segment_of_solutions(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& ends)
+inline bool is_segment_of_solutions(const Constraint_system_d& system,
+                                    const std::vector<std::vector<Exact_rational>>& ends)
 {
   const std::size_t n = ends[0].size();
   const auto box_between = [&](const Exact_rational& t0, const Exact_rational& t1) {
@@ -57,7 +59,10 @@ inline bool is_segment_of_solutions(const Constraint_system_d& system, const std
     }
   constexpr int parts = 16;
   for (int k = 0; k < parts; ++k)
-    if (!is_admissible(system, box_between(Exact_rational(k) / Exact_rational(parts), Exact_rational(k + 1) / Exact_rational(parts)), true))
+    if (!is_admissible(
+            system,
+            box_between(Exact_rational(k) / Exact_rational(parts), Exact_rational(k + 1) / Exact_rational(parts)),
+            true))
       return false;
   return true;
 }
@@ -68,39 +73,53 @@ inline bool is_segment_of_solutions(const Constraint_system_d& system, const std
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-proves one answer of the solver once more, from the system and the box of the answer alone, in exact rational arithmetic and sharing no code with the
-subdivision. `true` only when the proof succeeds; `false` says nothing about the system, but no certified answer of the solver is expected to give it.
+proves one answer of the solver once more, from the system and the box of the answer alone, in exact rational arithmetic
+and sharing no code with the subdivision. `true` only when the proof succeeds; `false` says nothing about the system,
+but no certified answer of the solver is expected to give it.
 
-A *certified* answer with the box \f$B\f$: let \f$y\f$ be the middle and \f$r\f$ the radius of \f$B\f$, \f$J\f$ a set of matrices whose convex hull holds the derivatives on
-\f$B\f$ of all pieces of the equalities \f$F\f$, and \f$C\f$ any matrix, here the inverse of a matrix amid \f$J\f$ in rationals of 128 bits. \f$I - C J\f$ is bounded by the coefficients of
-\f$C F\f$ in Taylor's formula at the middle of each part of \f$B\f$ between breaks; equations that nearly coincide cancel in them. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
-a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
+A *certified* answer with the box \f$B\f$: let \f$y\f$ be the middle and \f$r\f$ the radius of \f$B\f$, \f$J\f$ a set of
+matrices whose convex hull holds the derivatives on
+\f$B\f$ of all pieces of the equalities \f$F\f$, and \f$C\f$ any matrix, here the inverse of a matrix amid \f$J\f$ in
+rationals of 128 bits. \f$I - C J\f$ is bounded by the coefficients of
+\f$C F\f$ in Taylor's formula at the middle of each part of \f$B\f$ between breaks; equations that nearly coincide
+cancel in them. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean
+of its derivatives along a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
 \f[ K = y - C F(y) + (I - C J)(B - y). \f]
-If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4, 1969; Moore, A test for
-existence of solutions to nonlinear systems, SIAM J. Numer. Anal. 14, 1977), then \f$|I - C J|\, r < r\f$ in every coordinate: the map is a contraction of
-\f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular, and so \f$B\f$ holds exactly one zero of \f$C F\f$, which is regular; for
-as many equalities as unknowns \f$C\f$ is regular and this is exactly one zero of \f$F\f$.
+If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit
+Fehlerschranken, Computing 4, 1969; Moore, A test for existence of solutions to nonlinear systems, SIAM J. Numer. Anal.
+14, 1977), then \f$|I - C J|\, r < r\f$ in every coordinate: the map is a contraction of
+\f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular, and so \f$B\f$ holds exactly
+one zero of \f$C F\f$, which is regular; for as many equalities as unknowns \f$C\f$ is regular and this is exactly one
+zero of \f$F\f$.
 
-The shape of \f$B\f$ may forbid this: it is very thin on some axes, or its solution lies on a face. Then it is tried on a slightly larger box (the inflation of
-Rump, Solving algebraic problems with high accuracy, 1983), and the solution has to be proved to lie in \f$B\f$.
+The shape of \f$B\f$ may forbid this: it is very thin on some axes, or its solution lies on a face. Then it is tried on
+a slightly larger box (the inflation of Rump, Solving algebraic problems with high accuracy, 1983), and the solution has
+to be proved to lie in \f$B\f$.
 
-At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities. When the solution lies on the boundary of one
-of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried; then, some coordinates that
-look rational are fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves. Last, the signs of the other equalities, of the inequalities and of the distances to the boundary
-of the domain are decided at the root of \f$n\f$ equalities, in intervals of some thousand bits, with a bound below which they are zero.
+At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities.
+When the solution lies on the boundary of one of them, or there are more equalities than unknowns, only exact
+coordinates decide: the simplest rational point of \f$K\f$ is tried; then, some coordinates that look rational are
+fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves. Last, the
+signs of the other equalities, of the inequalities and of the distances to the boundary of the domain are decided at the
+root of \f$n\f$ equalities, in intervals of some thousand bits, with a bound below which they are zero.
 
-A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some coordinates that look rational and others by the
-operator, as above; or is a double root by exact signs. How many there are is not proved.
+A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some
+coordinates that look rational and others by the operator, as above; or is a double root by exact signs. How many there
+are is not proved.
 
-A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all of it; and the inequalities hold, up to their boundary, on the boxes around
+A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all
+of it; and the inequalities hold, up to their boundary, on the boxes around
 16 parts of it.
 
-With *one unknown*, what these do not prove is left to Sturm's theorem: the number of roots of the greatest common divisor of the equalities in the box, piece by piece, and the signs of
-the inequalities there; for a *continuum*, that all points of the box are solutions, up to a rounding error at its ends.
+With *one unknown*, what these do not prove is left to Sturm's theorem: the number of roots of the greatest common
+divisor of the equalities in the box, piece by piece, and the signs of the inequalities there; for a *continuum*, that
+all points of the box are solutions, up to a rounding error at its ends.
 
-Undecided answers, and other continua, carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
+Undecided answers, and other continua, carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or
+infinite ones.
 
-Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few times over. Independent of the rounding mode.
+Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few
+times over. Independent of the rounding mode.
 
 \param system the system that was solved.
 \param solution the answer; of it, `kind()` and `exact_box()`, or `ends()`, are used.
@@ -124,10 +143,13 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   switch (solution.kind()) {
   case Solution_kind::CERTIFIED: is_proved = internal::verification::has_one_solution(system, box); break;
   case Solution_kind::CLUSTER: is_proved = internal::verification::has_solution(system, box); break;
-  case Solution_kind::CONTINUUM: is_proved = !solution.ends().empty() && internal::verification::is_segment_of_solutions(system, solution.ends()); break;
+  case Solution_kind::CONTINUUM:
+    is_proved = !solution.ends().empty() && internal::verification::is_segment_of_solutions(system, solution.ends());
+    break;
   case Solution_kind::UNDECIDED: break;
   }
-  return is_proved || (box.size() == 1 && internal::verification::univariate::Proof(system, box[0]).succeeds(solution.kind()));
+  return is_proved ||
+      (box.size() == 1 && internal::verification::univariate::Proof(system, box[0]).succeeds(solution.kind()));
 }
 
 } // namespace Spline_constraints

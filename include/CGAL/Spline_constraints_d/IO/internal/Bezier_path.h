@@ -77,7 +77,8 @@ public:
     bool is_rational = false;
     for (const Piece& piece : m_pieces) {
       order = (std::max)(order, piece.points.size());
-      is_rational = is_rational || std::any_of(piece.weights.begin(), piece.weights.end(), [](const Exact_rational& w) { return w != 1; });
+      is_rational = is_rational ||
+          std::any_of(piece.weights.begin(), piece.weights.end(), [](const Exact_rational& w) { return w != 1; });
     }
     const int degree = static_cast<int>(order) - 1;
     std::vector<Point> points{m_source};

@@ -44,7 +44,8 @@ struct Minibex_token
 };
 
 /*
-Cuts the content of a Minibex file into tokens, one at a time, in time linear in the content. Lines end with LF, CR LF or CR.
+Cuts the content of a Minibex file into tokens, one at a time, in time linear in the content. Lines end with LF, CR LF
+or CR.
 */
 class Minibex_lexer
 {
@@ -96,11 +97,15 @@ private:
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-  char peek(std::size_t ahead = 0) const { return m_position + ahead < m_content.size() ? m_content[m_position + ahead] : '\0'; }
+  char peek(std::size_t ahead = 0) const
+  {
+    return m_position + ahead < m_content.size() ? m_content[m_position + ahead] : '\0';
+  }
 
   Minibex_token token_here(std::size_t size) const
   {
-    return {Minibex_token::Kind::END_OF_FILE, m_content.substr(m_position, size), m_line, static_cast<int>(m_position - m_line_begin) + 1};
+    return {Minibex_token::Kind::END_OF_FILE, m_content.substr(m_position, size), m_line,
+            static_cast<int>(m_position - m_line_begin) + 1};
   }
 
   // digits [. digits] or . digits, then an optional exponent

@@ -23,9 +23,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Recursive descent over the polynomial subset of Minibex, one token ahead; the grammar is the documentation of `read_minibex()`.
-Expressions are expanded as they are read. What they may cost is bounded by a budget linear in the size of the file, the depth of
-recursion by `maximal_depth`.
+Recursive descent over the polynomial subset of Minibex, one token ahead; the grammar is the documentation of
+`read_minibex()`. Expressions are expanded as they are read. What they may cost is bounded by a budget linear in the
+size of the file, the depth of recursion by `maximal_depth`.
 */
 class Minibex_parser
 {
@@ -49,7 +49,9 @@ class Minibex_parser
 
 public:
   Minibex_parser(std::string_view content, const std::string& file_name)
-    : m_lexer(content, file_name), m_token(m_lexer.next()), m_budget(0x1p23 + 16.0 * static_cast<double>(content.size())) {}
+    : m_lexer(content, file_name), m_token(m_lexer.next()),
+      m_budget(0x1p23 + 16.0 * static_cast<double>(content.size()))
+  {}
 
   Minibex_system system()
   {
@@ -106,7 +108,8 @@ private:
   {
     for (std::string_view section : {"constants", "parameters", "function", "minimize"})
       if (m_token.is_keyword(section))
-        fail("section '" + std::string(section) + (section == "constants" ? "' must come first" : "' is not in the polynomial subset of Minibex"));
+        fail("section '" + std::string(section) +
+             (section == "constants" ? "' must come first" : "' is not in the polynomial subset of Minibex"));
   }
 
   bool is_at_section() const
@@ -171,7 +174,8 @@ private:
     advance();
     parse_domains(symbol);
     for (int i = 1; i <= symbol.size; ++i)
-      m_system.names.push_back(symbol.kind == Symbol::Kind::ARRAY ? m_declared + '(' + std::to_string(i) + ')' : m_declared);
+      m_system.names.push_back(symbol.kind == Symbol::Kind::ARRAY ? m_declared + '(' + std::to_string(i) + ')'
+                                                                  : m_declared);
     m_symbols.emplace(m_declared, std::move(symbol));
     m_declared.clear();
   }
@@ -242,7 +246,8 @@ private:
 
   static std::optional<Relation> relation_of(const Minibex_token& token)
   {
-    for (Relation relation : {Relation::EQUAL, Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER_EQUAL, Relation::GREATER})
+    for (Relation relation :
+         {Relation::EQUAL, Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER_EQUAL, Relation::GREATER})
       if (token.is(symbol(relation)))
         return relation;
     return std::nullopt;
@@ -253,8 +258,8 @@ private:
   static bool is_function(std::string_view name)
   {
     static constexpr std::array<std::string_view, 24> functions{
-      "diff", "max", "min", "atan2", "sign", "abs", "exp", "ln", "sqrt", "cos", "sin", "tan", "acos", "asin", "atan", "cosh", "sinh",
-      "tanh", "acosh", "asinh", "atanh", "floor", "ceil", "chi"};
+        "diff", "max",  "min",  "atan2", "sign", "abs",  "exp",   "ln",    "sqrt",  "cos",   "sin",  "tan",
+        "acos", "asin", "atan", "cosh",  "sinh", "tanh", "acosh", "asinh", "atanh", "floor", "ceil", "chi"};
     return std::find(functions.begin(), functions.end(), name) != functions.end();
   }
 
@@ -449,13 +454,16 @@ private:
     return integer_value(begin, parse_sum(), minimum, maximum, what);
   }
 
-  int integer_value(const Minibex_token& begin, const Power_polynomial& p, int minimum, int maximum, const char* what) const
+  int integer_value(const Minibex_token& begin, const Power_polynomial& p, int minimum, int maximum,
+                    const char* what) const
   {
     if (!p.is_constant() || denominator_of(p.constant_term()) != 1)
       m_lexer.fail(begin, std::string("the ") + what + " must be a constant integer");
     const Big_integer value = numerator_of(p.constant_term());
     if (value < minimum || value > maximum)
-      m_lexer.fail(begin, std::string("the ") + what + " must be between " + std::to_string(minimum) + " and " + std::to_string(maximum));
+      m_lexer.fail(begin,
+                   std::string("the ") + what + " must be between " + std::to_string(minimum) + " and " +
+                       std::to_string(maximum));
     return static_cast<int>(value.convert_to<long>());
   }
 };

@@ -166,7 +166,10 @@ private:
     return c == '1';
   }
 
-  Point reflected(char kind) const { return m_kind_of_control == kind ? m_path.target() + (m_path.target() - m_control) : m_path.target(); }
+  Point reflected(char kind) const
+  {
+    return m_kind_of_control == kind ? m_path.target() + (m_path.target() - m_control) : m_path.target();
+  }
 };
 
 } // namespace internal

@@ -30,7 +30,8 @@ struct SVG_exact_curve
   std::size_t position;
 };
 
-// Walks through the elements of an SVG document. Attributes are read from the source itself, so that errors know their place.
+// Walks through the elements of an SVG document. Attributes are read from the source itself, so that errors know their
+// place.
 class SVG_reader
 {
   using Point = Exact_kernel::Point_2;
@@ -50,11 +51,12 @@ public:
     if (const std::size_t zero = m_source.content().find('\0'); zero != std::string_view::npos)
       m_source.fail(zero, 1, "a zero byte");
     pugi::xml_document document;
-    const pugi::xml_parse_result result =
-      document.load_buffer(m_source.content().data(), m_source.content().size(), pugi::parse_default, pugi::encoding_utf8);
+    const pugi::xml_parse_result result = document.load_buffer(m_source.content().data(), m_source.content().size(),
+                                                               pugi::parse_default, pugi::encoding_utf8);
     if (!result) {
       const auto position = (std::min)(static_cast<std::size_t>(result.offset), m_source.content().size());
-      Text_cursor(m_source, position, m_source.content().size() - position).fail(std::string("not XML: ") + result.description());
+      Text_cursor(m_source, position, m_source.content().size() - position)
+          .fail(std::string("not XML: ") + result.description());
     }
     const pugi::xml_node root = document.document_element();
     if (name(root) != "svg")
@@ -126,7 +128,8 @@ private:
         return;
       const Transformation map = transformation(element, outer);
       for (const Bezier_path::Curve& curve : curves)
-        m_curves.push_back({curve.transformed(map), element.attribute("id").value(), std::string(kind), begin(element) - 1});
+        m_curves.push_back(
+            {curve.transformed(map), element.attribute("id").value(), std::string(kind), begin(element) - 1});
     } catch (const Parse_error&) {
       throw;
     } catch (const Invalid_input& error) {
@@ -154,7 +157,8 @@ private:
     else if (kind == "rect")
       add(rectangle(element));
     else if (kind == "circle" || kind == "ellipse") {
-      const Exact_rational rx = radius(element, kind == "circle" ? "r" : "rx"), ry = radius(element, kind == "circle" ? "r" : "ry");
+      const Exact_rational rx = radius(element, kind == "circle" ? "r" : "rx"),
+                           ry = radius(element, kind == "circle" ? "r" : "ry");
       if (rx != 0 && ry != 0)
         result.push_back(ellipse<2>(Point(length(element, "cx"), length(element, "cy")), Vector(rx, 0), Vector(0, ry)));
     }
@@ -184,7 +188,8 @@ private:
   // From the end of the upper left corner around, with x to the right and y downwards.
   Bezier_path rectangle(const pugi::xml_node& element) const
   {
-    const Exact_rational x = length(element, "x"), y = length(element, "y"), w = radius(element, "width"), h = radius(element, "height");
+    const Exact_rational x = length(element, "x"), y = length(element, "y"), w = radius(element, "width"),
+                         h = radius(element, "height");
     if (w == 0 || h == 0)
       return Bezier_path(Point(x, y));
     const bool has_rx = has_number(element, "rx"), has_ry = has_number(element, "ry");
@@ -227,7 +232,8 @@ private:
     cursor.skip_blanks();
     const Exact_rational value = cursor.number("a length");
     struct Unit { std::string_view name; int numerator, denominator; };
-    static constexpr std::array<Unit, 7> units{{{"", 1, 1}, {"px", 1, 1}, {"in", 96, 1}, {"cm", 4800, 127}, {"mm", 480, 127}, {"pt", 4, 3}, {"pc", 16, 1}}};
+    static constexpr std::array<Unit, 7> units{
+        {{"", 1, 1}, {"px", 1, 1}, {"in", 96, 1}, {"cm", 4800, 127}, {"mm", 480, 127}, {"pt", 4, 3}, {"pc", 16, 1}}};
     const std::string_view rest = cursor.rest(), name = rest.substr(0, rest.find_last_not_of(" \t\r\n") + 1);
     for (const Unit& unit : units)
       if (name == unit.name)
@@ -268,7 +274,9 @@ private:
       a.push_back(cursor.number("a number or ')'"));
     const std::size_t n = a.size();
     const Exact_rational zero(0), one(1);
-    const auto is = [&](const char* wanted, std::size_t fewest, std::size_t most) { return kind == wanted && n >= fewest && n <= most; };
+    const auto is = [&](const char* wanted, std::size_t fewest, std::size_t most) {
+      return kind == wanted && n >= fewest && n <= most;
+    };
     const auto tangent = [&] { return unit_vector_of_degrees(a[0]); };
     if (is("matrix", 6, 6)) {
       if (a[0] * a[3] == a[1] * a[2])
@@ -290,7 +298,8 @@ private:
     }
     if ((is("skewX", 1, 1) || is("skewY", 1, 1)) && tangent().x() != 0) {
       const Exact_rational t = tangent().y() / tangent().x();
-      return kind == "skewX" ? Transformation(one, t, zero, zero, one, zero) : Transformation(one, zero, zero, t, one, zero);
+      return kind == "skewX" ? Transformation(one, t, zero, zero, one, zero)
+                             : Transformation(one, zero, zero, t, one, zero);
     }
     cursor.fail_at(begin, "not a transformation of SVG, or not with so many numbers", "(");
   }

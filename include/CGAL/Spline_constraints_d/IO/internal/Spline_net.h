@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A curve or surface as files list it: control points with the first axis fastest, the weight last if there is one. On a periodic axis the first points come again at the end.
+// A curve or surface as files list it: control points with the first axis fastest, the weight last if there is one. On
+// a periodic axis the first points come again at the end.
 class Spline_net
 {
   static constexpr int maximal_order = 100;
@@ -47,7 +48,10 @@ public:
     return cursor.integer(1, (std::max)(most, 1), "a number of control points that fits the file");
   }
 
-  static int read_order(Text_cursor& cursor, int size) { return cursor.integer(1, (std::min)(maximal_order, size), "the order"); }
+  static int read_order(Text_cursor& cursor, int size)
+  {
+    return cursor.integer(1, (std::min)(maximal_order, size), "the order");
+  }
 
   std::size_t number_of_points() const
   {
@@ -109,7 +113,9 @@ private:
     std::vector<Exact_rational> result;
     for (int i = 0; i < axes[0].unwrapped_size(); ++i)
       for (int j = 0; j < columns; ++j)
-        result.push_back(points[static_cast<std::size_t>(i % axes[0].size) + static_cast<std::size_t>(axes.size() == 1 ? 0 : j % axes[1].size) * axes[0].size][coordinate]);
+        result.push_back(
+            points[static_cast<std::size_t>(i % axes[0].size) +
+                   static_cast<std::size_t>(axes.size() == 1 ? 0 : j % axes[1].size) * axes[0].size][coordinate]);
     return result;
   }
 };

@@ -29,7 +29,8 @@ class Text_source
   std::vector<std::size_t> m_line_begins{0};
 
 public:
-  Text_source(std::string content, std::string file_name) : m_content(std::move(content)), m_file_name(std::move(file_name))
+  Text_source(std::string content, std::string file_name)
+    : m_content(std::move(content)), m_file_name(std::move(file_name))
   {
     if (m_content.substr(0, 3) == "\xEF\xBB\xBF")   // a byte order mark
       m_content.erase(0, 3);
@@ -72,7 +73,8 @@ public:
   [[noreturn]] void fail(std::size_t position, std::size_t size, const std::string& message) const
   {
     const auto [line, column] = place(position);
-    throw Parse_error(m_file_name, line, column, message, m_content.substr(position, (std::min)(size, std::size_t(60))));
+    throw Parse_error(m_file_name, line, column, message,
+                      m_content.substr(position, (std::min)(size, std::size_t(60))));
   }
 };
 
@@ -86,7 +88,9 @@ class Text_cursor
   std::size_t m_position, m_end;
 
 public:
-  Text_cursor(const Text_source& source, std::size_t begin, std::size_t size) : m_source(&source), m_position(begin), m_end(begin + size) {}
+  Text_cursor(const Text_source& source, std::size_t begin, std::size_t size)
+    : m_source(&source), m_position(begin), m_end(begin + size)
+  {}
   explicit Text_cursor(const Text_source& source) : Text_cursor(source, 0, source.content().size()) {}
 
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -95,7 +99,10 @@ public:
 
   bool is_at_end() const { return m_position >= m_end; }
   std::size_t position() const { return m_position; }
-  char peek(std::size_t ahead = 0) const { return m_position + ahead < m_end ? m_source->content()[m_position + ahead] : '\0'; }
+  char peek(std::size_t ahead = 0) const
+  {
+    return m_position + ahead < m_end ? m_source->content()[m_position + ahead] : '\0';
+  }
   void advance(std::size_t size = 1) { m_position += size; }
   std::string_view rest() const { return m_source->content().substr(m_position, m_end - m_position); }
 
@@ -113,7 +120,10 @@ public:
   }
 
   // The next word, up to a blank or one of the given characters, is what is wrong.
-  [[noreturn]] void fail(const std::string& message, std::string_view stops = "") const { fail_at(m_position, message, stops); }
+  [[noreturn]] void fail(const std::string& message, std::string_view stops = "") const
+  {
+    fail_at(m_position, message, stops);
+  }
 
   [[noreturn]] void fail_at(std::size_t position, const std::string& message, std::string_view stops = "") const
   {
@@ -160,7 +170,8 @@ public:
     const std::size_t begin = m_position;
     const Exact_rational value = number(what);
     for (std::size_t i = begin; i < m_position; ++i)
-      if (!is_digit(m_source->content()[i]) && !(i == begin && !is_letter(m_source->content()[i]) && m_source->content()[i] != '.'))
+      if (!is_digit(m_source->content()[i]) &&
+          !(i == begin && !is_letter(m_source->content()[i]) && m_source->content()[i] != '.'))
         fail_at(begin, "expected " + what + ", an integer");
     if (value < lower || value > upper)
       fail_at(begin, what + " is not between " + std::to_string(lower) + " and " + std::to_string(upper));

@@ -17,12 +17,13 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Most digits that a number may have when it is written out without an exponent: enough for any coefficient of a polynomial.
+// Most digits that a number may have when it is written out without an exponent: enough for any coefficient of a
+// polynomial.
 inline constexpr long maximal_number_of_digits = 20000;
 
 /*
-The exact value of an unsigned decimal number: digits with at most one point among them, then, possibly, an exponent (e or E).
-Throws Invalid_input when it has too many digits or the budget is used up.
+The exact value of an unsigned decimal number: digits with at most one point among them, then, possibly, an exponent (e
+or E). Throws Invalid_input when it has too many digits or the budget is used up.
 */
 inline Exact_rational decimal_number(std::string_view text, Expansion_budget& budget)
 {
@@ -52,7 +53,8 @@ inline Exact_rational decimal_number(std::string_view text, Expansion_budget& bu
     throw Invalid_input("a number of more than " + std::to_string(maximal_number_of_digits) + " digits");
   if (digits.empty())
     return Exact_rational(0);
-  const double words = static_cast<double>(static_cast<long>(digits.size()) + decimals + (exponent < 0 ? -exponent : exponent)) / 19;
+  const double words =
+      static_cast<double>(static_cast<long>(digits.size()) + decimals + (exponent < 0 ? -exponent : exponent)) / 19;
   budget.spend(arithmetic_work(words, words));
   Big_integer mantissa, power;
   mpz_set_str(mantissa.backend().data(), digits.c_str(), 10);

@@ -18,7 +18,8 @@ namespace internal {
 // Rows of numbers in echelon form: each has a one where all others have zeros.
 class Echelon_form
 {
-  std::vector<std::pair<std::size_t, std::vector<Exact_rational>>> m_rows;   // with the places of their ones, the first numbers in them that are not zero
+  // with the places of their ones, the first numbers in them that are not zero
+  std::vector<std::pair<std::size_t, std::vector<Exact_rational>>> m_rows;
 
 public:
   std::size_t rank() const { return m_rows.size(); }
@@ -50,7 +51,8 @@ public:
     std::vector<Exact_rational> result(length, Exact_rational(1));
     for (const auto& [place, row] : m_rows)
       result[place] = 0;
-    const auto free = static_cast<std::size_t>(std::find(result.begin(), result.end(), Exact_rational(1)) - result.begin());
+    const auto free =
+        static_cast<std::size_t>(std::find(result.begin(), result.end(), Exact_rational(1)) - result.begin());
     for (const auto& [place, row] : m_rows)
       result[place] = -row[free];
     return result;

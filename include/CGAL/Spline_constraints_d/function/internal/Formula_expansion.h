@@ -22,9 +22,11 @@ namespace internal {
 /*
 A polynomial in splines of unknowns, as a function of the unknowns.
 
-Its monomials are products of functions of few unknowns each. Those on the same unknowns become one dense tensor per cell; monomials on some of these unknowns join it where
-that makes no more coefficients. Within such a part, unknowns that some spline has as axes together form a block; every monomial is a product of one vector for each block,
-which holds the coefficients of all cells, and equal ones are computed once. All of this is done in integers over one denominator.
+Its monomials are products of functions of few unknowns each. Those on the same unknowns become one dense tensor per
+cell; monomials on some of these unknowns join it where that makes no more coefficients. Within such a part, unknowns
+that some spline has as axes together form a block; every monomial is a product of one vector for each block, which
+holds the coefficients of all cells, and equal ones are computed once. All of this is done in integers over one
+denominator.
 */
 class Formula_expansion
 {
@@ -67,7 +69,8 @@ class Formula_expansion
 
     bool has_all_unknowns_of(const Part& other) const
     {
-      return std::all_of(other.axes.begin(), other.axes.end(), [&](const auto& axis) { return axes.count(axis.first) != 0; });
+      return std::all_of(other.axes.begin(), other.axes.end(),
+                         [&](const auto& axis) { return axes.count(axis.first) != 0; });
     }
   };
 
@@ -154,7 +157,8 @@ private:
     case Symbol::Kind::UNKNOWN: summand.axes[index].degree += exponent; return;
     case Symbol::Kind::SPLINE: break;
     case Symbol::Kind::FORMULA: CGAL_assertion(false); return;
-    case Symbol::Kind::WITHOUT_RANGE: throw Invalid_input("Constraint: an unknown without a range is left in a formula, solve_linear() eliminates it");
+    case Symbol::Kind::WITHOUT_RANGE:
+      throw Invalid_input("Constraint: an unknown without a range is left in a formula, solve_linear() eliminates it");
     }
     for (std::size_t j = 0; j < symbol.unknowns.size(); ++j) {
       Axis& axis = summand.axes[symbol.unknowns[j]];
@@ -178,7 +182,8 @@ private:
     std::vector<Part> result;
     for (auto& [unknowns, part] : by_unknowns)
       result.push_back(std::move(part));
-    std::stable_sort(result.begin(), result.end(), [](const Part& a, const Part& b) { return a.axes.size() < b.axes.size(); });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Part& a, const Part& b) { return a.axes.size() < b.axes.size(); });
     for (std::size_t i = 0; i < result.size();) {
       const auto host = best_host(result, i);
       if (host == result.size()) {
@@ -191,7 +196,8 @@ private:
     return result;
   }
 
-  // The part with all unknowns of part `i` that grows least when this one joins it, if the sum of the sizes does not grow; else the number of parts.
+  // The part with all unknowns of part `i` that grows least when this one joins it, if the sum of the sizes does not
+  // grow; else the number of parts.
   static std::size_t best_host(const std::vector<Part>& parts, std::size_t i)
   {
     std::size_t best = parts.size();
@@ -216,7 +222,8 @@ private:
     for (const auto& [unknown, axis] : part.axes)
       piece_size *= axis.degree + 1.0;
     if (piece_size > static_cast<double>(Spline_function::maximal_piece_size) || part.size() > maximal_size)
-      throw Invalid_input("Constraint: a formula in " + std::to_string(part.axes.size()) + " connected unknowns has too many coefficients as a dense tensor");
+      throw Invalid_input("Constraint: a formula in " + std::to_string(part.axes.size()) +
+                          " connected unknowns has too many coefficients as a dense tensor");
     std::vector<Block> blocks = blocks_of(part);
     std::vector<Sum_of_products::Factor> factors;
     std::vector<Sum_of_products::Product> products = products_of(part, blocks, factors);
@@ -255,15 +262,19 @@ private:
     return result;
   }
 
-  // Every monomial as a product of vectors, one for each block; the blocks are reordered, those with the fewest vectors first.
-  std::vector<Sum_of_products::Product> products_of(const Part& part, std::vector<Block>& blocks, std::vector<Sum_of_products::Factor>& factors) const
+  // Every monomial as a product of vectors, one for each block; the blocks are reordered, those with the fewest vectors
+  // first.
+  std::vector<Sum_of_products::Product> products_of(const Part& part, std::vector<Block>& blocks,
+                                                    std::vector<Sum_of_products::Factor>& factors) const
   {
     for (const Summand* summand : part.summands)
       for (Block& block : blocks)
         block.index.emplace(restricted(*summand->monomial, block), block.index.size());
-    std::stable_sort(blocks.begin(), blocks.end(), [](const Block& a, const Block& b) { return a.index.size() < b.index.size(); });
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Block& a, const Block& b) { return a.index.size() < b.index.size(); });
     for (Block& block : blocks) {
-      auto& factor = factors.emplace_back(Sum_of_products::Factor{0, std::vector<std::vector<Big_integer>>(block.index.size())});
+      auto& factor =
+          factors.emplace_back(Sum_of_products::Factor{0, std::vector<std::vector<Big_integer>>(block.index.size())});
       for (const auto& [monomial, index] : block.index)
         factor.vectors[index] = vector_of(block, tensor(block, monomial));
       factor.length = factor.vectors.front().size();
@@ -296,11 +307,13 @@ private:
       return position->second;
     Tensor result;
     if (monomial.powers.empty())
-      result = {std::vector<int>(block.unknowns.size(), 0), std::vector<std::vector<Big_integer>>(tensor_size(block.last_cells()), {Big_integer(1)})};
+      result = {std::vector<int>(block.unknowns.size(), 0),
+                std::vector<std::vector<Big_integer>>(tensor_size(block.last_cells()), {Big_integer(1)})};
     else {
       const auto [symbol, exponent] = monomial.powers.back();
       if (monomial.powers.size() == 1 && exponent == 1)
-        result = m_symbols.is_unknown(symbol) ? tensor_of_unknown(block, symbol) : tensor_of_spline(block, m_symbols[symbol]);
+        result = m_symbols.is_unknown(symbol) ? tensor_of_unknown(block, symbol)
+                                              : tensor_of_spline(block, m_symbols[symbol]);
       else {
         const Tensor& rest = tensor(block, monomial.with_exponent(symbol, exponent - 1));
         const Tensor& last = tensor(block, Monomial{{{symbol, 1}}});
@@ -315,12 +328,15 @@ private:
 
   static std::size_t place_of(int unknown, const Block& block)
   {
-    return static_cast<std::size_t>(std::lower_bound(block.unknowns.begin(), block.unknowns.end(), unknown) - block.unknowns.begin());
+    return static_cast<std::size_t>(std::lower_bound(block.unknowns.begin(), block.unknowns.end(), unknown) -
+                                    block.unknowns.begin());
   }
 
   static Tensor tensor_of_unknown(const Block& block, int unknown)
   {
-    Tensor result{std::vector<int>(block.unknowns.size(), 0), std::vector<std::vector<Big_integer>>(tensor_size(block.last_cells()), {Big_integer(0), Big_integer(1)})};
+    Tensor result{
+        std::vector<int>(block.unknowns.size(), 0),
+        std::vector<std::vector<Big_integer>>(tensor_size(block.last_cells()), {Big_integer(0), Big_integer(1)})};
     result.degrees[place_of(unknown, block)] = 1;
     return result;
   }
@@ -363,12 +379,14 @@ private:
       const std::size_t begin = result.size();
       result.resize(begin + tensor_size(block.degrees), Big_integer(0));
       auto next = piece.begin();
-      for_each_position(block.degrees, origin, tensor.degrees, [&](std::size_t position) { result[begin + position] = *next++; });
+      for_each_position(block.degrees, origin, tensor.degrees,
+                        [&](std::size_t position) { result[begin + position] = *next++; });
     }
     return result;
   }
 
-  // Brings the axes, which are cells and powers of one block after the other, into the order of the unknowns, cells first.
+  // Brings the axes, which are cells and powers of one block after the other, into the order of the unknowns, cells
+  // first.
   template <class Integer>
   static Spline_term term_of(const Part& part, const std::vector<Block>& blocks, const std::vector<Integer>& sum)
   {

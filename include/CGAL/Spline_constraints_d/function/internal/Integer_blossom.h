@@ -26,7 +26,8 @@ struct Blossom_argument
 };
 
 /*
-Exact weights of control points are integers over one denominator for all of them. With rationals, most of the time would go into common divisors and the memory of numbers that live for one operation.
+Exact weights of control points are integers over one denominator for all of them. With rationals, most of the time
+would go into common divisors and the memory of numbers that live for one operation.
 */
 struct Integer_weights
 {
@@ -35,8 +36,9 @@ struct Integer_weights
 };
 
 /*
-The weights of the control points of a span in the blossom of its polynomial, with one argument more at a time: `Blossom_weights` without divisions. With integer knots, each level of de Boor's recurrence is
-multiplied by a common multiple of the differences that it divides by.
+The weights of the control points of a span in the blossom of its polynomial, with one argument more at a time:
+`Blossom_weights` without divisions. With integer knots, each level of de Boor's recurrence is multiplied by a common
+multiple of the differences that it divides by.
 */
 class Integer_blossom
 {
@@ -71,7 +73,9 @@ public:
     std::vector<Short_integer>& weights = m_weights.numerators;
     const std::size_t level = weights.size();
     const Short_integer value = numerator * m_span->unit, multiple = multiple_of_differences(level);
-    const auto distance_from = [&](const Short_integer& knot) { return is_direction ? value : value - knot * denominator; };
+    const auto distance_from = [&](const Short_integer& knot) {
+      return is_direction ? value : value - knot * denominator;
+    };
     weights.emplace_back(0);
     Short_integer carried(0);
     for (std::size_t r = 0; r < level; ++r) {
@@ -110,7 +114,10 @@ class Integer_band
   explicit Integer_band(Row_matrix<Short_integer> numerators) : m_numerators(std::move(numerators)) {}
 
 public:
-  static Integer_band band(std::size_t columns, std::size_t width) { return Integer_band(Row_matrix<Short_integer>::band(columns, width)); }
+  static Integer_band band(std::size_t columns, std::size_t width)
+  {
+    return Integer_band(Row_matrix<Short_integer>::band(columns, width));
+  }
 
   void add_row(std::size_t first_column, const Integer_weights& row)
   {
@@ -138,7 +145,11 @@ public:
   }
 };
 
-inline std::vector<Exact_rational> transform_axis(const std::vector<Exact_rational>& data, const Axis_view& view, const Integer_band& matrix) { return matrix.applied_to(data, view); }
+inline std::vector<Exact_rational> transform_axis(const std::vector<Exact_rational>& data, const Axis_view& view,
+                                                  const Integer_band& matrix)
+{
+  return matrix.applied_to(data, view);
+}
 
 } // namespace internal
 } // namespace Spline_constraints

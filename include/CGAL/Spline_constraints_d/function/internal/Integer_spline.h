@@ -42,8 +42,9 @@ inline std::size_t cell_at(const Breaks_of_axis& breaks, const Exact_rational& x
 }
 
 /*
-A piecewise polynomial in power form with integer coefficients: cells, and the coefficients of each, in row-major order, last axis fastest; no breaks on an axis: one polynomial
-everywhere. Since the powers are those of the parameters themselves, pieces keep their coefficients when breaks are added.
+A piecewise polynomial in power form with integer coefficients: cells, and the coefficients of each, in row-major order,
+last axis fastest; no breaks on an axis: one polynomial everywhere. Since the powers are those of the parameters
+themselves, pieces keep their coefficients when breaks are added.
 */
 template <class Integer>
 struct Integer_pieces
@@ -148,7 +149,8 @@ std::vector<NT> contracted(const std::vector<NT>& values, const Axis_view& view,
 
 // The value of a tensor of coefficients of powers.
 template <class NT>
-NT tensor_value(const std::vector<Exact_rational>& coefficients, const std::vector<int>& degrees, std::span<const NT> point)
+NT tensor_value(const std::vector<Exact_rational>& coefficients, const std::vector<int>& degrees,
+                std::span<const NT> point)
 {
   std::vector<NT> values;
   for (const Exact_rational& coefficient : coefficients)
@@ -159,7 +161,8 @@ NT tensor_value(const std::vector<Exact_rational>& coefficients, const std::vect
 }
 
 /*
-An exact spline over one common denominator, as formulas use it: operations are convolutions of integers. Continuous unless said otherwise.
+An exact spline over one common denominator, as formulas use it: operations are convolutions of integers. Continuous
+unless said otherwise.
 */
 class Integer_spline
 {
@@ -206,7 +209,8 @@ public:
 
   friend bool operator==(const Integer_spline& a, const Integer_spline& b)
   {
-    return a.m_denominator == b.m_denominator && a.degrees() == b.degrees() && a.breaks() == b.breaks() && a.pieces() == b.pieces();
+    return a.m_denominator == b.m_denominator && a.degrees() == b.degrees() && a.breaks() == b.breaks() &&
+        a.pieces() == b.pieces();
   }
 
   // The axes that the spline depends on, and the spline of these.
@@ -294,7 +298,9 @@ public:
       for (std::size_t o = 0; o < view.outer; ++o)
         for (int k = 0; k <= degree; ++k)
           for (std::size_t i = 0; i < view.inner; ++i)
-            derivative.push_back(view.degree == 0 ? Big_integer(0) : Big_integer(piece[(o * (view.degree + 1) + k + 1) * view.inner + i] * (k + 1)));
+            derivative.push_back(view.degree == 0
+                                     ? Big_integer(0)
+                                     : Big_integer(piece[(o * (view.degree + 1) + k + 1) * view.inner + i] * (k + 1)));
     }
     return Integer_spline(std::move(result), m_denominator);
   }
@@ -316,13 +322,15 @@ public:
     Integer_pieces<Big_integer> result{a.degrees(), common_breaks(a, b), {}};
     for (std::size_t j = 0; j < result.degrees.size(); ++j)
       result.degrees[j] = (std::max)(a.degrees()[j], b.degrees()[j]);
-    const Big_integer denominator = lcm(a.m_denominator, b.m_denominator), a_scale = denominator / a.m_denominator, b_scale = -factor * (denominator / b.m_denominator);
+    const Big_integer denominator = lcm(a.m_denominator, b.m_denominator), a_scale = denominator / a.m_denominator,
+                      b_scale = -factor * (denominator / b.m_denominator);
     const std::vector<int> origin(result.degrees.size(), 0);
     for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
       auto& sum = result.pieces.emplace_back(tensor_size(result.degrees), Big_integer(0));
       for (const auto& summand : {std::pair(&a, &a_scale), std::pair(&b, &b_scale)}) {
         auto next = summand.first->piece_on(result.breaks, cell).begin();
-        for_each_position(result.degrees, origin, summand.first->degrees(), [&](std::size_t position) { add_product(sum[position], *next++, *summand.second); });
+        for_each_position(result.degrees, origin, summand.first->degrees(),
+                          [&](std::size_t position) { add_product(sum[position], *next++, *summand.second); });
       }
     });
     return Integer_spline(std::move(result), denominator);
@@ -352,7 +360,8 @@ public:
           for (std::size_t i = 0; i < cells.inner; ++i) {
             const std::size_t after = (o * (cells.degree + 1) + k) * cells.inner + i;
             if (contracted(rational(after - cells.inner), view, at) != contracted(rational(after), view, at))
-              throw Invalid_input(what + " is not continuous at the parameter " + text_of(at) + " of axis " + std::to_string(j) + "; split there");
+              throw Invalid_input(what + " is not continuous at the parameter " + text_of(at) + " of axis " +
+                                  std::to_string(j) + "; split there");
           }
       }
   }

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The value of a function of one variable with its first two derivatives. Evaluating a formula on such numbers differentiates it along a curve, by the product rule.
+// The value of a function of one variable with its first two derivatives. Evaluating a formula on such numbers
+// differentiates it along a curve, by the product rule.
 template <class NT>
 struct Jet
 {
@@ -30,12 +31,16 @@ struct Jet
   Jet& operator+=(const Jet& other) { return *this = *this + other; }
   Jet& operator*=(const Jet& other) { return *this = *this * other; }
 
-  friend Jet operator+(const Jet& f, const Jet& g) { return {f.value + g.value, f.first + g.first, f.second + g.second}; }
+  friend Jet operator+(const Jet& f, const Jet& g)
+  {
+    return {f.value + g.value, f.first + g.first, f.second + g.second};
+  }
 
   friend Jet operator*(const Jet& f, const Jet& g)
   {
     const NT mixed = f.first * g.first;
-    return {f.value * g.value, f.first * g.value + f.value * g.first, f.second * g.value + mixed + mixed + f.value * g.second};
+    return {f.value * g.value, f.first * g.value + f.value * g.first,
+            f.second * g.value + mixed + mixed + f.value * g.second};
   }
 
   // From f = q g.
@@ -73,7 +78,9 @@ NT expression_value(const Expression& formula, std::span<const Exact_rational> p
   if (formula.symbols() == nullptr)
     return NT(formula.numerator().constant_term());
   const NT numerator = formula.symbols()->value(formula.numerator(), place, point);
-  return formula.denominator().powers.empty() ? numerator : numerator / formula.symbols()->value(polynomial_of(formula.denominator()), place, point);
+  return formula.denominator().powers.empty()
+      ? numerator
+      : numerator / formula.symbols()->value(polynomial_of(formula.denominator()), place, point);
 }
 
 } // namespace internal

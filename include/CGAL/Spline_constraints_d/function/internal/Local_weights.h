@@ -20,8 +20,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Which control points of a spline matter at a point, and their weights in the value and all derivatives up to an order. The splines on the same knots share them. Exact weights are integers, and so are then the control
-points, over common denominators.
+Which control points of a spline matter at a point, and their weights in the value and all derivatives up to an order.
+The splines on the same knots share them. Exact weights are integers, and so are then the control points, over common
+denominators.
 */
 template <class NT>
 class Local_weights
@@ -35,14 +36,16 @@ class Local_weights
 
 public:
   //! \throws Invalid_input when the point is of the wrong dimension or outside of the domain; `who` begins the message.
-  Local_weights(const std::vector<Knot_axis<NT>>& axes, std::span<const NT> u, int order, const std::string& who) : m_weights(u.size())
+  Local_weights(const std::vector<Knot_axis<NT>>& axes, std::span<const NT> u, int order, const std::string& who)
+    : m_weights(u.size())
   {
     check_count(u.size(), axes.size(), who + "parameters of a point");
     for (std::size_t j = 0; j < u.size(); ++j) {
       if (!(axes[j].begin() <= u[j] && u[j] <= axes[j].end()))
         throw Invalid_input(who + "parameter " + std::to_string(j) + " is outside of the domain");
       m_extents.push_back(static_cast<int>(axes[j].size()) - 1);
-      if (const bool is_at_begin = u[j] == axes[j].begin(); order == 0 && (is_at_begin || u[j] == axes[j].end()) && axes[j].is_clamped())
+      if (const bool is_at_begin = u[j] == axes[j].begin();
+          order == 0 && (is_at_begin || u[j] == axes[j].end()) && axes[j].is_clamped())
         add_control_point(m_weights[j], is_at_begin ? 0 : m_extents.back());
       else
         add_span(m_weights[j], axes[j], u[j], order);
@@ -74,7 +77,10 @@ public:
   {
     const auto [data, denominator] = numbers(control_points);
     std::vector<int> orders;
-    contract(data.data(), data.size(), m_weights, order, orders, [&, &divisor = denominator](const std::vector<int>& derivative, const Number& value) { report(derivative, quotient_of(value, divisor)); });
+    contract(data.data(), data.size(), m_weights, order, orders,
+             [&, &divisor = denominator](const std::vector<int>& derivative, const Number& value) {
+               report(derivative, quotient_of(value, divisor));
+             });
   }
 
 private:
@@ -95,7 +101,10 @@ private:
       add_weights(weights, derivative_weights(axis, span, u, r));
   }
 
-  static void add_weights(std::vector<std::vector<NT>>& all, std::vector<NT> weights) { all.push_back(std::move(weights)); }
+  static void add_weights(std::vector<std::vector<NT>>& all, std::vector<NT> weights)
+  {
+    all.push_back(std::move(weights));
+  }
 
   // All orders over the denominator of the first one, which those of the others divide.
   void add_weights(std::vector<std::vector<Short_integer>>& all, Integer_weights weights)

@@ -13,20 +13,22 @@ namespace internal {
 inline void check_number_of_terms(std::size_t size)
 {
   if (size > Power_polynomial::maximal_number_of_terms)
-    throw Invalid_input("Power_polynomial: more than " + std::to_string(Power_polynomial::maximal_number_of_terms) + " terms");
+    throw Invalid_input("Power_polynomial: more than " + std::to_string(Power_polynomial::maximal_number_of_terms) +
+                        " terms");
 }
 
 inline void check_degree(long long degree)
 {
   if (degree > Power_polynomial::maximal_degree)
-    throw Invalid_input("Power_polynomial: the total degree exceeds " + std::to_string(Power_polynomial::maximal_degree));
+    throw Invalid_input("Power_polynomial: the total degree exceeds " +
+                        std::to_string(Power_polynomial::maximal_degree));
 }
 
 inline void check_coefficient_bits(long bits)
 {
   if (bits > Power_polynomial::maximal_coefficient_bits)
-    throw Invalid_input("Power_polynomial: a coefficient of more than " + std::to_string(Power_polynomial::maximal_coefficient_bits)
-                        + " bits");
+    throw Invalid_input("Power_polynomial: a coefficient of more than " +
+                        std::to_string(Power_polynomial::maximal_coefficient_bits) + " bits");
 }
 
 inline void check_coefficient(const Exact_rational& value)
@@ -63,8 +65,8 @@ struct Integer_form
 };
 
 /*
-Monomials as single integers: the exponents are the digits of a number in mixed radix, large enough that the digits of a product of
-two do not overflow. Then monomials multiply by one integer addition.
+Monomials as single integers: the exponents are the digits of a number in mixed radix, large enough that the digits of a
+product of two do not overflow. Then monomials multiply by one integer addition.
 */
 class Monomial_packing
 {
@@ -140,7 +142,8 @@ inline Exact_rational power_of_number(Exact_rational base, int exponent)
 
 } // namespace internal
 
-inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rational& coefficient, internal::Expansion_budget& budget)
+inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rational& coefficient,
+                                       internal::Expansion_budget& budget)
 {
   if (CGAL::is_zero(coefficient))
     return;
@@ -154,7 +157,8 @@ inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rat
     }
   }
   const double words = internal::size_in_words(position->second);
-  budget.spend(4 + internal::arithmetic_work(words, words) + static_cast<double>(monomial.powers.size()) / 2);   // 4: the tree's node
+  // 4: the tree's node
+  budget.spend(4 + internal::arithmetic_work(words, words) + static_cast<double>(monomial.powers.size()) / 2);
   if (words > maximal_coefficient_bits / 64)
     internal::check_coefficient(position->second);
   internal::check_number_of_terms(m_terms.size());
@@ -200,7 +204,8 @@ inline Power_polynomial Power_polynomial::times_term(const Monomial& monomial, c
   return result;
 }
 
-inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, const Power_polynomial& b, internal::Expansion_budget& budget)
+inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, const Power_polynomial& b,
+                                                  internal::Expansion_budget& budget)
 {
   if (a.is_zero() || b.is_zero())
     return Power_polynomial();
@@ -236,7 +241,8 @@ inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, con
   return result;
 }
 
-inline Power_polynomial Power_polynomial::power(const Power_polynomial& base, int exponent, internal::Expansion_budget& budget)
+inline Power_polynomial Power_polynomial::power(const Power_polynomial& base, int exponent,
+                                                internal::Expansion_budget& budget)
 {
   if (exponent < 0)
     throw Invalid_input("Power_polynomial: negative exponent " + std::to_string(exponent));
@@ -271,7 +277,8 @@ inline Power_polynomial Power_polynomial::derivative(int variable) const
   Power_polynomial result;
   for (const auto& [monomial, coefficient] : m_terms)
     if (const int exponent = monomial.exponent(variable); exponent > 0)
-      result.add_term(monomial.with_exponent(variable, exponent - 1), Exact_rational(coefficient * Exact_rational(exponent)), budget);
+      result.add_term(monomial.with_exponent(variable, exponent - 1),
+                      Exact_rational(coefficient * Exact_rational(exponent)), budget);
   return result;
 }
 
@@ -324,7 +331,8 @@ inline Power_polynomial Power_polynomial::substituted(int variable, const Power_
 inline std::string Power_polynomial::to_string(std::span<const std::string> names) const
 {
   if (const int last = largest_variable(); last >= 0 && static_cast<std::size_t>(last) >= names.size())
-    throw Invalid_input("Power_polynomial: " + std::to_string(names.size()) + " names, but unknown " + std::to_string(last) + " occurs");
+    throw Invalid_input("Power_polynomial: " + std::to_string(names.size()) + " names, but unknown " +
+                        std::to_string(last) + " occurs");
   std::ostringstream out;
   out.imbue(std::locale::classic());
   for (const auto& [monomial, coefficient] : m_terms) {

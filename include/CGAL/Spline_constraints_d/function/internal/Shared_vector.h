@@ -34,7 +34,9 @@ public:
 
   friend bool operator==(const Shared_vector& a, const Shared_vector& b)
   {
-    return a.m_values == b.m_values || (a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const T& x, const T& y) { return bool(x == y); }));
+    return a.m_values == b.m_values ||
+        (a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](const T& x, const T& y) { return bool(x == y); }));
   }
 };
 

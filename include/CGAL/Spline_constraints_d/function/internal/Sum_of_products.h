@@ -48,7 +48,8 @@ inline void assign(mpz_ptr target, Wide_integer value)
 inline void convert(const Big_integer& value, Big_integer& result) { result = value; }
 inline void assign(mpz_ptr target, const Big_integer& value) { mpz_set(target, value.backend().data()); }
 
-// Rationals that are these integers; without temporaries where the type allows it, since allocations are most of the cost of an expansion.
+// Rationals that are these integers; without temporaries where the type allows it, since allocations are most of the
+// cost of an expansion.
 template <class Rational, class Integer>
 std::vector<Rational> to_rationals(const std::vector<Integer>& integers)
 {
@@ -66,8 +67,9 @@ std::vector<Rational> to_rationals(const std::vector<Integer>& integers)
 }
 
 /*
-A sum of products sum_i s_i a_i (x) b_i (x) ... of vectors of integers, one of each factor. The products of the last factors are summed first, for each vector of the factors
-before them, so that the whole result is passed only once for each distinct vector of the first factor.
+A sum of products sum_i s_i a_i (x) b_i (x) ... of vectors of integers, one of each factor. The products of the last
+factors are summed first, for each vector of the factors before them, so that the whole result is passed only once for
+each distinct vector of the first factor.
 */
 class Sum_of_products
 {
@@ -92,10 +94,12 @@ public:
   Sum_of_products(const std::vector<Factor>& factors, std::vector<Product> products)
     : m_factors(factors), m_products(std::move(products))
   {
-    std::sort(m_products.begin(), m_products.end(), [](const Product& a, const Product& b) { return a.vectors < b.vectors; });
+    std::sort(m_products.begin(), m_products.end(),
+              [](const Product& a, const Product& b) { return a.vectors < b.vectors; });
   }
 
-  // A number of bits that no sum exceeds in absolute value, with or without the first factors: nonzero integers are at least one.
+  // A number of bits that no sum exceeds in absolute value, with or without the first factors: nonzero integers are at
+  // least one.
   long bits() const
   {
     std::vector<std::vector<long>> lengths;
@@ -136,7 +140,8 @@ public:
 
 private:
   template <class Integer>
-  std::vector<Integer> sum(const std::vector<std::vector<std::vector<Integer>>>& factors, std::size_t level, const Product* first, const Product* last) const
+  std::vector<Integer> sum(const std::vector<std::vector<std::vector<Integer>>>& factors, std::size_t level,
+                           const Product* first, const Product* last) const
   {
     if (level == factors.size()) {
       Integer scale;

@@ -31,8 +31,8 @@ using Unknown_domains = std::vector<std::pair<Exact_rational, Exact_rational>>;
 namespace internal {
 
 /*
-What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order of their first use, splines of unknowns, formulas that
-something was divided by, and unknowns without a range.
+What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order
+of their first use, splines of unknowns, formulas that something was divided by, and unknowns without a range.
 */
 struct Symbol
 {
@@ -47,8 +47,9 @@ struct Symbol
 };
 
 /*
-The symbols of all formulas in the unknowns of one call of `unknowns()`. Equal ones are entered once, which makes common factors and common subexpressions visible. Entries
-never change, so references to them stay valid; threads may use a table at the same time.
+The symbols of all formulas in the unknowns of one call of `unknowns()`. Equal ones are entered once, which makes common
+factors and common subexpressions visible. Entries never change, so references to them stay valid; threads may use a
+table at the same time.
 */
 class Symbol_table
 {
@@ -80,17 +81,22 @@ public:
     return static_cast<int>(m_symbols.size());
   }
 
-  // A spline with an unknown for each of its axes, whose ranges lie within its domain: a symbol, or a constant. `sign`, unless 0, was proved of it.
-  Power_polynomial spline_of_unknowns(const std::shared_ptr<const Integer_spline>& source, const std::vector<int>& unknowns, int sign)
+  // A spline with an unknown for each of its axes, whose ranges lie within its domain: a symbol, or a constant. `sign`,
+  // unless 0, was proved of it.
+  Power_polynomial spline_of_unknowns(const std::shared_ptr<const Integer_spline>& source,
+                                      const std::vector<int>& unknowns, int sign)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    const auto position = std::find_if(m_symbols.begin(), m_symbols.end(), [&](const Symbol& s) { return s.source == source && s.source_unknowns == unknowns && s.sign == sign; });
+    const auto position = std::find_if(m_symbols.begin(), m_symbols.end(), [&](const Symbol& s) {
+      return s.source == source && s.source_unknowns == unknowns && s.sign == sign;
+    });
     if (position != m_symbols.end())
       return Power_polynomial::variable(static_cast<int>(position - m_symbols.begin()));
 
     Integer_spline restricted = *source;
     for (std::size_t j = 0; j < unknowns.size(); ++j)
-      restricted = restricted.restricted(static_cast<int>(j), m_domains[unknowns[j]].first, m_domains[unknowns[j]].second);
+      restricted =
+          restricted.restricted(static_cast<int>(j), m_domains[unknowns[j]].first, m_domains[unknowns[j]].second);
     if (restricted.is_constant())
       return restricted.constant();
     auto [axes, spline] = restricted.without_trivial_axes();
@@ -98,7 +104,8 @@ public:
     for (int axis : axes)
       own_unknowns.push_back(unknowns[axis]);
     for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
-      if (m_symbols[i].kind == Symbol::Kind::SPLINE && m_symbols[i].unknowns == own_unknowns && m_symbols[i].sign == sign && *m_symbols[i].spline == spline)
+      if (m_symbols[i].kind == Symbol::Kind::SPLINE && m_symbols[i].unknowns == own_unknowns &&
+          m_symbols[i].sign == sign && *m_symbols[i].spline == spline)
         return Power_polynomial::variable(static_cast<int>(i));
     Symbol& symbol = add(Symbol::Kind::SPLINE);
     symbol.unknowns = std::move(own_unknowns);
@@ -131,7 +138,8 @@ public:
   {
     for (;;) {
       const std::vector<int> symbols = polynomial.variables();
-      const auto last = std::find_if(symbols.rbegin(), symbols.rend(), [&](int s) { return (*this)[s].kind == Symbol::Kind::FORMULA; });
+      const auto last = std::find_if(symbols.rbegin(), symbols.rend(),
+                                     [&](int s) { return (*this)[s].kind == Symbol::Kind::FORMULA; });
       if (last == symbols.rend())
         return polynomial;
       polynomial = polynomial.substituted(*last, (*this)[*last].formula);
@@ -145,14 +153,18 @@ public:
   }
 
   // The value at a point. Throws when a symbol has none.
-  Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const { return value(polynomial, point, point); }
+  Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const
+  {
+    return value(polynomial, point, point);
+  }
 
   // The same with the numbers of a ring that rationals convert to, of the pieces of splines that a place is in.
   template <class NT>
   NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place, std::span<const NT> point) const
   {
     if (point.size() != m_domains.size())
-      throw Invalid_input("Expression: a point with " + std::to_string(point.size()) + " coordinates for " + std::to_string(m_domains.size()) + " unknowns");
+      throw Invalid_input("Expression: a point with " + std::to_string(point.size()) + " coordinates for " +
+                          std::to_string(m_domains.size()) + " unknowns");
     std::vector<std::optional<NT>> known(point.begin(), point.end());
     known.resize(size());
     return value(polynomial, place, known);
@@ -167,7 +179,8 @@ private:
   }
 
   template <class NT>
-  NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place, std::vector<std::optional<NT>>& known) const
+  NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place,
+           std::vector<std::optional<NT>>& known) const
   {
     const std::vector<int> symbols = polynomial.variables();
     std::vector<NT> values(symbols.empty() ? 0 : symbols.back() + 1, NT(Exact_rational(0)));
@@ -198,7 +211,8 @@ private:
 };
 
 // The symbols of two formulas, at least one of which may have none. Throws when they have different ones.
-inline const std::shared_ptr<Symbol_table>& common_symbols(const std::shared_ptr<Symbol_table>& a, const std::shared_ptr<Symbol_table>& b)
+inline const std::shared_ptr<Symbol_table>& common_symbols(const std::shared_ptr<Symbol_table>& a,
+                                                           const std::shared_ptr<Symbol_table>& b)
 {
   if (a != nullptr && b != nullptr && a != b)
     throw Invalid_input("Expression: unknowns from different calls of unknowns() in one formula");

@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The values of several functions at one point, such as the coordinates of a surface: those on the same knots share the weights of their control points.
+// The values of several functions at one point, such as the coordinates of a surface: those on the same knots share the
+// weights of their control points.
 template <class NT>
 class Values_at_point
 {
@@ -23,9 +24,14 @@ class Values_at_point
 
 public:
   //! \throws Invalid_input when the point is of the wrong dimension or outside of the domain of the first function.
-  Values_at_point(const Bspline_function<NT>& first, std::span<const NT> point) : m_first(first), m_point(point), m_weights(first.axes(), point, 0, "Bspline_function: ") {}
+  Values_at_point(const Bspline_function<NT>& first, std::span<const NT> point)
+    : m_first(first), m_point(point), m_weights(first.axes(), point, 0, "Bspline_function: ")
+  {}
 
-  NT operator()(const Bspline_function<NT>& f) const { return f.axes() == m_first.axes() ? m_weights.value(f.coefficients()) : f(m_point); }
+  NT operator()(const Bspline_function<NT>& f) const
+  {
+    return f.axes() == m_first.axes() ? m_weights.value(f.coefficients()) : f(m_point);
+  }
 };
 
 } // namespace internal

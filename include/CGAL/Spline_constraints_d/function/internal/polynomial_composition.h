@@ -21,7 +21,8 @@ inline Power_polynomial numerator_polynomial(const Expression& formula)
   if (formula.numerator().is_constant())
     return formula.numerator();
   const Formula_expansion expansion(*formula.symbols(), formula.symbols()->without_formulas(formula.numerator()));
-  return polynomial_of_piece(expansion.scaled_term(), 0) / Power_polynomial(scaled_rational(expansion.denominator(), 0));
+  return polynomial_of_piece(expansion.scaled_term(), 0) /
+      Power_polynomial(scaled_rational(expansion.denominator(), 0));
 }
 
 // A polynomial at polynomials: `values[i]` for the unknown i. Horner's scheme in one unknown after the other.

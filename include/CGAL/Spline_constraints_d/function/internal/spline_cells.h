@@ -17,8 +17,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A tensor product spline as Bézier pieces, one for each cell of a grid of breaks, and back. Cells along each axis lie behind each other in one dense tensor: all Bézier points of the first cell, then those
-of the second, ...
+A tensor product spline as Bézier pieces, one for each cell of a grid of breaks, and back. Cells along each axis lie
+behind each other in one dense tensor: all Bézier points of the first cell, then those of the second, ...
 */
 
 template <class NT>
@@ -63,16 +63,19 @@ struct Cell_layout
   }
 };
 
-// Whether the control points are the Bézier points of the cells, which share those at the breaks: all knots occur as often as they can.
+// Whether the control points are the Bézier points of the cells, which share those at the breaks: all knots occur as
+// often as they can.
 template <class NT>
 bool has_bezier_points(const Knot_axis<NT>& axis, std::size_t cells)
 {
   return axis.is_clamped() && axis.size() == static_cast<std::size_t>(axis.degree) * cells + 1;
 }
 
-// The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is as fine as the knots at least.
+// The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is
+// as fine as the knots at least.
 template <class NT>
-std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT>>& axes, std::vector<NT> data, const Break_grid<NT>& breaks)
+std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT>>& axes, std::vector<NT> data,
+                                                  const Break_grid<NT>& breaks)
 {
   std::vector<int> degrees, extent = extents(axes);
   Cell_layout layout;
@@ -92,9 +95,12 @@ std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT
   return pieces;
 }
 
-// The spline with these pieces, as clamped axes and control points. It is as smooth at the breaks as their multiplicities promise.
+// The spline with these pieces, as clamped axes and control points. It is as smooth at the breaks as their
+// multiplicities promise.
 template <class NT>
-std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells(const std::vector<int>& degrees, const Break_grid<NT>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
+std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells(const std::vector<int>& degrees,
+                                                                       const Break_grid<NT>& breaks,
+                                                                       const std::vector<Bernstein_tensor<NT>>& pieces)
 {
   std::vector<Knot_axis<NT>> axes;
   Cell_layout layout;

@@ -15,10 +15,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A function of one parameter, as a polynomial in one that is 0 and 1 at the ends of its domain. \pre There are no breaks.
+// A function of one parameter, as a polynomial in one that is 0 and 1 at the ends of its domain. \pre There are no
+// breaks.
 inline Power_polynomial univariate_polynomial(const Bspline_function<Exact_rational>& f)
 {
-  const std::vector<Exact_rational> powers = Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
+  const std::vector<Exact_rational> powers =
+      Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
   Power_polynomial result;
   for (std::size_t k = powers.size(); k-- > 0;)
     result = result * Power_polynomial::variable(0) + powers[k];

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Curve_2 and X_monotone_curve_2 of CGAL::Arr_Bezier_curve_traits_2; their class templates have different names in different versions of CGAL.
+// Curve_2 and X_monotone_curve_2 of CGAL::Arr_Bezier_curve_traits_2; their class templates have different names in
+// different versions of CGAL.
 template <class Curve>
 concept Bezier_traits_curve = requires(const Curve& curve) {
   curve.control_points_begin();
@@ -39,7 +40,8 @@ concept Bezier_traits_x_monotone_curve = requires(const Curve& curve) {
 };
 
 template <class Curve>
-using Kernel_of_Bezier_curve = typename CGAL::Kernel_traits<std::decay_t<decltype(*std::declval<const Curve&>().control_points_begin())>>::Kernel;
+using Kernel_of_Bezier_curve =
+    typename CGAL::Kernel_traits<std::decay_t<decltype(*std::declval<const Curve&>().control_points_begin())>>::Kernel;
 
 template <class X_monotone_curve, class Point>
 Exact_rational rational_parameter(const X_monotone_curve& curve, const Point& end)
@@ -51,17 +53,20 @@ Exact_rational rational_parameter(const X_monotone_curve& curve, const Point& en
   else if (const auto& bound = originator.point_bound(); bound.t_min == bound.t_max)
     result = converted_number<Exact_rational>(bound.t_min);
   if (!result)
-    throw Invalid_input("to_bspline_curve: an end of the x-monotone Bezier curve is at no rational parameter, or at none that is known");
+    throw Invalid_input("to_bspline_curve: an end of the x-monotone Bezier curve is at no rational parameter, or at "
+                        "none that is known");
   return *result;
 }
 
 // The control points of the Taylor polynomial at the begin of a curve, as a Bezier curve of the same degree.
 template <int d>
-std::vector<typename Bspline_curve<Exact_kernel, d>::Point> control_points_of_polynomial(const Bspline_curve<Exact_kernel, d>& curve)
+std::vector<typename Bspline_curve<Exact_kernel, d>::Point>
+control_points_of_polynomial(const Bspline_curve<Exact_kernel, d>& curve)
 {
   const auto [begin, end] = curve.domain();
   const int degree = curve.degree();
-  auto differences = curve.derivatives(begin, degree);   // divided by degree! / (degree - i)! for unit length, they are the forward differences
+  // divided by degree! / (degree - i)! for unit length, they are the forward differences
+  auto differences = curve.derivatives(begin, degree);
   Exact_rational factor(1);
   for (int i = 1; i <= degree; ++i) {
     factor *= Exact_rational((end - begin) / (degree - i + 1));
@@ -87,21 +92,24 @@ template <internal::Bezier_traits_curve Curve>
 auto to_bspline_curve(const Curve& curve)
 {
   using Kernel = internal::Kernel_of_Bezier_curve<Curve>;
-  return bezier_curve<Kernel>(std::vector<CGAL::Point_2<Kernel>>(curve.control_points_begin(), curve.control_points_end()));
+  return bezier_curve<Kernel>(
+      std::vector<CGAL::Point_2<Kernel>>(curve.control_points_begin(), curve.control_points_end()));
 }
 
 /*!
-an `X_monotone_curve_2` of `CGAL::Arr_Bezier_curve_traits_2`, from its source to its target; parameters are those of the supporting curve, unless the part runs against it: then its
-domain is run through backwards. Exact.
-\throws Invalid_input when an end is at no rational parameter, as a point with a vertical tangent rarely is; when its parameter is not known yet, since the traits class finds that
-out only when it must; and when numerator and denominator of a parameter given as an algebraic number have 190 bits or more.
+an `X_monotone_curve_2` of `CGAL::Arr_Bezier_curve_traits_2`, from its source to its target; parameters are those of the
+supporting curve, unless the part runs against it: then its domain is run through backwards. Exact.
+\throws Invalid_input when an end is at no rational parameter, as a point with a vertical tangent rarely is; when its
+parameter is not known yet, since the traits class finds that out only when it must; and when numerator and denominator
+of a parameter given as an algebraic number have 190 bits or more.
 */
 template <internal::Bezier_traits_x_monotone_curve Curve>
 auto to_bspline_curve(const Curve& curve)
 {
   const auto whole = to_bspline_curve(curve.supporting_curve());
   using FT = typename std::decay_t<decltype(whole)>::FT;
-  const Exact_rational source = internal::rational_parameter(curve, curve.source()), target = internal::rational_parameter(curve, curve.target());
+  const Exact_rational source = internal::rational_parameter(curve, curve.source()),
+                       target = internal::rational_parameter(curve, curve.target());
   const auto part = [&](const Exact_rational& begin, const Exact_rational& end) {
     return whole.restricted(internal::converted_number<FT>(begin), internal::converted_number<FT>(end));
   };
@@ -109,8 +117,9 @@ auto to_bspline_curve(const Curve& curve)
 }
 
 /*!
-the polynomial pieces of a curve as a `Curve_2` of `CGAL::Arr_Bezier_curve_traits_2` each; nothing if a piece is no polynomial curve. Weights that cancel do not matter: each piece
-is compared with the one polynomial it can be. Decided exactly.
+the polynomial pieces of a curve as a `Curve_2` of `CGAL::Arr_Bezier_curve_traits_2` each; nothing if a piece is no
+polynomial curve. Weights that cancel do not matter: each piece is compared with the one polynomial it can be. Decided
+exactly.
 \tparam Bezier_curve the type `Curve_2` of the traits class.
 */
 template <internal::Bezier_traits_curve Bezier_curve, ParametricCurve_2 Curve>

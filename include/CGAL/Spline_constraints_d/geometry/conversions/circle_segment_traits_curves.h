@@ -18,21 +18,33 @@ namespace internal {
 
 // Curve_2 of CGAL::Arr_circle_segment_traits_2.
 template <class Curve>
-concept Circle_segment_traits_curve =
-  SplineKernel<typename Curve::Kernel> && std::constructible_from<Curve, typename Curve::Kernel::Segment_2> &&
-  std::constructible_from<Curve, typename Curve::Kernel::Circle_2, typename Curve::Point_2, typename Curve::Point_2> && requires(const Curve& curve) {
-    { curve.is_circular() } -> std::convertible_to<bool>;
-  };
+concept Circle_segment_traits_curve = SplineKernel<typename Curve::Kernel> &&
+    std::constructible_from<Curve, typename Curve::Kernel::Segment_2> &&
+    std::constructible_from<Curve, typename Curve::Kernel::Circle_2, typename Curve::Point_2,
+                            typename Curve::Point_2> && requires(const Curve& curve)
+{
+  {
+    curve.is_circular()
+    } -> std::convertible_to<bool>;
+};
 
 // A segment, or an arc of a circle less than that.
 template <class Circle_segment, class Curve>
 std::optional<Circle_segment> circle_segment_of(const Curve& piece)
 {
   using Kernel = typename Circle_segment::Kernel;
-  const auto point = [](const auto& p) { return kernel_object<Kernel, typename Kernel::Point_2>(std::array<Exact_rational, 2>{p.x(), p.y()}); };
+  const auto point = [](const auto& p) {
+    return kernel_object<Kernel, typename Kernel::Point_2>(std::array<Exact_rational, 2>{p.x(), p.y()});
+  };
   if (const auto circle = to_circle(piece)) {
-    const auto end = [](const auto& p) { return typename Circle_segment::Point_2(converted_number<typename Kernel::FT>(p.x()), converted_number<typename Kernel::FT>(p.y())); };
-    return Circle_segment(typename Kernel::Circle_2(point(circle->center()), converted_number<typename Kernel::FT>(circle->squared_radius()), circle->orientation()), end(piece.source()), end(piece.target()));
+    const auto end = [](const auto& p) {
+      return typename Circle_segment::Point_2(converted_number<typename Kernel::FT>(p.x()),
+                                              converted_number<typename Kernel::FT>(p.y()));
+    };
+    return Circle_segment(typename Kernel::Circle_2(point(circle->center()),
+                                                    converted_number<typename Kernel::FT>(circle->squared_radius()),
+                                                    circle->orientation()),
+                          end(piece.source()), end(piece.target()));
   }
   if (const auto segment = to_segment(piece))
     return Circle_segment(typename Kernel::Segment_2(point(segment->source()), point(segment->target())));
@@ -44,7 +56,8 @@ std::optional<Circle_segment> circle_segment_of(const Curve& piece)
 /*!
 \ingroup PkgSplineConstraintsDConstructions
 
-the polynomial or rational pieces of a curve as curves of `CGAL::Arr_circle_segment_traits_2`, if all are arcs of circles, or segments that are run through with constant speed; nothing otherwise. Decided exactly.
+the polynomial or rational pieces of a curve as curves of `CGAL::Arr_circle_segment_traits_2`, if all are arcs of
+circles, or segments that are run through with constant speed; nothing otherwise. Decided exactly.
 
 \tparam Circle_segment the type `Curve_2` of the traits class, whose kernel must be exact.
 \param curve the curve, of which no piece must run back on its circle.

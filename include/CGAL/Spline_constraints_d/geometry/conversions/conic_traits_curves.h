@@ -55,7 +55,8 @@ inline Exact_kernel::Point_2 point_of_ellipse(const Conic_equation& conic)
   const Exact_rational determinant = 4 * conic.r * conic.s - conic.t * conic.t;
   const Exact_kernel::Point_2 center(Exact_rational((conic.t * conic.v - 2 * conic.s * conic.u) / determinant),
                                      Exact_rational((conic.t * conic.u - 2 * conic.r * conic.v) / determinant));
-  const auto point = rational_point_of_form(conic.r, Exact_rational(conic.t / 2), conic.s, Exact_rational(-conic(center)));
+  const auto point =
+      rational_point_of_form(conic.r, Exact_rational(conic.t / 2), conic.s, Exact_rational(-conic(center)));
   if (!point.roots)
     throw_without_rational_point("to_bspline_curve: the ellipse", point.is_complete);
   return center + Exact_kernel::Vector_2((*point.roots)[0], (*point.roots)[1]);
@@ -67,10 +68,13 @@ inline Bspline_curve_2<Exact_kernel> ellipse_from(const Conic_equation& conic, c
   return conic_arc(conic.around(source), source, {});
 }
 
-inline CGAL::Orientation orientation_of_ellipse(const Bspline_curve_2<Exact_kernel>& ellipse) { return CGAL::orientation(ellipse(0), ellipse(1), ellipse(2)); }
+inline CGAL::Orientation orientation_of_ellipse(const Bspline_curve_2<Exact_kernel>& ellipse)
+{
+  return CGAL::orientation(ellipse(0), ellipse(1), ellipse(2));
+}
 
-inline Bspline_curve_2<Exact_kernel> arc_of_conic(const Conic_equation& equation, const Exact_kernel::Point_2& source, const Exact_kernel::Point_2& target,
-                                                  CGAL::Orientation orientation)
+inline Bspline_curve_2<Exact_kernel> arc_of_conic(const Conic_equation& equation, const Exact_kernel::Point_2& source,
+                                                  const Exact_kernel::Point_2& target, CGAL::Orientation orientation)
 {
   const Conic_through_origin conic = equation.around(source);
   const Exact_kernel::Vector_2 chord = target - source;
@@ -83,7 +87,8 @@ inline Bspline_curve_2<Exact_kernel> arc_of_conic(const Conic_equation& equation
   }
   const auto ellipse = ellipse_from(equation, source);
   const Exact_rational end = turn_parameter(sigma, Exact_rational(tau / conic.height_of_path()));
-  return orientation_of_ellipse(ellipse) == orientation ? ellipse.restricted(Exact_rational(0), end) : ellipse.restricted(end, Exact_rational(4)).reversed();
+  return orientation_of_ellipse(ellipse) == orientation ? ellipse.restricted(Exact_rational(0), end)
+                                                        : ellipse.restricted(end, Exact_rational(4)).reversed();
 }
 
 template <class Point>
@@ -99,7 +104,8 @@ template <class Arc>
 Bspline_curve_2<Exact_kernel> curve_between_ends(const Arc& arc)
 {
   const auto source = rational_end(arc.source()), target = rational_end(arc.target());
-  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target) : arc_of_conic(conic_equation(arc), source, target, arc.orientation());
+  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target)
+                                              : arc_of_conic(conic_equation(arc), source, target, arc.orientation());
 }
 
 // Since CGAL 6 curves are made by a function object of the traits class.
@@ -118,7 +124,9 @@ typename Traits::Curve_2 conic_traits_curve(const Conic_part& part)
   using Rat_kernel = typename Traits::Rat_kernel;
   using Rational = typename Rat_kernel::FT;
   const auto number = [](const Exact_rational& x) { return converted_number<Rational>(x); };
-  const auto point = [&](const Exact_kernel::Point_2& p) { return typename Rat_kernel::Point_2(number(p.x()), number(p.y())); };
+  const auto point = [&](const Exact_kernel::Point_2& p) {
+    return typename Rat_kernel::Point_2(number(p.x()), number(p.y()));
+  };
   const auto end = [&](const Exact_kernel::Point_2& p) {
     using Number = typename Traits::Alg_kernel::FT;
     return typename Traits::Point_2(Number(number(p.x())), Number(number(p.y())));
@@ -126,12 +134,14 @@ typename Traits::Curve_2 conic_traits_curve(const Conic_part& part)
   if (part.orientation == CGAL::COLLINEAR)
     return make_conic_traits_curve<Traits>(typename Rat_kernel::Segment_2(point(part.source), point(part.target)));
   const auto on = [&](const Conic_equation& q, const auto&... rest) {
-    return make_conic_traits_curve<Traits>(number(q.r), number(q.s), number(q.t), number(q.u), number(q.v), number(q.w), rest...);
+    return make_conic_traits_curve<Traits>(number(q.r), number(q.s), number(q.t), number(q.u), number(q.v), number(q.w),
+                                           rest...);
   };
   if (!part.is_whole())
     return on(part.conic, part.orientation, end(part.source), end(part.target));
   const auto ellipse = on(part.conic);
-  return ellipse.orientation() == part.orientation ? ellipse : on(part.conic.opposite());   // the orientation is that of the side where the equation is positive
+  // the orientation is that of the side where the equation is positive
+  return ellipse.orientation() == part.orientation ? ellipse : on(part.conic.opposite());
 }
 
 } // namespace internal
@@ -140,11 +150,13 @@ typename Traits::Curve_2 conic_traits_curve(const Conic_part& part)
 /// @{
 
 /*!
-a `Curve_2` of `CGAL::Arr_conic_traits_2`, from its source to its target, as a rational quadratic curve, or a segment, in the rational kernel of the traits class; a whole
-ellipse in its orientation from a rational point of it that is looked for in the directions of small integers from its center. Exact: the conic is projected from the source,
-as in `conic_curve()`. The domain is a part of \f$[0,4]\f$ for arcs of ellipses, otherwise a range of slopes.
-\throws Invalid_input when the arc is not valid; an end has no rational coordinates, or some whose numerator and denominator have 190 bits or more; the conic is a pair of
-lines; its ends are on both branches of a hyperbola; and when no rational point of a whole ellipse is found.
+a `Curve_2` of `CGAL::Arr_conic_traits_2`, from its source to its target, as a rational quadratic curve, or a segment,
+in the rational kernel of the traits class; a whole ellipse in its orientation from a rational point of it that is
+looked for in the directions of small integers from its center. Exact: the conic is projected from the source, as in
+`conic_curve()`. The domain is a part of \f$[0,4]\f$ for arcs of ellipses, otherwise a range of slopes.
+\throws Invalid_input when the arc is not valid; an end has no rational coordinates, or some whose numerator and
+denominator have 190 bits or more; the conic is a pair of lines; its ends are on both branches of a hyperbola; and when
+no rational point of a whole ellipse is found.
 */
 template <internal::Conic_traits_arc Arc>
 Bspline_curve_2<typename Arc::Rat_kernel> to_bspline_curve(const Arc& arc)
@@ -168,13 +180,14 @@ Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel> to_bspline_curve(const Ar
 }
 
 /*!
-the arcs of conics and the segments that a curve consists of, as curves of `CGAL::Arr_conic_traits_2` with exact coefficients and ends, in the order and sense of the curve. Pieces that
-follow each other on one conic in the same sense are one curve, up to a whole ellipse. Pieces whose degree was
-elevated are lowered, exactly. Nothing if the degree of a piece without common factors of its homogeneous coordinates is higher than two; if a piece is a point; and if it runs back on a line.
-Decided exactly in every kernel.
+the arcs of conics and the segments that a curve consists of, as curves of `CGAL::Arr_conic_traits_2` with exact
+coefficients and ends, in the order and sense of the curve. Pieces that follow each other on one conic in the same sense
+are one curve, up to a whole ellipse. Pieces whose degree was elevated are lowered, exactly. Nothing if the degree of a
+piece without common factors of its homogeneous coordinates is higher than two; if a piece is a point; and if it runs
+back on a line. Decided exactly in every kernel.
 
-CGAL 5.5 computes the line between the branches of a hyperbola wrongly unless the axes of the hyperbola are at multiples of 45 degrees, and so takes some arcs for invalid and some points for
-points of the other branch.
+CGAL 5.5 computes the line between the branches of a hyperbola wrongly unless the axes of the hyperbola are at multiples
+of 45 degrees, and so takes some arcs for invalid and some points for points of the other branch.
 \tparam Traits the traits class.
 \throws Invalid_input when the traits class takes an arc for invalid.
 */

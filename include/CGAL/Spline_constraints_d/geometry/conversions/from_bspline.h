@@ -33,7 +33,8 @@ Bspline_curve<Exact_kernel, d> exact_curve(const Curve& curve)
 template <class Surface>
 Bspline_surface_3<Exact_kernel> exact_surface(const Surface& surface)
 {
-  return Bspline_surface_3<Exact_kernel>::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight());
+  return Bspline_surface_3<Exact_kernel>::from_homogeneous_coordinates(surface.homogeneous_coordinates(),
+                                                                       surface.weight());
 }
 
 // A point of the exact kernel in another one, if its coordinates are numbers of that.
@@ -49,7 +50,8 @@ std::optional<typename Ambient_space<Target, static_cast<int>(d)>::Point> point_
   return result;
 }
 
-// The vertices of a curve that is a polygonal one, with constant speed on each side: it is compared with the one through its points at the breaks.
+// The vertices of a curve that is a polygonal one, with constant speed on each side: it is compared with the one
+// through its points at the breaks.
 template <int d, class Curve>
 std::optional<std::vector<typename Ambient_space<typename Curve::Kernel, d>::Point>> polyline_points(const Curve& curve)
 {
@@ -139,7 +141,8 @@ std::vector<typename Map::Point> independent_points(const Map& map, std::size_t 
   return result;
 }
 
-// The line from the source of a curve to its target, if all its points are on one. Of a closed curve, through two of its points.
+// The line from the source of a curve to its target, if all its points are on one. Of a closed curve, through two of
+// its points.
 template <class Line, int d, class Curve>
 std::optional<Line> line_of(const Curve& curve)
 {
@@ -165,7 +168,8 @@ template <int d, class Map, class Point>
 Vector_function<d> weighted_vectors(const Map& map, const Point& from)
 {
   const Scalar_function weight(map.weight());
-  return Vector_function<d>(map.homogeneous_coordinates()) - Vector_function<d>(weight.domain(), from - CGAL::ORIGIN) * weight;
+  return Vector_function<d>(map.homogeneous_coordinates()) -
+      Vector_function<d>(weight.domain(), from - CGAL::ORIGIN) * weight;
 }
 
 // Whether the distance from a point is constant: an identity of polynomials.
@@ -190,9 +194,10 @@ bool is_in_plane(const Map& map, const Exact_kernel::Point_3& p, const Exact_ker
 /// @{
 
 /*!
-the vertices of the curve, if it is a polygonal one that runs along each side with constant speed, whatever its degree, knots and weights are: if it is the
-same map as the curve of degree 1 through its points at the breaks. Breaks at which neither the direction nor the speed changes are no vertices. Nothing otherwise, or if a
-vertex has no coordinates in the kernel (in doubles). Decided exactly in every kernel.
+the vertices of the curve, if it is a polygonal one that runs along each side with constant speed, whatever its degree,
+knots and weights are: if it is the same map as the curve of degree 1 through its points at the breaks. Breaks at which
+neither the direction nor the speed changes are no vertices. Nothing otherwise, or if a vertex has no coordinates in the
+kernel (in doubles). Decided exactly in every kernel.
 */
 template <ParametricCurve_2 Curve>
 std::optional<std::vector<typename Curve::Kernel::Point_2>> to_polyline(const Curve& curve)
@@ -221,7 +226,8 @@ std::optional<typename Curve::Kernel::Segment_3> to_segment(const Curve& curve)
   return internal::segment_of<typename Curve::Kernel::Segment_3>(to_polyline(curve));
 }
 
-//! the polygon whose boundary the curve is, if it is a closed polygonal curve; see `to_polyline()`. Whether the polygon is simple is not asked.
+//! the polygon whose boundary the curve is, if it is a closed polygonal curve; see `to_polyline()`. Whether the polygon
+//! is simple is not asked.
 template <ParametricCurve_2 Curve>
 std::optional<CGAL::Polygon_2<typename Curve::Kernel>> to_polygon(const Curve& curve)
 {
@@ -231,7 +237,8 @@ std::optional<CGAL::Polygon_2<typename Curve::Kernel>> to_polygon(const Curve& c
   return CGAL::Polygon_2<typename Curve::Kernel>(points->begin(), points->end() - 1);
 }
 
-//! the triangle whose boundary the curve is, if it is a closed polygonal curve with three vertices; see `to_polyline()`.
+//! the triangle whose boundary the curve is, if it is a closed polygonal curve with three vertices; see
+//! `to_polyline()`.
 template <ParametricCurve_2 Curve>
 std::optional<typename Curve::Kernel::Triangle_2> to_triangle(const Curve& curve)
 {
@@ -245,8 +252,8 @@ std::optional<typename Curve::Kernel::Triangle_3> to_triangle(const Curve& curve
   return internal::triangle_of<typename Curve::Kernel::Triangle_3>(to_polyline(curve));
 }
 
-//! the rectangle whose boundary the curve is, if it is a closed polygonal curve with four vertices at the corners of a rectangle with sides parallel to the axes, whichever is first and in
-//! either sense; see `to_polyline()`.
+//! the rectangle whose boundary the curve is, if it is a closed polygonal curve with four vertices at the corners of a
+//! rectangle with sides parallel to the axes, whichever is first and in either sense; see `to_polyline()`.
 template <ParametricCurve_2 Curve>
 std::optional<typename Curve::Kernel::Iso_rectangle_2> to_iso_rectangle(const Curve& curve)
 {
@@ -255,7 +262,8 @@ std::optional<typename Curve::Kernel::Iso_rectangle_2> to_iso_rectangle(const Cu
     return std::nullopt;
   const typename Curve::Kernel::Iso_rectangle_2 rectangle((*points)[0], (*points)[2]);
   const auto has_corner = [&](const auto& p) {
-    return (p.x() == rectangle.xmin() || p.x() == rectangle.xmax()) && (p.y() == rectangle.ymin() || p.y() == rectangle.ymax());
+    return (p.x() == rectangle.xmin() || p.x() == rectangle.xmax()) &&
+        (p.y() == rectangle.ymin() || p.y() == rectangle.ymax());
   };
   const auto &p = (*points)[0], &q = (*points)[1], &r = (*points)[2], &s = (*points)[3];
   if (rectangle.is_degenerate() || q == p || q == r || s == q || !has_corner(q) || !has_corner(s) || s == p || s == r)
@@ -264,9 +272,10 @@ std::optional<typename Curve::Kernel::Iso_rectangle_2> to_iso_rectangle(const Cu
 }
 
 /*!
-the line that the curve is on, if there is one, whatever its degree, knots and weights are: from its source to its target, if these are two points. So a bounded part of a line or a ray
-gives its line back, and where the part begins and ends; see also `to_segment()`. Nothing if there is no such line, or its two points have no coordinates in the kernel (in doubles).
-Decided exactly in every kernel.
+the line that the curve is on, if there is one, whatever its degree, knots and weights are: from its source to its
+target, if these are two points. So a bounded part of a line or a ray gives its line back, and where the part begins and
+ends; see also `to_segment()`. Nothing if there is no such line, or its two points have no coordinates in the kernel (in
+doubles). Decided exactly in every kernel.
 */
 template <ParametricCurve_2 Curve>
 std::optional<typename Curve::Kernel::Line_2> to_line(const Curve& curve)
@@ -282,9 +291,10 @@ std::optional<typename Curve::Kernel::Line_3> to_line(const Curve& curve)
 }
 
 /*!
-the circle that the curve is on, if there is one, whatever its degree, knots and weights are, and how much of the circle it covers. The circle through three of
-its points is the only candidate; whether all points are on it is the question whether a polynomial is zero. The circle is counterclockwise if these points, which follow
-each other, make a left turn. Nothing if there is no such circle, or its numbers are none of the kernel (in doubles). Decided exactly in every kernel.
+the circle that the curve is on, if there is one, whatever its degree, knots and weights are, and how much of the circle
+it covers. The circle through three of its points is the only candidate; whether all points are on it is the question
+whether a polynomial is zero. The circle is counterclockwise if these points, which follow each other, make a left turn.
+Nothing if there is no such circle, or its numbers are none of the kernel (in doubles). Decided exactly in every kernel.
 */
 template <ParametricCurve_2 Curve>
 std::optional<typename Curve::Kernel::Circle_2> to_circle(const Curve& curve)
@@ -298,13 +308,15 @@ std::optional<typename Curve::Kernel::Circle_2> to_circle(const Curve& curve)
   const Exact_rational squared_radius = CGAL::squared_distance(exact_center, points[0]);
   const auto center = internal::point_without_rounding<Kernel, 2>(exact_center);
   const auto kernel_radius = internal::converted_number<typename Kernel::FT>(squared_radius);
-  if (!center || internal::converted_number<Exact_rational>(kernel_radius) != squared_radius || !internal::has_distance<2>(exact, exact_center, squared_radius))
+  if (!center || internal::converted_number<Exact_rational>(kernel_radius) != squared_radius ||
+      !internal::has_distance<2>(exact, exact_center, squared_radius))
     return std::nullopt;
   return typename Kernel::Circle_2(*center, kernel_radius, CGAL::orientation(points[0], points[1], points[2]));
 }
 
 /*!
-the same in space, in exact kernels. The normal of the plane of the circle is such that the three points make a left turn as seen against it.
+the same in space, in exact kernels. The normal of the plane of the circle is such that the three points make a left
+turn as seen against it.
 */
 template <ParametricCurve_3 Curve>
   requires (!std::is_floating_point_v<typename Curve::Kernel::FT>)
@@ -321,11 +333,13 @@ std::optional<typename Curve::Kernel::Circle_3> to_circle(const Curve& curve)
   if (!internal::is_in_plane(exact, center, normal) || !internal::has_distance<3>(exact, center, squared_radius))
     return std::nullopt;
   const auto number = [](const Exact_rational& x) { return internal::converted_number<typename Kernel::FT>(x); };
-  return typename Kernel::Circle_3(typename Kernel::Point_3(number(center.x()), number(center.y()), number(center.z())), number(squared_radius),
-                                   typename Kernel::Vector_3(number(normal.x()), number(normal.y()), number(normal.z())));
+  return typename Kernel::Circle_3(
+      typename Kernel::Point_3(number(center.x()), number(center.y()), number(center.z())), number(squared_radius),
+      typename Kernel::Vector_3(number(normal.x()), number(normal.y()), number(normal.z())));
 }
 
-//! the plane that the surface is in, if there is one, in exact kernels; decided exactly, as in `to_circle()`. Its normal is that of three points of the surface.
+//! the plane that the surface is in, if there is one, in exact kernels; decided exactly, as in `to_circle()`. Its
+//! normal is that of three points of the surface.
 template <ParametricSurface_3 Surface>
   requires (!std::is_floating_point_v<typename Surface::Kernel::FT>)
 std::optional<typename Surface::Kernel::Plane_3> to_plane(const Surface& surface)
@@ -338,7 +352,8 @@ std::optional<typename Surface::Kernel::Plane_3> to_plane(const Surface& surface
   return typename Kernel::Plane_3(point(points[0]), point(points[1]), point(points[2]));
 }
 
-//! the sphere that the surface is on, if there is one, counterclockwise, in exact kernels; decided exactly, as in `to_circle()`. Nothing for surfaces in a plane.
+//! the sphere that the surface is on, if there is one, counterclockwise, in exact kernels; decided exactly, as in
+//! `to_circle()`. Nothing for surfaces in a plane.
 template <ParametricSurface_3 Surface>
   requires (!std::is_floating_point_v<typename Surface::Kernel::FT>)
 std::optional<typename Surface::Kernel::Sphere_3> to_sphere(const Surface& surface)
@@ -352,7 +367,8 @@ std::optional<typename Surface::Kernel::Sphere_3> to_sphere(const Surface& surfa
   const Exact_rational squared_radius = CGAL::squared_distance(center, points[0]);
   if (!internal::has_distance<3>(exact, center, squared_radius))
     return std::nullopt;
-  return typename Kernel::Sphere_3(*internal::point_without_rounding<Kernel, 3>(center), internal::converted_number<typename Kernel::FT>(squared_radius));
+  return typename Kernel::Sphere_3(*internal::point_without_rounding<Kernel, 3>(center),
+                                   internal::converted_number<typename Kernel::FT>(squared_radius));
 }
 
 /// @}

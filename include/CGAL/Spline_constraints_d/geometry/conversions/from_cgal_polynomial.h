@@ -50,7 +50,8 @@ Coefficient coefficient_of_type(const Exact_rational& x)
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-a `CGAL::Polynomial` as a `Power_polynomial`, exactly: its variable \f$i\f$, counted from the innermost, is the unknown \f$i\f$.
+a `CGAL::Polynomial` as a `Power_polynomial`, exactly: its variable \f$i\f$, counted from the innermost, is the unknown
+\f$i\f$.
 
 \tparam Coefficient a polynomial again, or integers or rational numbers; doubles are taken exactly.
 \throws Invalid_input when a coefficient is not finite, and as `Power_polynomial`.
@@ -77,7 +78,8 @@ Power_polynomial from_cgal_polynomial(const CGAL::Polynomial<Coefficient>& polyn
 the way back: a `CGAL::Polynomial` of the given type from a `Power_polynomial`.
 
 \tparam Polynomial a `CGAL::Polynomial` with coefficients that are integers or rational numbers.
-\throws Invalid_input when there are more unknowns than variables, or a coefficient is not an integer as the type asks for.
+\throws Invalid_input when there are more unknowns than variables, or a coefficient is not an integer as the type asks
+for.
 */
 template <class Polynomial>
 Polynomial to_cgal_polynomial(const Power_polynomial& polynomial)
@@ -86,13 +88,15 @@ Polynomial to_cgal_polynomial(const Power_polynomial& polynomial)
   using Coefficient = typename Traits::Innermost_coefficient_type;
   const std::vector<int> variables = polynomial.variables();
   if (!variables.empty() && variables.back() >= Traits::d)
-    throw Invalid_input("to_cgal_polynomial: unknown " + std::to_string(variables.back()) + " in a polynomial of " + std::to_string(Traits::d) + " variables");
+    throw Invalid_input("to_cgal_polynomial: unknown " + std::to_string(variables.back()) + " in a polynomial of " +
+                        std::to_string(Traits::d) + " variables");
   std::vector<std::pair<CGAL::Exponent_vector, Coefficient>> terms;
   for (const auto& [monomial, coefficient] : polynomial.terms()) {
     std::vector<int> exponents;
     for (int i = 0; i < Traits::d; ++i)
       exponents.push_back(monomial.exponent(i));
-    terms.emplace_back(CGAL::Exponent_vector(exponents.begin(), exponents.end()), internal::coefficient_of_type<Coefficient>(coefficient));
+    terms.emplace_back(CGAL::Exponent_vector(exponents.begin(), exponents.end()),
+                       internal::coefficient_of_type<Coefficient>(coefficient));
   }
   return typename Traits::Construct_polynomial()(terms.begin(), terms.end());
 }

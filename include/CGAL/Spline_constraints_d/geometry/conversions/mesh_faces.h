@@ -25,14 +25,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The vertices of a triangle or of a quadrangle, planar or not, in the order of `to_bspline_surfaces()`, if this is the patch of one.
+// The vertices of a triangle or of a quadrangle, planar or not, in the order of `to_bspline_surfaces()`, if this is the
+// patch of one.
 template <class Kernel>
 std::vector<CGAL::Point_3<Kernel>> vertices_of_patch(const Bspline_surface_3<Kernel>& surface)
 {
   const auto [u, end_of_u] = surface.domain(0);
   const auto [v, end_of_v] = surface.domain(1);
-  const std::array<CGAL::Point_3<Kernel>, 4> p{surface(u, v), surface(end_of_u, v), surface(end_of_u, end_of_v), surface(u, end_of_v)};
-  if (!(bilinear_surface<Kernel>(p[0], p[3], p[1], p[2]).with_domain(0, u, end_of_u).with_domain(1, v, end_of_v) == surface))
+  const std::array<CGAL::Point_3<Kernel>, 4> p{surface(u, v), surface(end_of_u, v), surface(end_of_u, end_of_v),
+                                               surface(u, end_of_v)};
+  if (!(bilinear_surface<Kernel>(p[0], p[3], p[1], p[2]).with_domain(0, u, end_of_u).with_domain(1, v, end_of_v) ==
+        surface))
     return {};
   std::vector<CGAL::Point_3<Kernel>> result(p.begin(), p.end());
   if (p[3] == p[0])
@@ -46,9 +49,11 @@ std::vector<CGAL::Point_3<Kernel>> vertices_of_patch(const Bspline_surface_3<Ker
 /// @{
 
 /*!
-the faces of a mesh, in the order of `mesh.faces()`, each with its descriptor: a triangle as the conversion of `Triangle_3` has it, a face with four vertices
-\f$p_0, \dots, p_3\f$, planar or not, as the bilinear patch with \f$S(0,0) = p_0\f$, \f$S(1,0) = p_1\f$, \f$S(1,1) = p_2\f$, \f$S(0,1) = p_3\f$. Normals are on the
-side from which the mesh shows its vertices counterclockwise. Exact in every kernel.
+the faces of a mesh, in the order of `mesh.faces()`, each with its descriptor: a triangle as the conversion of
+`Triangle_3` has it, a face with four vertices
+\f$p_0, \dots, p_3\f$, planar or not, as the bilinear patch with \f$S(0,0) = p_0\f$, \f$S(1,0) = p_1\f$, \f$S(1,1) =
+p_2\f$, \f$S(0,1) = p_3\f$. Normals are on the side from which the mesh shows its vertices counterclockwise. Exact in
+every kernel.
 \throws Invalid_input when a face has more than four vertices; the message names it.
 */
 template <SplineKernel Kernel>
@@ -65,13 +70,14 @@ auto to_bspline_surfaces(const CGAL::Surface_mesh<CGAL::Point_3<Kernel>>& mesh)
     else if (p.size() == 4)
       result.emplace_back(face, bilinear_surface<Kernel>(p[0], p[3], p[1], p[2]));
     else
-      throw Invalid_input("to_bspline_surfaces: face " + std::to_string(static_cast<std::size_t>(face)) + " of the mesh has " + std::to_string(p.size()) +
-                          " vertices; triangulate it first");
+      throw Invalid_input("to_bspline_surfaces: face " + std::to_string(static_cast<std::size_t>(face)) +
+                          " of the mesh has " + std::to_string(p.size()) + " vertices; triangulate it first");
   }
   return result;
 }
 
-//! the triangle that the surface is a patch of, as the conversion of `Triangle_3` makes it, over any domain; see `to_bspline_surface()`. Decided exactly in every kernel.
+//! the triangle that the surface is a patch of, as the conversion of `Triangle_3` makes it, over any domain; see
+//! `to_bspline_surface()`. Decided exactly in every kernel.
 template <SplineKernel Kernel>
 std::optional<CGAL::Triangle_3<Kernel>> to_triangle(const Bspline_surface_3<Kernel>& surface)
 {
@@ -81,7 +87,8 @@ std::optional<CGAL::Triangle_3<Kernel>> to_triangle(const Bspline_surface_3<Kern
   return CGAL::Triangle_3<Kernel>(p[0], p[1], p[2]);
 }
 
-//! the cuboid whose faces the surfaces are, in any order, as the conversion of `Iso_cuboid_3` makes them, if there is one. Decided exactly in every kernel.
+//! the cuboid whose faces the surfaces are, in any order, as the conversion of `Iso_cuboid_3` makes them, if there is
+//! one. Decided exactly in every kernel.
 template <std::ranges::forward_range Surfaces>
 auto to_iso_cuboid(const Surfaces& surfaces)
 {
@@ -101,10 +108,12 @@ auto to_iso_cuboid(const Surfaces& surfaces)
 }
 
 /*!
-the mesh whose faces the surfaces are, in their order, if there is one: each is a triangle or a bilinear patch as `to_bspline_surfaces()` makes them, over any domain; equal corners are one
-vertex, and no edge has more than two faces, nor two that run along it the same way. Decided exactly in every kernel.
+the mesh whose faces the surfaces are, in their order, if there is one: each is a triangle or a bilinear patch as
+`to_bspline_surfaces()` makes them, over any domain; equal corners are one vertex, and no edge has more than two faces,
+nor two that run along it the same way. Decided exactly in every kernel.
 \param surfaces a range of `Bspline_surface_3` over one kernel.
-\throws Invalid_input when a surface is no such patch, or does not fit to those before it; the message tells its place in the range.
+\throws Invalid_input when a surface is no such patch, or does not fit to those before it; the message tells its place
+in the range.
 */
 template <std::ranges::input_range Surfaces>
 auto to_surface_mesh(const Surfaces& surfaces)
@@ -115,7 +124,9 @@ auto to_surface_mesh(const Surfaces& surfaces)
   std::map<Point, typename Mesh::Vertex_index> vertex_at;
   std::size_t place = 0;
   for (const auto& surface : surfaces) {
-    const auto refuse = [&](const char* reason) { throw Invalid_input("to_surface_mesh: surface " + std::to_string(place) + reason); };
+    const auto refuse = [&](const char* reason) {
+      throw Invalid_input("to_surface_mesh: surface " + std::to_string(place) + reason);
+    };
     std::vector<typename Mesh::Vertex_index> vertices;
     for (const Point& p : internal::vertices_of_patch(surface)) {
       const auto [known, is_new] = vertex_at.try_emplace(p);

@@ -25,9 +25,11 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Knots with their multiplicities as one sequence. Of a periodic one with n control points the last n + 1 knots, which are one period of it.
+// Knots with their multiplicities as one sequence. Of a periodic one with n control points the last n + 1 knots, which
+// are one period of it.
 template <class FT>
-std::vector<FT> knot_sequence(const TColStd_Array1OfReal& knots, const TColStd_Array1OfInteger& multiplicities, bool is_periodic)
+std::vector<FT> knot_sequence(const TColStd_Array1OfReal& knots, const TColStd_Array1OfInteger& multiplicities,
+                              bool is_periodic)
 {
   std::vector<FT> result;
   for (int i = knots.Lower(); i <= knots.Upper(); ++i)
@@ -54,7 +56,8 @@ auto curve_from_opencascade(const Curve& curve)
       weights.push_back(converted_number<typename Kernel::FT>(curve.Weight(i)));
   }
   const auto knots = knot_sequence<typename Kernel::FT>(curve.Knots(), curve.Multiplicities(), curve.IsPeriodic());
-  return curve.IsPeriodic() ? Spline::from_periodic(curve.Degree(), knots, std::move(points), std::move(weights)) : Spline(curve.Degree(), knots, points, weights);
+  return curve.IsPeriodic() ? Spline::from_periodic(curve.Degree(), knots, std::move(points), std::move(weights))
+                            : Spline(curve.Degree(), knots, points, weights);
 }
 
 // What a spline of OpenCASCADE is made of along one axis.
@@ -101,7 +104,10 @@ auto made_by_opencascade(const Make& make)
 }
 
 inline gp_Pnt2d pole_of(const Exact_kernel::Point_2& p) { return {to_nearest_double(p.x()), to_nearest_double(p.y())}; }
-inline gp_Pnt pole_of(const Exact_kernel::Point_3& p) { return {to_nearest_double(p.x()), to_nearest_double(p.y()), to_nearest_double(p.z())}; }
+inline gp_Pnt pole_of(const Exact_kernel::Point_3& p)
+{
+  return {to_nearest_double(p.x()), to_nearest_double(p.y()), to_nearest_double(p.z())};
+}
 
 template <class Result, class Poles, class Curve>
 opencascade::handle<Result> curve_to_opencascade(const Curve& curve)
@@ -129,8 +135,9 @@ opencascade::handle<Result> curve_to_opencascade(const Curve& curve)
 /// @{
 
 /*!
-a curve of OpenCASCADE, also a periodic one, on the same knots; a periodic one unwrapped by `Bspline_curve::from_periodic()`. Exact in exact kernels, since doubles are
-rational numbers. In kernels of doubles products of points and weights are rounded, and so are knots that are continued by a period.
+a curve of OpenCASCADE, also a periodic one, on the same knots; a periodic one unwrapped by
+`Bspline_curve::from_periodic()`. Exact in exact kernels, since doubles are rational numbers. In kernels of doubles
+products of points and weights are rounded, and so are knots that are continued by a period.
 \throws Invalid_input as the constructor of `Bspline_curve`.
 */
 template <SplineKernel Kernel>
@@ -157,20 +164,24 @@ Bspline_surface_3<Kernel> to_bspline_surface(const Geom_BSplineSurface& surface)
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       const gp_Pnt pole = surface.Pole(i, j);
-      points.push_back(internal::kernel_object<Kernel, CGAL::Point_3<Kernel>>(std::array{pole.X(), pole.Y(), pole.Z()}));
+      points.push_back(
+          internal::kernel_object<Kernel, CGAL::Point_3<Kernel>>(std::array{pole.X(), pole.Y(), pole.Z()}));
       if (is_rational)
         weights.push_back(internal::converted_number<FT>(surface.Weight(i, j)));
     }
-  const std::array<bool, 2> is_periodic{static_cast<bool>(surface.IsUPeriodic()), static_cast<bool>(surface.IsVPeriodic())};
+  const std::array<bool, 2> is_periodic{static_cast<bool>(surface.IsUPeriodic()),
+                                        static_cast<bool>(surface.IsVPeriodic())};
   const auto knots_u = internal::knot_sequence<FT>(surface.UKnots(), surface.UMultiplicities(), is_periodic[0]);
   const auto knots_v = internal::knot_sequence<FT>(surface.VKnots(), surface.VMultiplicities(), is_periodic[1]);
-  return Bspline_surface_3<Kernel>::from_periodic({surface.UDegree(), surface.VDegree()}, knots_u, knots_v, points, is_periodic, weights);
+  return Bspline_surface_3<Kernel>::from_periodic({surface.UDegree(), surface.VDegree()}, knots_u, knots_v, points,
+                                                  is_periodic, weights);
 }
 
 /*!
-the curve as one of OpenCASCADE, with the doubles next to its knots, control points and weights: the same curve, if these are doubles.
-\throws Invalid_input when a control point has weight 0; and when OpenCASCADE refuses the curve: for a degree of 0 or above 25, weights that are not positive, and knots that
-are too close.
+the curve as one of OpenCASCADE, with the doubles next to its knots, control points and weights: the same curve, if
+these are doubles.
+\throws Invalid_input when a control point has weight 0; and when OpenCASCADE refuses the curve: for a degree of 0 or
+above 25, weights that are not positive, and knots that are too close.
 */
 template <ParametricCurve_2 Curve>
 opencascade::handle<Geom2d_BSplineCurve> to_opencascade(const Curve& curve)
@@ -203,8 +214,10 @@ opencascade::handle<Geom_BSplineSurface> to_opencascade(const Surface& surface)
   const internal::Opencascade_axis u(exact.knots(0)), v(exact.knots(1));
   return internal::made_by_opencascade([&]() -> opencascade::handle<Geom_BSplineSurface> {
     if (exact.is_rational())
-      return new Geom_BSplineSurface(poles, own_weights, u.knots, v.knots, u.multiplicities, v.multiplicities, exact.degree(0), exact.degree(1));
-    return new Geom_BSplineSurface(poles, u.knots, v.knots, u.multiplicities, v.multiplicities, exact.degree(0), exact.degree(1));
+      return new Geom_BSplineSurface(poles, own_weights, u.knots, v.knots, u.multiplicities, v.multiplicities,
+                                     exact.degree(0), exact.degree(1));
+    return new Geom_BSplineSurface(poles, u.knots, v.knots, u.multiplicities, v.multiplicities, exact.degree(0),
+                                   exact.degree(1));
   });
 }
 

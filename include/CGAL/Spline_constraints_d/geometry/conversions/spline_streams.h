@@ -38,15 +38,19 @@ inline std::optional<Exact_rational> read_rational(std::istream& in)
   std::string text;
   in >> text;
   const std::size_t slash = text.find('/'), begin = text.starts_with('-') ? 1 : 0;
-  const std::string numerator = text.substr(begin, slash == std::string::npos ? slash : slash - begin), denominator = slash == std::string::npos ? "1" : text.substr(slash + 1);
-  const auto is_number = [](const std::string& digits) { return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return '0' <= c && c <= '9'; }); };
+  const std::string numerator = text.substr(begin, slash == std::string::npos ? slash : slash - begin),
+                    denominator = slash == std::string::npos ? "1" : text.substr(slash + 1);
+  const auto is_number = [](const std::string& digits) {
+    return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return '0' <= c && c <= '9'; });
+  };
   const auto is_zero = [](const std::string& digits) { return digits.find_first_not_of('0') == std::string::npos; };
   if (!in || !is_number(numerator) || !is_number(denominator) || is_zero(denominator)) {
     in.setstate(std::ios::failbit);
     return std::nullopt;
   }
-  const auto integer = [&](const std::string& digits) {   // a leading zero would be an octal number
-    return is_zero(digits) ? Exact_rational(0) : scaled_rational(Big_integer(digits.substr(digits.find_first_not_of('0'))), 0);
+  const auto integer = [&](const std::string& digits) { // a leading zero would be an octal number
+    return is_zero(digits) ? Exact_rational(0)
+                           : scaled_rational(Big_integer(digits.substr(digits.find_first_not_of('0'))), 0);
   };
   const Exact_rational result(integer(numerator) / integer(denominator));
   return begin == 1 ? Exact_rational(-result) : result;
@@ -96,7 +100,8 @@ void read_spline(std::istream& in, Object& object)
   std::vector<std::vector<Number>> knots;
   std::size_t size = 1;
   in >> parameters >> dimension >> is_rational;
-  bool is_valid = in && parameters == Object::number_of_parameters && dimension == d && (is_rational == 0 || is_rational == 1);
+  bool is_valid =
+      in && parameters == Object::number_of_parameters && dimension == d && (is_rational == 0 || is_rational == 1);
   for (int axis = 0; is_valid && axis < parameters; ++axis) {
     constexpr int most = 1 << 20;   // so that sums and products of sizes do not overflow
     int degree = -1, count = 0;
@@ -130,8 +135,10 @@ void read_spline(std::istream& in, Object& object)
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-writes a curve as numbers with spaces between them: 1 for its parameter, the dimension, 1 if it is rational and else 0; the degree, the number of control points, the knots; and the control points, one coordinate of all of them after the other, at last
-the weights. Coordinates of rational curves are multiplied by the weights. Numbers are integers or quotients \f$p/q\f$ in any kernel, so they are exact.
+writes a curve as numbers with spaces between them: 1 for its parameter, the dimension, 1 if it is rational and else 0;
+the degree, the number of control points, the knots; and the control points, one coordinate of all of them after the
+other, at last the weights. Coordinates of rational curves are multiplied by the weights. Numbers are integers or
+quotients \f$p/q\f$ in any kernel, so they are exact.
 */
 template <SplineKernel Kernel, int d>
 std::ostream& operator<<(std::ostream& out, const Bspline_curve<Kernel, d>& curve)
@@ -143,7 +150,8 @@ std::ostream& operator<<(std::ostream& out, const Bspline_curve<Kernel, d>& curv
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-reads a curve that was written in this way: it has the same knots and control points. Kernels of doubles round what a kernel of other numbers has written. If there is no valid curve, the stream fails and the curve remains as it was.
+reads a curve that was written in this way: it has the same knots and control points. Kernels of doubles round what a
+kernel of other numbers has written. If there is no valid curve, the stream fails and the curve remains as it was.
 */
 template <SplineKernel Kernel, int d>
 std::istream& operator>>(std::istream& in, Bspline_curve<Kernel, d>& curve)
@@ -153,7 +161,8 @@ std::istream& operator>>(std::istream& in, Bspline_curve<Kernel, d>& curve)
 }
 
 //! \ingroup PkgSplineConstraintsDGeometry
-//! writes a surface: 2 for its parameters, the dimension, whether it is rational; degree, number of control points and knots of both axes; coordinates and weights as those of a curve, the second axis fastest.
+//! writes a surface: 2 for its parameters, the dimension, whether it is rational; degree, number of control points and
+//! knots of both axes; coordinates and weights as those of a curve, the second axis fastest.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Bspline_surface_3<Kernel>& surface)
 {

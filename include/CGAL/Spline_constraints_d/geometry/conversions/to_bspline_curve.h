@@ -35,11 +35,15 @@ namespace internal {
 // What an exact search for a rational point came to nothing with.
 [[noreturn]] inline void throw_without_rational_point(const std::string& who, bool is_complete)
 {
-  throw Invalid_input(who + (is_complete ? ": there is no point with rational coordinates, so it is no rational curve or surface over the rational numbers"
-                                         : ": no point with rational coordinates was found; give one to the constructor that takes a point"));
+  throw Invalid_input(
+      who +
+      (is_complete ? ": there is no point with rational coordinates, so it is no rational curve or surface over the "
+                     "rational numbers"
+                   : ": no point with rational coordinates was found; give one to the constructor that takes a point"));
 }
 
-// A vector of this squared length with rational coordinates. For floating point numbers, one along an axis whose length is rounded.
+// A vector of this squared length with rational coordinates. For floating point numbers, one along an axis whose length
+// is rounded.
 template <class FT>
 Exact_kernel::Vector_2 vector_of_squared_length_2(const FT& squared_length, const std::string& who)
 {
@@ -78,9 +82,11 @@ Exact_rational rational_value(const Root& x)
   return root ? Exact_rational(a + b * *root) : a;
 }
 
-// A vector at a right angle to another one with this squared length and rational coordinates. For floating point numbers, one whose length is rounded.
+// A vector at a right angle to another one with this squared length and rational coordinates. For floating point
+// numbers, one whose length is rounded.
 template <class FT>
-Exact_kernel::Vector_3 perpendicular_vector_of_squared_length(const Exact_kernel::Vector_3& normal, const FT& squared_length, const std::string& who)
+Exact_kernel::Vector_3 perpendicular_vector_of_squared_length(const Exact_kernel::Vector_3& normal,
+                                                              const FT& squared_length, const std::string& who)
 {
   using Vector = Exact_kernel::Vector_3;
   check_positive(squared_length, who + ": the squared radius");
@@ -92,11 +98,13 @@ Exact_kernel::Vector_3 perpendicular_vector_of_squared_length(const Exact_kernel
     throw Invalid_input(who + ": its plane is degenerate");
   const std::array<Vector, 3> unit{Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)};
   const Vector a = CGAL::cross_product(normal, unit[(k + 1) % 3]), b = CGAL::cross_product(normal, unit[(k + 2) % 3]);
-  const Exact_rational squared_radius = converted_number<Exact_rational>(squared_length), squared_a = a.squared_length();
+  const Exact_rational squared_radius = converted_number<Exact_rational>(squared_length),
+                       squared_a = a.squared_length();
   if constexpr (std::is_floating_point_v<FT>)
     return a * to_rational(std::sqrt(to_nearest_double(Exact_rational(squared_radius / squared_a))));
   else {
-    const auto point = rational_point_of_form(squared_a, Exact_rational(a * b), Exact_rational(b.squared_length()), squared_radius);
+    const auto point =
+        rational_point_of_form(squared_a, Exact_rational(a * b), Exact_rational(b.squared_length()), squared_radius);
     if (!point.roots)
       throw_without_rational_point(who, point.is_complete);
     return a * (*point.roots)[0] + b * (*point.roots)[1];
@@ -132,9 +140,11 @@ Bspline_curve_3<Kernel> to_bspline_curve(const CGAL::Segment_3<Kernel>& segment)
 }
 
 /*!
-the circle, in its own orientation, over \f$[0,4]\f$; see `circle_curve()`. A circle with rational center and squared radius is a rational curve over the rational numbers
-exactly if it has a rational point. One is looked for; kernels of doubles round the radius instead.
-\throws Invalid_input when the squared radius is not positive, or there is no rational point, or none is found: the message says which.
+the circle, in its own orientation, over \f$[0,4]\f$; see `circle_curve()`. A circle with rational center and squared
+radius is a rational curve over the rational numbers exactly if it has a rational point. One is looked for; kernels of
+doubles round the radius instead.
+\throws Invalid_input when the squared radius is not positive, or there is no rational point, or none is found: the
+message says which.
 */
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Circle_2<Kernel>& circle)
@@ -146,42 +156,51 @@ Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Circle_2<Kernel>& circle)
 }
 
 /*!
-the arc of a circular kernel, counterclockwise as arcs are there, see `circular_arc_curve()`; the circle if its ends are the same point. The coordinates of its ends are
-square roots in general; arcs between rational points are converted, exactly.
+the arc of a circular kernel, counterclockwise as arcs are there, see `circular_arc_curve()`; the circle if its ends are
+the same point. The coordinates of its ends are square roots in general; arcs between rational points are converted,
+exactly.
 \throws Invalid_input when an end has no rational coordinates.
 */
 template <SplineKernel CircularKernel>
 Bspline_curve_2<CircularKernel> to_bspline_curve(const CGAL::Circular_arc_2<CircularKernel>& arc)
 {
-  const auto point = [](const auto& p) { return internal::Exact_kernel::Point_2(internal::rational_value(p.x()), internal::rational_value(p.y())); };
+  const auto point = [](const auto& p) {
+    return internal::Exact_kernel::Point_2(internal::rational_value(p.x()), internal::rational_value(p.y()));
+  };
   const auto center = internal::exact_object(arc.center()), source = point(arc.source()), target = point(arc.target());
-  return Bspline_curve_2<CircularKernel>(source == target ? circle_curve(center, source) : circular_arc_curve(center, source, target));
+  return Bspline_curve_2<CircularKernel>(source == target ? circle_curve(center, source)
+                                                          : circular_arc_curve(center, source, target));
 }
 
 /*!
-the circle in space, counterclockwise as seen against the normal of its plane, over \f$[0,4]\f$; see `circle_curve()`. A point of it with rational coordinates is looked for, in the
-directions of small integers within its plane; kernels of doubles round the radius instead.
-\throws Invalid_input when the squared radius is not positive, the plane is degenerate, or there is no rational point, or none is found: the message says which.
+the circle in space, counterclockwise as seen against the normal of its plane, over \f$[0,4]\f$; see `circle_curve()`. A
+point of it with rational coordinates is looked for, in the directions of small integers within its plane; kernels of
+doubles round the radius instead.
+\throws Invalid_input when the squared radius is not positive, the plane is degenerate, or there is no rational point,
+or none is found: the message says which.
 */
 template <SplineKernel Kernel>
 Bspline_curve_3<Kernel> to_bspline_curve(const CGAL::Circle_3<Kernel>& circle)
 {
   const auto center = internal::exact_object(circle.center());
   const auto normal = internal::exact_object(circle.supporting_plane().orthogonal_vector());
-  const auto radius = internal::perpendicular_vector_of_squared_length(normal, circle.squared_radius(), "to_bspline_curve: the circle");
+  const auto radius =
+      internal::perpendicular_vector_of_squared_length(normal, circle.squared_radius(), "to_bspline_curve: the circle");
   return Bspline_curve_3<Kernel>(internal::circle_around(center, normal, center + radius));
 }
 
 /*!
-the arc of a spherical kernel, in the orientation that arcs have there: counterclockwise as seen from the side that a lexicographically positive normal points to; see
-`circular_arc_curve()`. If its ends are the same point, the circle. Arcs between rational points are converted, exactly.
+the arc of a spherical kernel, in the orientation that arcs have there: counterclockwise as seen from the side that a
+lexicographically positive normal points to; see `circular_arc_curve()`. If its ends are the same point, the circle.
+Arcs between rational points are converted, exactly.
 \throws Invalid_input when an end has no rational coordinates.
 */
 template <SplineKernel SphericalKernel>
 Bspline_curve_3<SphericalKernel> to_bspline_curve(const CGAL::Circular_arc_3<SphericalKernel>& arc)
 {
   const auto point = [](const auto& p) {
-    return internal::Exact_kernel::Point_3(internal::rational_value(p.x()), internal::rational_value(p.y()), internal::rational_value(p.z()));
+    return internal::Exact_kernel::Point_3(internal::rational_value(p.x()), internal::rational_value(p.y()),
+                                           internal::rational_value(p.z()));
   };
   const auto center = internal::exact_object(arc.center()), source = point(arc.source()), target = point(arc.target());
   auto normal = internal::exact_object(arc.supporting_plane().orthogonal_vector());
@@ -191,7 +210,8 @@ Bspline_curve_3<SphericalKernel> to_bspline_curve(const CGAL::Circular_arc_3<Sph
                                                            : circular_arc_curve(center, normal, source, target));
 }
 
-//! the boundary of the triangle, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every kernel.
+//! the boundary of the triangle, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every
+//! kernel.
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Triangle_2<Kernel>& triangle)
 {
@@ -205,14 +225,16 @@ Bspline_curve_3<Kernel> to_bspline_curve(const CGAL::Triangle_3<Kernel>& triangl
   return internal::closed_polyline(triangle, 3);
 }
 
-//! the boundary of the rectangle, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every kernel.
+//! the boundary of the rectangle, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every
+//! kernel.
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Iso_rectangle_2<Kernel>& rectangle)
 {
   return internal::closed_polyline(rectangle, 4);
 }
 
-//! the boundary of the polygon, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every kernel.
+//! the boundary of the polygon, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every
+//! kernel.
 //! \throws Invalid_input when the polygon is empty.
 template <SplineKernel Kernel, class Container>
 Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Polygon_2<Kernel, Container>& polygon)
@@ -222,7 +244,8 @@ Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Polygon_2<Kernel, Container
   return internal::closed_polyline(polygon, polygon.size());
 }
 
-//! the boundaries of the polygon: first the outer one, unless the polygon is unbounded, then those of its holes. Exact in every kernel.
+//! the boundaries of the polygon: first the outer one, unless the polygon is unbounded, then those of its holes. Exact
+//! in every kernel.
 //! \throws Invalid_input when a hole is empty.
 template <SplineKernel Kernel, class Container>
 std::vector<Bspline_curve_2<Kernel>> to_bspline_curves(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon)
@@ -240,7 +263,8 @@ template <ParametricCurve_2 Curve>
 Bspline_curve_2<typename Curve::Kernel> to_bspline_curve(const Curve& curve)
 {
   using Exact_curve = Bspline_curve_2<internal::Exact_kernel>;
-  return Bspline_curve_2<typename Curve::Kernel>(Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
+  return Bspline_curve_2<typename Curve::Kernel>(
+      Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
 }
 
 //! the same in space.
@@ -248,7 +272,8 @@ template <ParametricCurve_3 Curve>
 Bspline_curve_3<typename Curve::Kernel> to_bspline_curve(const Curve& curve)
 {
   using Exact_curve = Bspline_curve_3<internal::Exact_kernel>;
-  return Bspline_curve_3<typename Curve::Kernel>(Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
+  return Bspline_curve_3<typename Curve::Kernel>(
+      Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
 }
 
 /// @}

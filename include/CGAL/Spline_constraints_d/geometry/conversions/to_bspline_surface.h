@@ -40,8 +40,8 @@ Exact_kernel::Vector_3 vector_of_squared_length_3(const FT& squared_length, cons
 /// @{
 
 /*!
-the triangle \f$(1-u) p_0 + u\,((1-v) p_1 + v p_2)\f$ over \f$[0,1]^2\f$: a patch whose side \f$u = 0\f$ is the first vertex, where the parametrisation is singular. Exact
-in every kernel.
+the triangle \f$(1-u) p_0 + u\,((1-v) p_1 + v p_2)\f$ over \f$[0,1]^2\f$: a patch whose side \f$u = 0\f$ is the first
+vertex, where the parametrisation is singular. Exact in every kernel.
 */
 template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Triangle_3<Kernel>& triangle)
@@ -50,9 +50,11 @@ Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Triangle_3<Kernel>& tri
 }
 
 /*!
-the sphere, with normals outwards where its orientation is counterclockwise, inwards otherwise; see `sphere_surface()`. A sphere with rational center and squared radius
-is a rational surface over the rational numbers exactly if it has a rational point. One is looked for, to be a pole; kernels of doubles round the radius instead.
-\throws Invalid_input when the squared radius is not positive, or there is no rational point, or none is found: the message says which.
+the sphere, with normals outwards where its orientation is counterclockwise, inwards otherwise; see `sphere_surface()`.
+A sphere with rational center and squared radius is a rational surface over the rational numbers exactly if it has a
+rational point. One is looked for, to be a pole; kernels of doubles round the radius instead.
+\throws Invalid_input when the squared radius is not positive, or there is no rational point, or none is found: the
+message says which.
 */
 template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Sphere_3<Kernel>& sphere)
@@ -63,17 +65,20 @@ Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Sphere_3<Kernel>& spher
 }
 
 /*!
-the part of the plane above and below a face of the cuboid, which holds all points that the plane has in the cuboid: a parallelogram over the ranges of two coordinates.
-They are the ones, in cyclic order, that follow the coordinate in which the normal of the plane is longest; where it points to the negative side they change places, so
-that the normals of the patch point the same way. Exact where the kernel is.
+the part of the plane above and below a face of the cuboid, which holds all points that the plane has in the cuboid: a
+parallelogram over the ranges of two coordinates. They are the ones, in cyclic order, that follow the coordinate in
+which the normal of the plane is longest; where it points to the negative side they change places, so that the normals
+of the patch point the same way. Exact where the kernel is.
 \throws Invalid_input when the plane is degenerate, or a number is not finite.
 */
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Plane_3<Kernel>& plane, const CGAL::Iso_cuboid_3<Kernel>& cuboid)
+Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Plane_3<Kernel>& plane,
+                                             const CGAL::Iso_cuboid_3<Kernel>& cuboid)
 {
   using internal::converted_number;
-  const std::array<Exact_rational, 4> h{converted_number<Exact_rational>(plane.a()), converted_number<Exact_rational>(plane.b()),
-                                        converted_number<Exact_rational>(plane.c()), converted_number<Exact_rational>(plane.d())};
+  const std::array<Exact_rational, 4> h{
+      converted_number<Exact_rational>(plane.a()), converted_number<Exact_rational>(plane.b()),
+      converted_number<Exact_rational>(plane.c()), converted_number<Exact_rational>(plane.d())};
   int k = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (CGAL::abs(h[k]) < CGAL::abs(h[axis]))
@@ -89,7 +94,8 @@ Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Plane_3<Kernel>& plane,
     x[k] = -(h[3] + h[i] * x[i] + h[j] * x[j]) / h[k];
     return internal::Exact_kernel::Point_3(x[0], x[1], x[2]);
   };
-  const auto patch = bilinear_surface(corner(false, false), corner(false, true), corner(true, false), corner(true, true));
+  const auto patch =
+      bilinear_surface(corner(false, false), corner(false, true), corner(true, false), corner(true, true));
   return Bspline_surface_3<Kernel>(h[k] < 0 ? patch.transposed() : patch);
 }
 
@@ -97,17 +103,19 @@ Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Plane_3<Kernel>& plane,
 template <ParametricSurface_3 Surface>
 Bspline_surface_3<typename Surface::Kernel> to_bspline_surface(const Surface& surface)
 {
-  return Bspline_surface_3<typename Surface::Kernel>(internal::Exact_surface::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight()));
+  return Bspline_surface_3<typename Surface::Kernel>(
+      internal::Exact_surface::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight()));
 }
 
 /*!
-the six faces of the cuboid, as rectangles over \f$[0,1]^2\f$ with normals outwards: those with the least and the greatest \f$x\f$, then \f$y\f$, then \f$z\f$. Exact in
-every kernel.
+the six faces of the cuboid, as rectangles over \f$[0,1]^2\f$ with normals outwards: those with the least and the
+greatest \f$x\f$, then \f$y\f$, then \f$z\f$. Exact in every kernel.
 */
 template <SplineKernel Kernel>
 std::array<Bspline_surface_3<Kernel>, 6> to_bspline_surfaces(const CGAL::Iso_cuboid_3<Kernel>& cuboid)
 {
-  const std::array<typename Kernel::FT, 3> low{cuboid.xmin(), cuboid.ymin(), cuboid.zmin()}, high{cuboid.xmax(), cuboid.ymax(), cuboid.zmax()};
+  const std::array<typename Kernel::FT, 3> low{cuboid.xmin(), cuboid.ymin(), cuboid.zmin()},
+      high{cuboid.xmax(), cuboid.ymax(), cuboid.zmax()};
   const auto face = [&](int axis, bool is_greatest) {
     // The corner with these choices along the two axes that follow.
     const auto corner = [&](bool second, bool third) {
@@ -117,13 +125,15 @@ std::array<Bspline_surface_3<Kernel>, 6> to_bspline_surfaces(const CGAL::Iso_cub
       x[(axis + 2) % 3] = third ? high[(axis + 2) % 3] : low[(axis + 2) % 3];
       return CGAL::Point_3<Kernel>(x[0], x[1], x[2]);
     };
-    return is_greatest ? bilinear_surface<Kernel>(corner(false, false), corner(false, true), corner(true, false), corner(true, true))
-                       : bilinear_surface<Kernel>(corner(false, false), corner(true, false), corner(false, true), corner(true, true));
+    return is_greatest
+        ? bilinear_surface<Kernel>(corner(false, false), corner(false, true), corner(true, false), corner(true, true))
+        : bilinear_surface<Kernel>(corner(false, false), corner(true, false), corner(false, true), corner(true, true));
   };
   return {face(0, false), face(0, true), face(1, false), face(1, true), face(2, false), face(2, true)};
 }
 
-//! the four faces of the tetrahedron, face \f$i\f$ opposite to vertex \f$i\f$, with normals outwards; see the conversion of triangles. Exact in every kernel.
+//! the four faces of the tetrahedron, face \f$i\f$ opposite to vertex \f$i\f$, with normals outwards; see the
+//! conversion of triangles. Exact in every kernel.
 //! \throws Invalid_input when the tetrahedron is flat.
 template <SplineKernel Kernel>
 std::array<Bspline_surface_3<Kernel>, 4> to_bspline_surfaces(const CGAL::Tetrahedron_3<Kernel>& tetrahedron)
@@ -134,7 +144,8 @@ std::array<Bspline_surface_3<Kernel>, 4> to_bspline_surfaces(const CGAL::Tetrahe
     std::array<int, 3> others{(i + 1) % 4, (i + 2) % 4, (i + 3) % 4};
     if ((i % 2 == 0) != (tetrahedron.orientation() == CGAL::POSITIVE))
       std::swap(others[1], others[2]);
-    return to_bspline_surface(CGAL::Triangle_3<Kernel>(tetrahedron.vertex(others[0]), tetrahedron.vertex(others[1]), tetrahedron.vertex(others[2])));
+    return to_bspline_surface(CGAL::Triangle_3<Kernel>(tetrahedron.vertex(others[0]), tetrahedron.vertex(others[1]),
+                                                       tetrahedron.vertex(others[2])));
   };
   return {face(0), face(1), face(2), face(3)};
 }

@@ -37,7 +37,8 @@ inline Exact_rational bound_of_root(const Exact_rational& square)
 
 // |x - center|^2 = squared radius, in a cube around it.
 template <int d>
-Implicit_hypersurface<d> implicit_sphere(const std::array<Exact_rational, d>& center, const Exact_rational& squared_radius)
+Implicit_hypersurface<d> implicit_sphere(const std::array<Exact_rational, d>& center,
+                                         const Exact_rational& squared_radius)
 {
   if (!(squared_radius > 0))
     throw Invalid_input("to_implicit: the radius is zero");
@@ -66,7 +67,8 @@ typename Implicit_hypersurface<d>::Box box_of(const Iso_box& iso_box)
 {
   typename Implicit_hypersurface<d>::Box result;
   for (int i = 0; i < d; ++i)
-    result[i] = {converted_number<Exact_rational>(iso_box.min_coord(i)), converted_number<Exact_rational>(iso_box.max_coord(i))};
+    result[i] = {converted_number<Exact_rational>(iso_box.min_coord(i)),
+                 converted_number<Exact_rational>(iso_box.max_coord(i))};
   return result;
 }
 
@@ -77,36 +79,45 @@ typename Implicit_hypersurface<d>::Box box_of(const Iso_box& iso_box)
 @{
 */
 
-//! a circle by its equation, in a box around it. \throws Invalid_input when the radius is zero, or something is not finite.
+//! a circle by its equation, in a box around it. \throws Invalid_input when the radius is zero, or something is not
+//! finite.
 template <SplineKernel Kernel>
 Implicit_curve_2 to_implicit(const CGAL::Circle_2<Kernel>& circle)
 {
   const auto center = internal::exact_object(circle.center());
-  return internal::implicit_sphere<2>({center.x(), center.y()}, internal::converted_number<Exact_rational>(circle.squared_radius()));
+  return internal::implicit_sphere<2>({center.x(), center.y()},
+                                      internal::converted_number<Exact_rational>(circle.squared_radius()));
 }
 
-//! a sphere by its equation, in a box around it. \throws Invalid_input when the radius is zero, or something is not finite.
+//! a sphere by its equation, in a box around it. \throws Invalid_input when the radius is zero, or something is not
+//! finite.
 template <SplineKernel Kernel>
 Implicit_surface_3 to_implicit(const CGAL::Sphere_3<Kernel>& sphere)
 {
   const auto center = internal::exact_object(sphere.center());
-  return internal::implicit_sphere<3>({center.x(), center.y(), center.z()}, internal::converted_number<Exact_rational>(sphere.squared_radius()));
+  return internal::implicit_sphere<3>({center.x(), center.y(), center.z()},
+                                      internal::converted_number<Exact_rational>(sphere.squared_radius()));
 }
 
-//! a line by its equation, in a box. \throws Invalid_input when the line or the box is degenerate, or something is not finite.
+//! a line by its equation, in a box. \throws Invalid_input when the line or the box is degenerate, or something is not
+//! finite.
 template <SplineKernel Kernel>
 Implicit_curve_2 to_implicit(const CGAL::Line_2<Kernel>& line, const CGAL::Iso_rectangle_2<Kernel>& box)
 {
   const auto exact = [](const auto& x) { return internal::converted_number<Exact_rational>(x); };
-  return Implicit_curve_2(internal::linear_polynomial<3>({exact(line.a()), exact(line.b()), exact(line.c())}), internal::box_of<2>(box));
+  return Implicit_curve_2(internal::linear_polynomial<3>({exact(line.a()), exact(line.b()), exact(line.c())}),
+                          internal::box_of<2>(box));
 }
 
-//! a plane by its equation, in a box. \throws Invalid_input when the plane or the box is degenerate, or something is not finite.
+//! a plane by its equation, in a box. \throws Invalid_input when the plane or the box is degenerate, or something is
+//! not finite.
 template <SplineKernel Kernel>
 Implicit_surface_3 to_implicit(const CGAL::Plane_3<Kernel>& plane, const CGAL::Iso_cuboid_3<Kernel>& box)
 {
   const auto exact = [](const auto& x) { return internal::converted_number<Exact_rational>(x); };
-  return Implicit_surface_3(internal::linear_polynomial<4>({exact(plane.a()), exact(plane.b()), exact(plane.c()), exact(plane.d())}), internal::box_of<3>(box));
+  return Implicit_surface_3(
+      internal::linear_polynomial<4>({exact(plane.a()), exact(plane.b()), exact(plane.c()), exact(plane.d())}),
+      internal::box_of<3>(box));
 }
 
 /*!

@@ -24,10 +24,12 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A B-spline curve in the plane or in space, rational or not, of any degree, on any valid knots. `Bspline_curve_2` and `Bspline_curve_3` are names for the two.
+A B-spline curve in the plane or in space, rational or not, of any degree, on any valid knots. `Bspline_curve_2` and
+`Bspline_curve_3` are names for the two.
 
-A curve of degree \f$p\f$ with \f$n\f$ control points \f$P_i\f$ and weights \f$w_i\f$ is \f$C(t) = \sum_i w_i P_i N_i(t) / \sum_i w_i N_i(t)\f$, where \f$N_i\f$ are the
-B-splines of the \f$n+p+1\f$ knots; its domain and the rules for knots are those of `Bspline_function`.
+A curve of degree \f$p\f$ with \f$n\f$ control points \f$P_i\f$ and weights \f$w_i\f$ is \f$C(t) = \sum_i w_i P_i N_i(t)
+/ \sum_i w_i N_i(t)\f$, where \f$N_i\f$ are the B-splines of the \f$n+p+1\f$ knots; its domain and the rules for knots
+are those of `Bspline_function`.
 
 Parameters outside of the domain, and what is not a number, are rejected with `Invalid_input` by all functions.
 
@@ -79,32 +81,41 @@ public:
 
   /*!
   the curve of these control points, rational if there are weights.
-  \throws Invalid_input as `Bspline_function`; and when the number of weights is not that of the points, one is zero or not finite, or the weight function is not
-  positive (or not negative) on the whole domain. Messages name the index.
+  \throws Invalid_input as `Bspline_function`; and when the number of weights is not that of the points, one is zero or
+  not finite, or the weight function is not positive (or not negative) on the whole domain. Messages name the index.
   */
-  Bspline_curve(int degree, const std::vector<FT>& knots, const std::vector<Point>& points, const std::vector<FT>& weights = {})
-    : Base(Representation({degree}, {Base::numbers(knots)}, Base::coordinates(points), Base::numbers(weights), "Bspline_curve"))
+  Bspline_curve(int degree, const std::vector<FT>& knots, const std::vector<Point>& points,
+                const std::vector<FT>& weights = {})
+    : Base(Representation({degree}, {Base::numbers(knots)}, Base::coordinates(points), Base::numbers(weights),
+                          "Bspline_curve"))
   {}
 
-  //! the curve in another kernel: exactly, or with doubles next to the numerators, weights and knots. \throws Invalid_input when what was rounded is no valid curve.
+  //! the curve in another kernel: exactly, or with doubles next to the numerators, weights and knots. \throws
+  //! Invalid_input when what was rounded is no valid curve.
   template <SplineKernel Other>
-    requires (!std::same_as<Other, Kernel_>)
-  explicit Bspline_curve(const Bspline_curve<Other, d>& other) : Base(other.representation().template converted<NT>("Bspline_curve")) {}
+  requires(!std::same_as<Other, Kernel_>) explicit Bspline_curve(const Bspline_curve<Other, d>& other)
+    : Base(other.representation().template converted<NT>("Bspline_curve"))
+  {}
 
   //! the curve `numerators / weight`, on the knots of all of them.
-  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not positive (or not negative).
-  static Bspline_curve from_homogeneous_coordinates(const std::array<Bspline_function<NT>, d>& numerators, const Bspline_function<NT>& weight)
+  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not
+  //! positive (or not negative).
+  static Bspline_curve from_homogeneous_coordinates(const std::array<Bspline_function<NT>, d>& numerators,
+                                                    const Bspline_function<NT>& weight)
   {
     return Bspline_curve(Base::from_functions(numerators, weight, "Bspline_curve"));
   }
 
   /*!
-  the closed curve of \f$n\f$ control points on \f$n+1\f$ periodic knots \f$u_0 \le \dots \le u_n\f$, where \f$u_n\f$ stands for \f$u_0\f$ again, unwrapped: the knots are continued
-  periodically by `degree` to both sides, the first `degree` control points come again at the end, and the domain is the period \f$[u_0, u_n]\f$. Exact numbers
-  make it closed, and as smooth at the seam as inside; continued doubles are rounded.
-  \throws Invalid_input as the constructor, and for a degree below 1, an empty period, or a knot that occurs too often across the seam.
+  the closed curve of \f$n\f$ control points on \f$n+1\f$ periodic knots \f$u_0 \le \dots \le u_n\f$, where \f$u_n\f$
+  stands for \f$u_0\f$ again, unwrapped: the knots are continued periodically by `degree` to both sides, the first
+  `degree` control points come again at the end, and the domain is the period \f$[u_0, u_n]\f$. Exact numbers make it
+  closed, and as smooth at the seam as inside; continued doubles are rounded.
+  \throws Invalid_input as the constructor, and for a degree below 1, an empty period, or a knot that occurs too often
+  across the seam.
   */
-  static Bspline_curve from_periodic(int degree, const std::vector<FT>& period, std::vector<Point> points, std::vector<FT> weights = {})
+  static Bspline_curve from_periodic(int degree, const std::vector<FT>& period, std::vector<Point> points,
+                                     std::vector<FT> weights = {})
   {
     const std::vector<NT> all_knots = internal::unwrapped_knots(degree, Base::numbers(period), "Bspline_curve");
     internal::check_count(points.size(), period.size() - 1, "Bspline_curve: control points of a period");
@@ -115,7 +126,8 @@ public:
       if (!weights.empty())
         weights.push_back(FT(weights[i]));
     }
-    return Bspline_curve(Representation({degree}, {all_knots}, Base::coordinates(points), Base::numbers(weights), "Bspline_curve"));
+    return Bspline_curve(
+        Representation({degree}, {all_knots}, Base::coordinates(points), Base::numbers(weights), "Bspline_curve"));
   }
 
   /// @}
@@ -141,7 +153,8 @@ public:
   //! the point at the end of the domain.
   Point target() const { return (*this)(domain().second); }
 
-  //! the derivatives of order 0 (the vector from the origin to the point) up to `order`; at a knot from the right, at the end of the domain from the left.
+  //! the derivatives of order 0 (the vector from the origin to the point) up to `order`; at a knot from the right, at
+  //! the end of the domain from the left.
   std::vector<Vector> derivatives(const FT& t, int order) const
   {
     std::vector<Vector> result;
@@ -178,10 +191,12 @@ public:
     return CGAL::cross_product(binormal(t), tangent(t));
   }
 
-  //! the square of the curvature, \f$\|C' \times C''\|^2 / \|C'\|^6\f$: rational. \throws Invalid_input when \f$C'\f$ is zero.
+  //! the square of the curvature, \f$\|C' \times C''\|^2 / \|C'\|^6\f$: rational. \throws Invalid_input when \f$C'\f$
+  //! is zero.
   FT squared_curvature(const FT& t) const { return internal::converted_number<FT>(curvature_terms(t).first); }
 
-  //! the curvature; in the plane positive where the curve turns to the left. The square root of a double that is next to `squared_curvature()`. \throws Invalid_input as that.
+  //! the curvature; in the plane positive where the curve turns to the left. The square root of a double that is next
+  //! to `squared_curvature()`. \throws Invalid_input as that.
   double curvature(const FT& t) const
   {
     const auto [square, turn] = curvature_terms(t);
@@ -230,7 +245,8 @@ private:
     }
     if (squared_speed == NT(0))
       throw Invalid_input("Bspline_curve: the curve has no curvature where its first derivative is zero");
-    return {NT(squared_product / NT(NT(squared_speed * squared_speed) * squared_speed)), NT(NT(a[0] * b[1]) - NT(a[1] * b[0]))};
+    return {NT(squared_product / NT(NT(squared_speed * squared_speed) * squared_speed)),
+            NT(NT(a[0] * b[1]) - NT(a[1] * b[0]))};
   }
 };
 

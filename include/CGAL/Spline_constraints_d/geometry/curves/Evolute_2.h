@@ -25,10 +25,12 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-The evolute of a planar curve, the locus of its centers of curvature: \f$C + N\,|C'|^2 / (C' \times C'')\f$ with the normal \f$N = (-y', x')\f$. It goes to infinity at inflections, and straight
-pieces have none; its cusps belong to the vertices of the curve (`curvature_extremes()`).
+The evolute of a planar curve, the locus of its centers of curvature: \f$C + N\,|C'|^2 / (C' \times C'')\f$ with the
+normal \f$N = (-y', x')\f$. It goes to infinity at inflections, and straight pieces have none; its cusps belong to the
+vertices of the curve (`curvature_extremes()`).
 
-A point \f$P\f$ is on it when \f$\langle P - C, C'\rangle = 0\f$ and \f$\langle P - C, C''\rangle = |C'|^2\f$, equations without poles. Where the curvature jumps, at breaks, the evolute has a gap.
+A point \f$P\f$ is on it when \f$\langle P - C, C'\rangle = 0\f$ and \f$\langle P - C, C''\rangle = |C'|^2\f$, equations
+without poles. Where the curvature jumps, at breaks, the evolute has a gap.
 
 \cgalModels{Locus}
 */
@@ -58,7 +60,8 @@ public:
     for (const internal::Differentiated_map& piece : internal::polynomial_pieces(m_curve, 2)) {
       const Unknown_domains range{piece.map().domain(0)};
       const std::vector<Unknown> u = internal::unknowns_in(range);
-      internal::length_range<2>([&](std::span<const Unknown> t) { return piece(1, t[0]); }, range, "Evolute_2: the derivative of the curve");
+      internal::length_range<2>([&](std::span<const Unknown> t) { return piece(1, t[0]); }, range,
+                                "Evolute_2: the derivative of the curve");
       if (!is_zero(determinant(piece(1, u[0]), piece(2, u[0]))))
         m_pieces.push_back(piece);
     }
@@ -70,7 +73,8 @@ public:
   //! the range of the parameter.
   std::pair<Exact_rational, Exact_rational> domain(int = 0) const { return m_curve.domain(0); }
 
-  //! the center of curvature at a parameter, exactly; at a break, that of the piece after it. Nothing on straight pieces and at inflections.
+  //! the center of curvature at a parameter, exactly; at a break, that of the piece after it. Nothing on straight
+  //! pieces and at inflections.
   std::optional<std::array<Exact_rational, 2>> operator()(const Exact_rational& t) const
   {
     for (std::size_t i = m_pieces.size(); i-- > 0;)
@@ -109,12 +113,15 @@ public:
   {
     std::vector<Locus_end<2>> result;
     if (!m_pieces.empty())
-      for (const auto& [piece, t] : {std::pair(&m_pieces.front(), domain().first), std::pair(&m_pieces.back(), domain().second)})
+      for (const auto& [piece, t] :
+           {std::pair(&m_pieces.front(), domain().first), std::pair(&m_pieces.back(), domain().second)})
         if (piece->begin() <= t && t <= piece->end())
           if (const auto point = center(*piece, t)) {
             Locus_piece<2> end;
             end.point = internal::constant_formula<2>(*point);
-            end.incidence = [point](const Vector_expression<2>& p, std::span<const Unknown>) { return std::vector<Constraint>{p[0] == (*point)[0], p[1] == (*point)[1]}; };
+            end.incidence = [point](const Vector_expression<2>& p, std::span<const Unknown>) {
+              return std::vector<Constraint>{p[0] == (*point)[0], p[1] == (*point)[1]};
+            };
             result.push_back({t, end});
           }
     return result;
@@ -127,25 +134,29 @@ private:
   {
     const Spline_function function = (formula == 0).spline_function();
     return std::all_of(function.terms().begin(), function.terms().end(), [](const Spline_term& term) {
-      return std::all_of(term.pieces[0].begin(), term.pieces[0].end(), [](const Exact_rational& coefficient) { return coefficient == 0; });
+      return std::all_of(term.pieces[0].begin(), term.pieces[0].end(),
+                         [](const Exact_rational& coefficient) { return coefficient == 0; });
     });
   }
 
-  static std::optional<std::array<Exact_rational, 2>> center(const internal::Differentiated_map& piece, const Exact_rational& t)
+  static std::optional<std::array<Exact_rational, 2>> center(const internal::Differentiated_map& piece,
+                                                             const Exact_rational& t)
   {
     const internal::Exact_pair p = piece.at(0, t), tangent = piece.at(1, t);
     const Exact_rational turn = internal::exact_cross(tangent, piece.at(2, t));
     if (turn == 0)
       return std::nullopt;
     const Exact_rational factor(internal::exact_dot(tangent, tangent) / turn);
-    return std::array<Exact_rational, 2>{Exact_rational(p[0] - factor * tangent[1]), Exact_rational(p[1] + factor * tangent[0])};
+    return std::array<Exact_rational, 2>{Exact_rational(p[0] - factor * tangent[1]),
+                                         Exact_rational(p[1] + factor * tangent[0])};
   }
 
   // Whether the next piece begins with the last point of a piece; on a closed curve, the first one after the last.
   bool goes_on(std::size_t i) const
   {
     const internal::Differentiated_map &piece = m_pieces[i], &next = m_pieces[(i + 1) % m_pieces.size()];
-    const bool is_next = piece.end() == next.begin() || (m_curve.is_closed() && piece.end() == domain().second && next.begin() == domain().first);
+    const bool is_next = piece.end() == next.begin() ||
+        (m_curve.is_closed() && piece.end() == domain().second && next.begin() == domain().first);
     const auto end = center(piece, piece.end());
     return is_next && end && end == center(next, next.begin()) && internal::have_common_tangent(piece, next);
   }

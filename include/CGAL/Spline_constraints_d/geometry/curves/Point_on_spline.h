@@ -19,7 +19,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A point of a curve or surface, known by ranges of its parameters: what operations find. Within the ranges lies the point that was asked for; `point()` is one beside it.
+A point of a curve or surface, known by ranges of its parameters: what operations find. Within the ranges lies the point
+that was asked for; `point()` is one beside it.
 
 \tparam Kernel a `SplineKernel`.
 \tparam number_of_parameters 1 for a point of a curve, 2 for one of a surface.
@@ -40,10 +41,12 @@ private:
 
 public:
   /*!
-  the point with parameters in these ranges, which are cut at the ends of the domain: enclosures of solutions may reach over it.
+  the point with parameters in these ranges, which are cut at the ends of the domain: enclosures of solutions may reach
+  over it.
   \pre The ranges meet the domain.
   */
-  Point_on_spline(const Spline_map<number_of_parameters, d>& map, std::array<Range, number_of_parameters> ranges) : m_ranges(std::move(ranges))
+  Point_on_spline(const Spline_map<number_of_parameters, d>& map, std::array<Range, number_of_parameters> ranges)
+    : m_ranges(std::move(ranges))
   {
     std::array<Exact_rational, number_of_parameters> middle;
     for (int axis = 0; axis < number_of_parameters; ++axis) {
@@ -59,9 +62,13 @@ public:
   const Range& parameter_range(int axis = 0) const { return m_ranges[axis]; }
 
   //! the middle of the range of a parameter, rounded to the nearest double.
-  double parameter(int axis = 0) const { return to_nearest_double(Exact_rational((m_ranges[axis].first + m_ranges[axis].second) / 2)); }
+  double parameter(int axis = 0) const
+  {
+    return to_nearest_double(Exact_rational((m_ranges[axis].first + m_ranges[axis].second) / 2));
+  }
 
-  //! the point in the middle of the ranges, rounded where the kernel is not exact. Where the ranges are numbers and the kernel is exact, it is the point itself.
+  //! the point in the middle of the ranges, rounded where the kernel is not exact. Where the ranges are numbers and the
+  //! kernel is exact, it is the point itself.
   const Point& point() const { return m_point; }
 };
 

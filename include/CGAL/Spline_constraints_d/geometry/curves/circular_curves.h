@@ -35,18 +35,27 @@ Bspline_curve<Exact_kernel, d> ellipse(const Point& center, const Vector& a, con
 {
   const Direction_path path = Direction_path::half_round(Exact_rational(1));
   const Vector_function<d> from_a(path.domain(), a), from_b(path.domain(), b);
-  const Vector_function<d> numerators = from_a * (path.squared_sigma - path.squared_tau) + from_b * (path.sigma_tau * Exact_rational(2));
+  const Vector_function<d> numerators =
+      from_a * (path.squared_sigma - path.squared_tau) + from_b * (path.sigma_tau * Exact_rational(2));
   return object_around<Bspline_curve<Exact_kernel, d>>(center, numerators, path.squared_sigma + path.squared_tau);
 }
 
-inline bool are_parallel(const Exact_kernel::Vector_2& a, const Exact_kernel::Vector_2& b) { return a.x() * b.y() == a.y() * b.x(); }
-inline bool are_parallel(const Exact_kernel::Vector_3& a, const Exact_kernel::Vector_3& b) { return CGAL::cross_product(a, b) == CGAL::NULL_VECTOR; }
+inline bool are_parallel(const Exact_kernel::Vector_2& a, const Exact_kernel::Vector_2& b)
+{
+  return a.x() * b.y() == a.y() * b.x();
+}
+inline bool are_parallel(const Exact_kernel::Vector_3& a, const Exact_kernel::Vector_3& b)
+{
+  return CGAL::cross_product(a, b) == CGAL::NULL_VECTOR;
+}
 
 // The nearest vector of which all coordinates are multiples of a unit.
 template <class Vector>
 Vector rounded_to_multiples(const Vector& v, const Exact_rational& unit)
 {
-  const auto rounded = [&](int i) { return Exact_rational(Exact_rational(std::round(to_nearest_double(Exact_rational(v.cartesian(i) / unit)))) * unit); };
+  const auto rounded = [&](int i) {
+    return Exact_rational(Exact_rational(std::round(to_nearest_double(Exact_rational(v.cartesian(i) / unit)))) * unit);
+  };
   if constexpr (std::is_same_v<Vector, Exact_kernel::Vector_2>)
     return Vector(rounded(0), rounded(1));
   else
@@ -65,8 +74,9 @@ Exact_rational rounded_for(const Exact_rational& x)
 }
 
 /*
-The ellipse for a kernel. If its numbers are rounded, and so would be control points, the center and the half axes are rounded instead, to multiples of one unit of which all control points are multiples as well, by less than that:
-the curve is an ellipse still, and a circle if it is to be one.
+The ellipse for a kernel. If its numbers are rounded, and so would be control points, the center and the half axes are
+rounded instead, to multiples of one unit of which all control points are multiples as well, by less than that: the
+curve is an ellipse still, and a circle if it is to be one.
 */
 template <class Kernel, int d, class Point, class Vector>
 Bspline_curve<Exact_kernel, d> rounded_ellipse(const Point& center, const Vector& a, const Vector& b)
@@ -76,7 +86,8 @@ Bspline_curve<Exact_kernel, d> rounded_ellipse(const Point& center, const Vector
     Exact_rational greatest = 0;
     for (int i = 0; i < d; ++i)
       greatest = (std::max)(greatest, Exact_rational(CGAL::abs(center[i]) + CGAL::abs(a[i]) + CGAL::abs(b[i])));
-    if (greatest > Exact_rational(static_cast<double>((std::numeric_limits<FT>::max)())))   // control points that are not finite are refused where they are rounded
+    // control points that are not finite are refused where they are rounded
+    if (greatest > Exact_rational(static_cast<double>((std::numeric_limits<FT>::max)())))
       return ellipse<d>(center, a, b);
     bool is_exact = true;
     for (int i = 0; i < d; ++i)
@@ -112,11 +123,13 @@ void check_positive(const FT& x, const std::string& what)
 }
 
 // A product of two vectors divided by their lengths: these are equal, up to rounding.
-inline Exact_rational divided_by_lengths(const Exact_rational& product, const Exact_rational& square, const Exact_rational& other_square)
+inline Exact_rational divided_by_lengths(const Exact_rational& product, const Exact_rational& square,
+                                         const Exact_rational& other_square)
 {
   if (square == other_square)
     return Exact_rational(product / square);
-  const Exact_rational root = to_rational(std::sqrt(to_nearest_double(Exact_rational(product * product / (square * other_square)))));
+  const Exact_rational root =
+      to_rational(std::sqrt(to_nearest_double(Exact_rational(product * product / (square * other_square)))));
   return product < 0 ? Exact_rational(-root) : root;
 }
 
@@ -126,7 +139,8 @@ inline Exact_rational one_plus_cosine(const Exact_rational& cosine, const Exact_
   return cosine < 0 ? Exact_rational(squared_sine / (1 - cosine)) : Exact_rational(1 + cosine);
 }
 
-// Where on the half round of height 1 the rotation by an angle is, 0 <= angle < 4 quarters, from 1 + cos and sin: its point is in the direction of the half angle.
+// Where on the half round of height 1 the rotation by an angle is, 0 <= angle < 4 quarters, from 1 + cos and sin: its
+// point is in the direction of the half angle.
 inline Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, const Exact_rational& sine)
 {
   Exact_rational sigma = one_plus_cosine, tau = sine;
@@ -142,7 +156,9 @@ inline Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, cons
 }
 
 // The circle that a point describes around an axis.
-inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center, const Exact_kernel::Vector_3& direction, const Exact_kernel::Point_3& source)
+inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center,
+                                                   const Exact_kernel::Vector_3& direction,
+                                                   const Exact_kernel::Point_3& source)
 {
   const auto from_center = source - center;
   if (are_parallel(direction, from_center))
@@ -158,25 +174,32 @@ inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& 
 /// @{
 
 /*!
-the ellipse \f$c + a \cos\varphi + b \sin\varphi\f$ of a center and two conjugate half axes, from \f$c + a\f$ by \f$c + b\f$ once around: a closed rational quadratic
-curve over \f$[0,4]\f$, with a quarter of the ellipse between successive integers, and the weights 1, 1, 2, 1, 1, 1, 2, 1, 1. It is continuously differentiable, also at
-its seam. Exact where the kernel is. In kernels of doubles the center and the half axes are rounded, so that control points need not be: the result is exactly an ellipse, and a circle if it is to be one.
+the ellipse \f$c + a \cos\varphi + b \sin\varphi\f$ of a center and two conjugate half axes, from \f$c + a\f$ by \f$c +
+b\f$ once around: a closed rational quadratic curve over \f$[0,4]\f$, with a quarter of the ellipse between successive
+integers, and the weights 1, 1, 2, 1, 1, 1, 2, 1, 1. It is continuously differentiable, also at its seam. Exact where
+the kernel is. In kernels of doubles the center and the half axes are rounded, so that control points need not be: the
+result is exactly an ellipse, and a circle if it is to be one.
 \throws Invalid_input when the half axes are parallel, or a coordinate is not finite.
 */
 template <SplineKernel Kernel>
-Bspline_curve_2<Kernel> ellipse_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Vector_2<Kernel>& a, const CGAL::Vector_2<Kernel>& b)
+Bspline_curve_2<Kernel> ellipse_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Vector_2<Kernel>& a,
+                                      const CGAL::Vector_2<Kernel>& b)
 {
-  return Bspline_curve_2<Kernel>(internal::checked_ellipse<Kernel, 2>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
+  return Bspline_curve_2<Kernel>(internal::checked_ellipse<Kernel, 2>(
+      internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
 }
 
 //! the same in space; with half axes of equal length at a right angle, a circle.
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> ellipse_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& a, const CGAL::Vector_3<Kernel>& b)
+Bspline_curve_3<Kernel> ellipse_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& a,
+                                      const CGAL::Vector_3<Kernel>& b)
 {
-  return Bspline_curve_3<Kernel>(internal::checked_ellipse<Kernel, 3>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
+  return Bspline_curve_3<Kernel>(internal::checked_ellipse<Kernel, 3>(
+      internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
 }
 
-//! the circle of a center and radius, counterclockwise from its point with the largest \f$x\f$; otherwise as `ellipse_curve()`.
+//! the circle of a center and radius, counterclockwise from its point with the largest \f$x\f$; otherwise as
+//! `ellipse_curve()`.
 //! \throws Invalid_input when the radius is not positive, or a number is not finite.
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const typename Kernel::FT& radius)
@@ -184,10 +207,12 @@ Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const 
   internal::check_positive(radius, "circle_curve: the radius");
   const Exact_rational r = internal::converted_number<Exact_rational>(radius);
   using Vector = internal::Exact_kernel::Vector_2;
-  return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(internal::exact_object(center), Vector(r, 0), Vector(0, r)));
+  return Bspline_curve_2<Kernel>(
+      internal::rounded_ellipse<Kernel, 2>(internal::exact_object(center), Vector(r, 0), Vector(0, r)));
 }
 
-//! the circle of a center through a point, counterclockwise from that point. The radius need not be rational; otherwise as `ellipse_curve()`.
+//! the circle of a center through a point, counterclockwise from that point. The radius need not be rational; otherwise
+//! as `ellipse_curve()`.
 //! \throws Invalid_input when the points are the same, or a coordinate is not finite.
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Point_2<Kernel>& source)
@@ -198,15 +223,18 @@ Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const 
 }
 
 /*!
-the arc of the circle around a center from one point to another. It is a part of the `circle_curve()` of the center through the source (or of the one that runs the other way round,
-if `orientation` is `CGAL::CLOCKWISE`), with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is, whether the radius is rational or not.
+the arc of the circle around a center from one point to another. It is a part of the `circle_curve()` of the center
+through the source (or of the one that runs the other way round, if `orientation` is `CGAL::CLOCKWISE`), with the domain
+\f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is, whether the radius is rational or not.
 
-In kernels of doubles the target is the point of the circle in the direction of the given one, and the center and the source are rounded as for the whole circle; arcs of quarters are exactly circular.
-\throws Invalid_input when source or target is the center, they are in the same direction from it, the target is not on the circle (where numbers are exact), `orientation` is
-`CGAL::COLLINEAR`, or a coordinate is not finite.
+In kernels of doubles the target is the point of the circle in the direction of the given one, and the center and the
+source are rounded as for the whole circle; arcs of quarters are exactly circular.
+\throws Invalid_input when source or target is the center, they are in the same direction from it, the target is not on
+the circle (where numbers are exact), `orientation` is `CGAL::COLLINEAR`, or a coordinate is not finite.
 */
 template <SplineKernel Kernel>
-Bspline_curve_2<Kernel> circular_arc_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Point_2<Kernel>& source, const CGAL::Point_2<Kernel>& target,
+Bspline_curve_2<Kernel> circular_arc_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Point_2<Kernel>& source,
+                                           const CGAL::Point_2<Kernel>& target,
                                            CGAL::Orientation orientation = CGAL::COUNTERCLOCKWISE)
 {
   const auto c = internal::exact_object(center);
@@ -219,34 +247,41 @@ Bspline_curve_2<Kernel> circular_arc_curve(const CGAL::Point_2<Kernel>& center, 
   if (!std::is_floating_point_v<typename Kernel::FT> && ss != tt)
     throw Invalid_input("circular_arc_curve: source and target have different distances from the center");
   const auto side = s.perpendicular(orientation);
-  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine = internal::divided_by_lengths(side * t, ss, tt);
-  const Exact_rational end = internal::rounded_for<Kernel>(internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(sine * sine)), sine));
+  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt),
+                       sine = internal::divided_by_lengths(side * t, ss, tt);
+  const Exact_rational end = internal::rounded_for<Kernel>(
+      internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(sine * sine)), sine));
   if (end == 0)
     throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
   return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(c, s, side).restricted(Exact_rational(0), end));
 }
 
 /*!
-the circle that a point describes around the line through `center` in a direction, counterclockwise as seen against the direction: a closed rational quadratic curve over
-\f$[0,4]\f$ from that point, half of it between successive even numbers. Exact where the kernel is; neither the radius nor the length of the direction needs to be rational.
+the circle that a point describes around the line through `center` in a direction, counterclockwise as seen against the
+direction: a closed rational quadratic curve over
+\f$[0,4]\f$ from that point, half of it between successive even numbers. Exact where the kernel is; neither the radius
+nor the length of the direction needs to be rational.
 \throws Invalid_input when the direction is zero, the point is on the line, or a coordinate is not finite.
 */
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> circle_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction, const CGAL::Point_3<Kernel>& source)
+Bspline_curve_3<Kernel> circle_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction,
+                                     const CGAL::Point_3<Kernel>& source)
 {
-  return Bspline_curve_3<Kernel>(internal::circle_around(internal::exact_object(center), internal::exact_object(direction), internal::exact_object(source)));
+  return Bspline_curve_3<Kernel>(internal::circle_around(
+      internal::exact_object(center), internal::exact_object(direction), internal::exact_object(source)));
 }
 
 /*!
-the part of that circle from its source to another point of it, counterclockwise as seen against the direction, with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with
-the angle. Exact where the kernel is.
+the part of that circle from its source to another point of it, counterclockwise as seen against the direction, with the
+domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is.
 
 In kernels of doubles the target is the point of the circle in the direction of the given one.
-\throws Invalid_input as `circle_curve()`; when the target is on the line, or in the direction of the source; and when it is not on the circle (where numbers are exact).
+\throws Invalid_input as `circle_curve()`; when the target is on the line, or in the direction of the source; and when
+it is not on the circle (where numbers are exact).
 */
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction, const CGAL::Point_3<Kernel>& source,
-                                           const CGAL::Point_3<Kernel>& target)
+Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction,
+                                           const CGAL::Point_3<Kernel>& source, const CGAL::Point_3<Kernel>& target)
 {
   const auto c = internal::exact_object(center), p = internal::exact_object(source), q = internal::exact_object(target);
   const auto n = internal::exact_object(direction);
@@ -254,13 +289,20 @@ Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, 
   if (internal::are_parallel(n, q - c) || p == q)
     throw Invalid_input("circular_arc_curve: the target is on the axis, or is the source");
   const Exact_rational squared_axis = n.squared_length();
-  const auto arm = [&](const internal::Exact_kernel::Point_3& x) { return (x - c) - n * Exact_rational((x - c) * n / squared_axis); };
+  const auto arm = [&](const internal::Exact_kernel::Point_3& x) {
+    return (x - c) - n * Exact_rational((x - c) * n / squared_axis);
+  };
   const auto s = arm(p), t = arm(q);
-  const Exact_rational ss = s.squared_length(), tt = t.squared_length(), height = internal::near_inverse_root(squared_axis);
+  const Exact_rational ss = s.squared_length(), tt = t.squared_length(),
+                       height = internal::near_inverse_root(squared_axis);
   if (!std::is_floating_point_v<typename Kernel::FT> && (ss != tt || (q - p) * n != 0))
     throw Invalid_input("circular_arc_curve: the target is not on the circle");
-  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine_over_length = internal::divided_by_lengths(n * CGAL::cross_product(s, t) / squared_axis, ss, tt);
-  const Exact_rational end = internal::rounded_for<Kernel>(internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(squared_axis * sine_over_length * sine_over_length)), Exact_rational(sine_over_length / height)));
+  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt),
+                       sine_over_length =
+                           internal::divided_by_lengths(n * CGAL::cross_product(s, t) / squared_axis, ss, tt);
+  const Exact_rational end = internal::rounded_for<Kernel>(internal::turn_parameter(
+      internal::one_plus_cosine(cosine, Exact_rational(squared_axis * sine_over_length * sine_over_length)),
+      Exact_rational(sine_over_length / height)));
   if (end == 0)
     throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
   return Bspline_curve_3<Kernel>(circle.restricted(Exact_rational(0), end));

@@ -22,8 +22,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A conic through the origin: xx x^2 + xy x y + yy y^2 + x x + y y = 0. With the bilinear form B of the quadratic part and its linear part l, a point in direction d lies at the
-parameter -l(d) / B(d,d): lines through the origin meet it in one more point (stereographic projection).
+A conic through the origin: xx x^2 + xy x y + yy y^2 + x x + y y = 0. With the bilinear form B of the quadratic part and
+its linear part l, a point in direction d lies at the parameter -l(d) / B(d,d): lines through the origin meet it in one
+more point (stereographic projection).
 */
 struct Conic_through_origin
 {
@@ -57,7 +58,10 @@ struct Conic_through_origin
   bool is_ellipse() const { return Exact_rational(form(tangent(), tangent()) * form(conjugate(), conjugate())) > 0; }
 
   // The height of the rectangle along which the directions to an ellipse run.
-  Exact_rational height_of_path() const { return near_inverse_root(Exact_rational(form(conjugate(), conjugate()) / form(tangent(), tangent()))); }
+  Exact_rational height_of_path() const
+  {
+    return near_inverse_root(Exact_rational(form(conjugate(), conjugate()) / form(tangent(), tangent())));
+  }
 
   // Zero exactly for pairs of lines: the determinant of the symmetric matrix, four times.
   Exact_rational determinant() const { return Exact_rational(xy * x * y - xx * y * y - yy * x * x); }
@@ -85,7 +89,8 @@ inline std::array<Exact_rational, 5> null_vector(std::array<std::array<Exact_rat
     pivots[rank++] = column;
   }
   if (rank < 4)
-    throw Invalid_input("conic_curve: more than one conic runs through the points (two are the same, or four are on a line)");
+    throw Invalid_input(
+        "conic_curve: more than one conic runs through the points (two are the same, or four are on a line)");
   std::size_t free_column = 0;
   while (free_column < 4 && pivots[free_column] == free_column)
     ++free_column;
@@ -110,8 +115,10 @@ inline Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_
   return conic;
 }
 
-// The points -2 tau l(b) (sigma a + tau b) / (A sigma^2 + B tau^2), where a is the tangent at the origin, b conjugate to it, and A, B their quadratic forms.
-inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin, std::span<const Exact_kernel::Vector_2> others)
+// The points -2 tau l(b) (sigma a + tau b) / (A sigma^2 + B tau^2), where a is the tangent at the origin, b conjugate
+// to it, and A, B their quadratic forms.
+inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin,
+                                               std::span<const Exact_kernel::Vector_2> others)
 {
   using Vector = Exact_kernel::Vector_2;
   const Vector tangent = conic.tangent(), conjugate = conic.conjugate();
@@ -119,8 +126,10 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
 
   const auto curve_on = [&](const Direction_path& path) {
     const Vector_function<2> a(path.domain(), tangent), b(path.domain(), conjugate);
-    const Vector_function<2> numerators = (a * path.sigma_tau + b * path.squared_tau) * Scalar_function(path.domain(), Exact_rational(-2 * conic.linear(conjugate)));
-    return object_around<Bspline_curve_2<Exact_kernel>>(origin, numerators, path.squared_sigma * A + path.squared_tau * B);
+    const Vector_function<2> numerators = (a * path.sigma_tau + b * path.squared_tau) *
+        Scalar_function(path.domain(), Exact_rational(-2 * conic.linear(conjugate)));
+    return object_around<Bspline_curve_2<Exact_kernel>>(origin, numerators,
+                                                        path.squared_sigma * A + path.squared_tau * B);
   };
   if (conic.is_ellipse())
     return curve_on(Direction_path::half_round(conic.height_of_path()));
@@ -142,13 +151,14 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
 /*!
 \ingroup PkgSplineConstraintsDConstructions
 
-the conic through five points, as a rational quadratic curve. If it is an ellipse, the whole of it, closed, over \f$[0,4]\f$, from the first point. If it is a parabola or
-a hyperbola, its least arc through all five points, with the slopes of the lines from the first point as the parameter; of a parabola it is polynomial.
+the conic through five points, as a rational quadratic curve. If it is an ellipse, the whole of it, closed, over
+\f$[0,4]\f$, from the first point. If it is a parabola or a hyperbola, its least arc through all five points, with the
+slopes of the lines from the first point as the parameter; of a parabola it is polynomial.
 
-The conic is found by elimination and projected from the first point onto lines, exactly; so it is exact where the kernel is. In kernels of doubles the control points of
-the conic through the given doubles are rounded.
-\throws Invalid_input when the points do not determine one conic, it is a pair of lines (three points on a line), or the points are on both branches of a hyperbola; and
-for coordinates that are not finite.
+The conic is found by elimination and projected from the first point onto lines, exactly; so it is exact where the
+kernel is. In kernels of doubles the control points of the conic through the given doubles are rounded.
+\throws Invalid_input when the points do not determine one conic, it is a pair of lines (three points on a line), or the
+points are on both branches of a hyperbola; and for coordinates that are not finite.
 */
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> conic_curve(const std::array<CGAL::Point_2<Kernel>, 5>& points)

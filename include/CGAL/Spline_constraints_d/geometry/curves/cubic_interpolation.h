@@ -80,7 +80,8 @@ std::vector<std::array<double, d>> solved(const std::vector<Tridiagonal_row<doub
   return result;
 }
 
-// First derivatives at the points of the cubic spline that is twice continuously differentiable, with given derivatives at the ends or second derivatives zero there.
+// First derivatives at the points of the cubic spline that is twice continuously differentiable, with given derivatives
+// at the ends or second derivatives zero there.
 template <class NT, int d>
 class Cubic_interpolation
 {
@@ -91,7 +92,9 @@ class Cubic_interpolation
   const std::vector<NT>& m_parameters;
 
 public:
-  Cubic_interpolation(const std::vector<Coordinates>& points, const std::vector<NT>& parameters) : m_points(points), m_parameters(parameters) {}
+  Cubic_interpolation(const std::vector<Coordinates>& points, const std::vector<NT>& parameters)
+    : m_points(points), m_parameters(parameters)
+  {}
 
   std::vector<Coordinates> control_points(const std::optional<std::pair<Coordinates, Coordinates>>& ends) const
   {
@@ -156,20 +159,23 @@ private:
 };
 
 template <SplineKernel Kernel, int d, class Point, class Vector>
-Bspline_curve<Kernel, d> interpolating_cubic(const std::vector<Point>& points, std::vector<typename Kernel::FT> parameters,
+Bspline_curve<Kernel, d> interpolating_cubic(const std::vector<Point>& points,
+                                             std::vector<typename Kernel::FT> parameters,
                                              const std::optional<std::pair<Vector, Vector>>& ends)
 {
   using FT = typename Kernel::FT;
   using NT = Spline_number<FT>;
   if (points.size() < 2)
-    throw Invalid_input("cubic_interpolation_curve: " + std::to_string(points.size()) + " points, at least 2 are needed");
+    throw Invalid_input("cubic_interpolation_curve: " + std::to_string(points.size()) +
+                        " points, at least 2 are needed");
   if (parameters.empty())
     for (std::size_t i = 0; i < points.size(); ++i)
       parameters.push_back(FT(static_cast<int>(i)));
   check_count(parameters.size(), points.size(), "cubic_interpolation_curve: parameters");
   for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
     if (!(parameters[i] < parameters[i + 1]))
-      throw Invalid_input("cubic_interpolation_curve: parameter " + std::to_string(i + 1) + " is not larger than the one before");
+      throw Invalid_input("cubic_interpolation_curve: parameter " + std::to_string(i + 1) +
+                          " is not larger than the one before");
 
   const auto coordinates = [](const auto& object) {
     std::array<NT, d> x;
@@ -202,38 +208,49 @@ Bspline_curve<Kernel, d> interpolating_cubic(const std::vector<Point>& points, s
 /// @{
 
 /*!
-the natural cubic spline through points at increasing parameters, the integers from 0 on if none are given: twice continuously differentiable, with the second derivative
-zero at both ends. Exact where the kernel is, with numbers whose length grows linearly with the number of points; doubles are solved for by Eigen.
-\throws Invalid_input for less than two points, a number of parameters that differs from that of the points, parameters that do not increase, and numbers that are not
-finite.
+the natural cubic spline through points at increasing parameters, the integers from 0 on if none are given: twice
+continuously differentiable, with the second derivative zero at both ends. Exact where the kernel is, with numbers whose
+length grows linearly with the number of points; doubles are solved for by Eigen.
+\throws Invalid_input for less than two points, a number of parameters that differs from that of the points, parameters
+that do not increase, and numbers that are not finite.
 */
 template <SplineKernel Kernel>
-Bspline_curve_2<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_2<Kernel>>& points, const std::vector<typename Kernel::FT>& parameters = {})
+Bspline_curve_2<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_2<Kernel>>& points,
+                                                  const std::vector<typename Kernel::FT>& parameters = {})
 {
-  return internal::interpolating_cubic<Kernel, 2>(points, parameters, std::optional<std::pair<CGAL::Vector_2<Kernel>, CGAL::Vector_2<Kernel>>>());
+  return internal::interpolating_cubic<Kernel, 2>(
+      points, parameters, std::optional<std::pair<CGAL::Vector_2<Kernel>, CGAL::Vector_2<Kernel>>>());
 }
 
 //! the same in space.
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_3<Kernel>>& points, const std::vector<typename Kernel::FT>& parameters = {})
+Bspline_curve_3<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_3<Kernel>>& points,
+                                                  const std::vector<typename Kernel::FT>& parameters = {})
 {
-  return internal::interpolating_cubic<Kernel, 3>(points, parameters, std::optional<std::pair<CGAL::Vector_3<Kernel>, CGAL::Vector_3<Kernel>>>());
+  return internal::interpolating_cubic<Kernel, 3>(
+      points, parameters, std::optional<std::pair<CGAL::Vector_3<Kernel>, CGAL::Vector_3<Kernel>>>());
 }
 
 //! the cubic spline with given first derivatives at its ends; otherwise as above.
 template <SplineKernel Kernel>
-Bspline_curve_2<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_2<Kernel>>& points, const std::vector<typename Kernel::FT>& parameters,
-                                                  const CGAL::Vector_2<Kernel>& begin_tangent, const CGAL::Vector_2<Kernel>& end_tangent)
+Bspline_curve_2<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_2<Kernel>>& points,
+                                                  const std::vector<typename Kernel::FT>& parameters,
+                                                  const CGAL::Vector_2<Kernel>& begin_tangent,
+                                                  const CGAL::Vector_2<Kernel>& end_tangent)
 {
-  return internal::interpolating_cubic<Kernel, 2>(points, parameters, std::optional(std::pair(begin_tangent, end_tangent)));
+  return internal::interpolating_cubic<Kernel, 2>(points, parameters,
+                                                  std::optional(std::pair(begin_tangent, end_tangent)));
 }
 
 //! the same in space.
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_3<Kernel>>& points, const std::vector<typename Kernel::FT>& parameters,
-                                                  const CGAL::Vector_3<Kernel>& begin_tangent, const CGAL::Vector_3<Kernel>& end_tangent)
+Bspline_curve_3<Kernel> cubic_interpolation_curve(const std::vector<CGAL::Point_3<Kernel>>& points,
+                                                  const std::vector<typename Kernel::FT>& parameters,
+                                                  const CGAL::Vector_3<Kernel>& begin_tangent,
+                                                  const CGAL::Vector_3<Kernel>& end_tangent)
 {
-  return internal::interpolating_cubic<Kernel, 3>(points, parameters, std::optional(std::pair(begin_tangent, end_tangent)));
+  return internal::interpolating_cubic<Kernel, 3>(points, parameters,
+                                                  std::optional(std::pair(begin_tangent, end_tangent)));
 }
 
 /// @}

@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The knots of a curve that is clamped at both ends, with `size` control points and simple knots at the integers between.
+// The knots of a curve that is clamped at both ends, with `size` control points and simple knots at the integers
+// between.
 template <class FT>
 std::vector<FT> integer_knots(int degree, std::size_t size)
 {
@@ -37,7 +38,8 @@ Bspline_curve<Kernel, d> polyline(const std::vector<typename Bspline_curve<Kerne
 }
 
 template <SplineKernel Kernel, int d>
-Bspline_curve<Kernel, d> bezier(const std::vector<typename Bspline_curve<Kernel, d>::Point>& points, const std::vector<typename Kernel::FT>& weights)
+Bspline_curve<Kernel, d> bezier(const std::vector<typename Bspline_curve<Kernel, d>::Point>& points,
+                                const std::vector<typename Kernel::FT>& weights)
 {
   if (points.size() < 2)
     throw Invalid_input("bezier_curve: " + std::to_string(points.size()) + " points, at least 2 are needed");
@@ -50,7 +52,8 @@ Bspline_curve<Kernel, d> bezier(const std::vector<typename Bspline_curve<Kernel,
 /// \addtogroup PkgSplineConstraintsDConstructions
 /// @{
 
-//! the polygonal curve through two or more points, of degree 1, with point \f$i\f$ at the parameter \f$i\f$. Exact in every kernel.
+//! the polygonal curve through two or more points, of degree 1, with point \f$i\f$ at the parameter \f$i\f$. Exact in
+//! every kernel.
 //! \throws Invalid_input for less than two points, and coordinates that are not finite.
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> polyline_curve(const std::vector<CGAL::Point_2<Kernel>>& points)
@@ -80,18 +83,20 @@ Bspline_curve_3<Kernel> segment_curve(const CGAL::Point_3<Kernel>& p, const CGAL
   return internal::polyline<Kernel, 3>({p, q});
 }
 
-//! the Bézier curve over \f$[0,1]\f$ of two or more control points, rational if there are weights. Its degree is one less than their number. Exact for polynomial curves
-//! in every kernel.
+//! the Bézier curve over \f$[0,1]\f$ of two or more control points, rational if there are weights. Its degree is one
+//! less than their number. Exact for polynomial curves in every kernel.
 //! \throws Invalid_input for less than two points, and as the constructor of `Bspline_curve`.
 template <SplineKernel Kernel>
-Bspline_curve_2<Kernel> bezier_curve(const std::vector<CGAL::Point_2<Kernel>>& points, const std::vector<typename Kernel::FT>& weights = {})
+Bspline_curve_2<Kernel> bezier_curve(const std::vector<CGAL::Point_2<Kernel>>& points,
+                                     const std::vector<typename Kernel::FT>& weights = {})
 {
   return internal::bezier<Kernel, 2>(points, weights);
 }
 
 //! the same in space.
 template <SplineKernel Kernel>
-Bspline_curve_3<Kernel> bezier_curve(const std::vector<CGAL::Point_3<Kernel>>& points, const std::vector<typename Kernel::FT>& weights = {})
+Bspline_curve_3<Kernel> bezier_curve(const std::vector<CGAL::Point_3<Kernel>>& points,
+                                     const std::vector<typename Kernel::FT>& weights = {})
 {
   return internal::bezier<Kernel, 3>(points, weights);
 }

@@ -38,7 +38,8 @@ public:
   Joint_control_points<Kernel> points;
   std::size_t joints = 0, left = 0;
 
-  Joint_smoother(std::vector<Curve> curves, double most_angle) : m_most_squared_sine(converted_number<FT>(std::pow(std::sin(most_angle), 2))), points(std::move(curves))
+  Joint_smoother(std::vector<Curve> curves, double most_angle)
+    : m_most_squared_sine(converted_number<FT>(std::pow(std::sin(most_angle), 2))), points(std::move(curves))
   {
     std::map<std::pair<FT, FT>, std::vector<Side>> sides_at;
     for (const Side& side : points.sides())
@@ -85,12 +86,19 @@ struct Smooth_joints_2
 };
 
 /*!
-curves that are smooth where others are so but for rounding: the directions in which two pieces leave a common point become exactly opposite. Control points next to joints are moved onto one line through the joint, nothing else changes. So what rounded coordinates made of a drawing that is smooth, as a rounded rectangle that is rotated, is taken back, if by a
-choice of the caller: diagrams, offsets and sums of the result have no corners there, and are proved sooner.
+curves that are smooth where others are so but for rounding: the directions in which two pieces leave a common point
+become exactly opposite. Control points next to joints are moved onto one line through the joint, nothing else changes.
+So what rounded coordinates made of a drawing that is smooth, as a rounded rectangle that is rotated, is taken back, if
+by a choice of the caller: diagrams, offsets and sums of the result have no corners there, and are proved sooner.
 
-Joints are points in which just two ends of curves are, with the same coordinates, and those within a curve at knots whose multiplicity is the degree. On a side that is straight up to the next joint, or has no control point for each end that the direction there depends on alone, as one with three control points, or a cubic with two of them in an end, the line is its tangent; where both sides can be moved, it has the direction from one of the control points to the other one.
+Joints are points in which just two ends of curves are, with the same coordinates, and those within a curve at knots
+whose multiplicity is the degree. On a side that is straight up to the next joint, or has no control point for each end
+that the direction there depends on alone, as one with three control points, or a cubic with two of them in an end, the
+line is its tangent; where both sides can be moved, it has the direction from one of the control points to the other
+one.
 
-\tparam Kernel a kernel of rational numbers, which hold the moved points exactly, as `Simple_cartesian<Exact_rational>`; of `curves`, any.
+\tparam Kernel a kernel of rational numbers, which hold the moved points exactly, as `Simple_cartesian<Exact_rational>`;
+of `curves`, any.
 \param curves a range of `Bspline_curve_2`.
 \param most_angle the greatest angle at which curves join nearly smoothly, in radians: between 0 and \f$\pi/4\f$.
 \throws Invalid_input when the angle is not one of these.
@@ -102,7 +110,8 @@ template <SplineKernel Kernel, std::ranges::input_range Curves>
 Smooth_joints_2<Kernel> with_smooth_joints(const Curves& curves, double most_angle)
 {
   if (!(0 <= most_angle && most_angle <= CGAL_PI / 4))
-    throw Invalid_input("with_smooth_joints: the angle is " + std::to_string(most_angle) + ", it has to be between 0 and pi/4");
+    throw Invalid_input("with_smooth_joints: the angle is " + std::to_string(most_angle) +
+                        ", it has to be between 0 and pi/4");
   std::vector<Bspline_curve_2<Kernel>> exact;
   for (const auto& curve : curves)
     exact.emplace_back(curve);

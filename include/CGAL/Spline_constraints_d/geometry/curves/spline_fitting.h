@@ -39,7 +39,8 @@ inline Knot_axis<double> cubic_axis(const std::vector<double>& breaks, bool is_c
 }
 
 // The point of a spline, whose first control points come again at the end if the knots are periodic.
-inline std::vector<double> cubic_point(const Knot_axis<double>& axis, const std::vector<std::vector<double>>& control_points, double t)
+inline std::vector<double> cubic_point(const Knot_axis<double>& axis,
+                                       const std::vector<std::vector<double>>& control_points, double t)
 {
   const std::size_t span = span_of(axis, t);
   const std::vector<double> weights = derivative_weights(axis, span, t, 0);
@@ -55,26 +56,33 @@ inline std::vector<double> cubic_point(const Knot_axis<double>& axis, const std:
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A twice continuously differentiable cubic spline near a curve, in a space of any dimension, with its distance from the curve as far as that was measured. Its parameter is the arc length of the curve, nearly.
+A twice continuously differentiable cubic spline near a curve, in a space of any dimension, with its distance from the
+curve as far as that was measured. Its parameter is the arc length of the curve, nearly.
 */
 struct Fitted_spline_d
 {
   //! where the polynomial pieces begin and end, increasing.
   std::vector<double> breaks;
 
-  //! the control points: three more than pieces; of a closed spline, whose first three stand for the last ones as well, as many as pieces.
+  //! the control points: three more than pieces; of a closed spline, whose first three stand for the last ones as well,
+  //! as many as pieces.
   std::vector<std::vector<double>> control_points;
 
   //! whether it is periodic.
   bool is_closed;
 
   /*!
-  the largest distance between a sample of the curve and the point of the spline with the same parameter. Every second sample is one that took no part in the fit. It is a measurement, no proof: between samples nothing is known.
+  the largest distance between a sample of the curve and the point of the spline with the same parameter. Every second
+  sample is one that took no part in the fit. It is a measurement, no proof: between samples nothing is known.
   */
   double error;
 
-  //! the point at a parameter between the first and the last break; beyond them, the first or last polynomial is continued.
-  std::vector<double> operator()(double t) const { return internal::cubic_point(internal::cubic_axis(breaks, is_closed), control_points, t); }
+  //! the point at a parameter between the first and the last break; beyond them, the first or last polynomial is
+  //! continued.
+  std::vector<double> operator()(double t) const
+  {
+    return internal::cubic_point(internal::cubic_axis(breaks, is_closed), control_points, t);
+  }
 
   //! the spline as a curve in the plane. \throws Invalid_input when there are not two coordinates.
   template <SplineKernel Kernel>
@@ -115,7 +123,8 @@ inline double distance(const std::vector<double>& a, const std::vector<double>& 
   return result;
 }
 
-// Cubic splines through samples of a curve, by least squares. The samples are in order; those of a closed curve end with the first one.
+// Cubic splines through samples of a curve, by least squares. The samples are in order; those of a closed curve end
+// with the first one.
 class Spline_fitting
 {
   // Each piece has so many chords at least, half of whose ends take part in the fit.
@@ -126,11 +135,14 @@ class Spline_fitting
   bool m_is_closed;
 
 public:
-  Spline_fitting(const Double_points& samples, bool is_closed) : m_samples(samples), m_parameters(arc_lengths(samples)), m_is_closed(is_closed) {}
+  Spline_fitting(const Double_points& samples, bool is_closed)
+    : m_samples(samples), m_parameters(arc_lengths(samples)), m_is_closed(is_closed)
+  {}
 
   static std::size_t least_samples() { return 4 * least_chords + 1; }
 
-  // Splits pieces until none is further from its samples than the tolerance, or one that is has too few of them to be split.
+  // Splits pieces until none is further from its samples than the tolerance, or one that is has too few of them to be
+  // split.
   Fitted_spline_d operator()(double tolerance) const
   {
     const std::size_t last = m_samples.size() - 1;
@@ -166,7 +178,10 @@ private:
   std::size_t middle_sample(std::size_t first, std::size_t last) const
   {
     const auto begin = m_parameters.begin();
-    const std::size_t least = (std::min)(least_chords, (last - first) / 2), middle = std::lower_bound(begin + first, begin + last, 0.5 * (m_parameters[first] + m_parameters[last])) - begin;
+    const std::size_t least = (std::min)(least_chords, (last - first) / 2),
+                      middle = std::lower_bound(begin + first, begin + last,
+                                                0.5 * (m_parameters[first] + m_parameters[last])) -
+        begin;
     return (std::max)(first + least, (std::min)(middle, last - least));
   }
 
@@ -179,13 +194,16 @@ private:
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       double turn = 0;
       for (std::size_t k = 0; k < points[i].size(); ++k)
-        turn = std::hypot(turn, (points[i + 1][k] - points[i][k]) / chords[i] - (points[i][k] - points[i - 1][k]) / chords[i - 1]);
+        turn = std::hypot(
+            turn, (points[i + 1][k] - points[i][k]) / chords[i] - (points[i][k] - points[i - 1][k]) / chords[i - 1]);
       squared_curvatures[i] = std::pow(2 * turn / (chords[i] + chords[i - 1]), 2);
     }
     squared_curvatures.front() = squared_curvatures[1];
     squared_curvatures.back() = squared_curvatures[points.size() - 2];
     for (std::size_t i = 0; i < chords.size(); ++i)
-      result.push_back(result.back() + chords[i] * (1 + chords[i] * chords[i] * (squared_curvatures[i] + squared_curvatures[i + 1]) / 48));
+      result.push_back(result.back() +
+                       chords[i] *
+                           (1 + chords[i] * chords[i] * (squared_curvatures[i] + squared_curvatures[i + 1]) / 48));
     return result;
   }
 
@@ -202,7 +220,8 @@ private:
     for (int i = 0; i < size; ++i)
       if (is_fixed(i, size))
         normal.coeffRef(i, i) = 1;
-    const Eigen::MatrixXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
+    const Eigen::MatrixXd solution =
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
     for (int i = 0; i < size; ++i)
       if (is_fixed(i, size))
         result.control_points.push_back(end_of_curve(i));
@@ -218,9 +237,13 @@ private:
 
   // An open spline begins and ends where the curve does.
   bool is_fixed(int control, int size) const { return !m_is_closed && (control == 0 || control == size - 1); }
-  const std::vector<double>& end_of_curve(int control) const { return control == 0 ? m_samples.front() : m_samples.back(); }
+  const std::vector<double>& end_of_curve(int control) const
+  {
+    return control == 0 ? m_samples.front() : m_samples.back();
+  }
 
-  // One for each sample that is fitted: the weights of the control points, and the sample less what the fixed control points make of it.
+  // One for each sample that is fitted: the weights of the control points, and the sample less what the fixed control
+  // points make of it.
   std::pair<Eigen::SparseMatrix<double>, Eigen::MatrixXd> equations(const Knot_axis<double>& axis, int size) const
   {
     const int rows = static_cast<int>(m_samples.size() / 2);
@@ -286,19 +309,27 @@ inline void insert_middles(Double_points& points)
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-a cubic spline, twice continuously differentiable, near a curve that is known by polylines: one of `solve_curves()`, in the space of the unknowns or its image under a map, an intersection curve of surfaces, a bisector.
+a cubic spline, twice continuously differentiable, near a curve that is known by polylines: one of `solve_curves()`, in
+the space of the unknowns or its image under a map, an intersection curve of surfaces, a bisector.
 
-Every second point is fitted by least squares, all are compared with the spline. Pieces that are further away than the tolerance are split, and where they have too few points the polyline is made finer. An open spline begins and ends where the curve does, so that branches that
-meet in a singular point still do; a closed one is periodic. Corners and cusps take many pieces.
+Every second point is fitted by least squares, all are compared with the spline. Pieces that are further away than the
+tolerance are split, and where they have too few points the polyline is made finer. An open spline begins and ends where
+the curve does, so that branches that meet in a singular point still do; a closed one is periodic. Corners and cusps
+take many pieces.
 
-\param polyline a function that returns points along the curve, in order, that are within a given distance of it: `std::vector` of `std::vector<double>`, `CGAL::Point_2` or `CGAL::Point_3`. Those of a closed curve begin and end with the same one.
+\param polyline a function that returns points along the curve, in order, that are within a given distance of it:
+`std::vector` of `std::vector<double>`, `CGAL::Point_2` or `CGAL::Point_3`. Those of a closed curve begin and end with
+the same one.
 \param is_closed whether the curve is closed.
-\param tolerance the distance between curve and spline, positive. `Fitted_spline_d::error` tells what was measured; it is larger only if \f$2^{15}\f$ points are not enough.
+\param tolerance the distance between curve and spline, positive. `Fitted_spline_d::error` tells what was measured; it
+is larger only if \f$2^{15}\f$ points are not enough.
 \throws Invalid_input when the tolerance is not positive, or the curve is one point.
 
-Complexity: for each round of splitting, a banded linear system with as many unknowns as pieces; rounds are at most logarithmic in the number of pieces as long as these are of similar length.
+Complexity: for each round of splitting, a banded linear system with as many unknowns as pieces; rounds are at most
+logarithmic in the number of pieces as long as these are of similar length.
 
-Source: seed 000, section 2.3; the parameter is not one of the unknowns but the arc length, so that no choice fails where it is stationary.
+Source: seed 000, section 2.3; the parameter is not one of the unknowns but the arc length, so that no choice fails
+where it is stationary.
 */
 template <class Polyline>
   requires std::is_invocable_v<const Polyline&, double>
@@ -332,14 +363,16 @@ Fitted_spline_d fit_spline(const Polyline& polyline, bool is_closed, double tole
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-the same for a curve of solutions, in the space of the unknowns. Pieces that end in a singular point, a thousandth of the domain long, count as straight, see `to_polyline()`.
+the same for a curve of solutions, in the space of the unknowns. Pieces that end in a singular point, a thousandth of
+the domain long, count as straight, see `to_polyline()`.
 \param system the system that was solved.
 \param set its solutions.
 \param curve one of their curves.
 \param tolerance the distance; positive.
 \throws Invalid_input when the tolerance is not positive.
 */
-inline Fitted_spline_d fit_spline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double tolerance)
+inline Fitted_spline_d fit_spline(const Constraint_system_d& system, const Curve_solution_set_d& set,
+                                  const Solution_curve& curve, double tolerance)
 {
   return fit_spline([&](double error) { return to_polyline(system, set, curve, error); }, curve.is_closed, tolerance);
 }

@@ -34,7 +34,10 @@ Exact_vector<d> exact_difference(const Exact_vector<d>& a, const Exact_vector<d>
   return result;
 }
 
-inline Exact_rational exact_cross(const Exact_vector<2>& a, const Exact_vector<2>& b) { return Exact_rational(a[0] * b[1] - a[1] * b[0]); }
+inline Exact_rational exact_cross(const Exact_vector<2>& a, const Exact_vector<2>& b)
+{
+  return Exact_rational(a[0] * b[1] - a[1] * b[0]);
+}
 
 inline Exact_vector<3> exact_cross(const Exact_vector<3>& a, const Exact_vector<3>& b)
 {

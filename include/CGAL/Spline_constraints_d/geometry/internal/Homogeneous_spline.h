@@ -31,8 +31,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A map from a box of parameters into d-space: d numerators and, unless it is polynomial, a weight, all on the same knots. The weight is positive everywhere, proved at
-construction. Curves and surfaces are views of it in the terms of a kernel.
+A map from a box of parameters into d-space: d numerators and, unless it is polynomial, a weight, all on the same knots.
+The weight is positive everywhere, proved at construction. Curves and surfaces are views of it in the terms of a kernel.
 */
 template <class NT, int d>
 class Homogeneous_spline
@@ -52,7 +52,8 @@ public:
     for (std::size_t i = 1; i < m_functions.size(); ++i)
       for (int j = 0; j < m_functions[0].dimension(); ++j)
         if (m_functions[i].domain(j) != m_functions[0].domain(j))
-          throw Invalid_input(who + ": the homogeneous coordinates have different domains on axis " + std::to_string(j));
+          throw Invalid_input(who + ": the homogeneous coordinates have different domains on axis " +
+                              std::to_string(j));
     // A constant weight leaves the knots of the numerators alone.
     drop_constant_weight();
     bring_to_common_knots(m_functions);
@@ -60,8 +61,8 @@ public:
   }
 
   // From control points, row-major, and weights if there are any.
-  Homogeneous_spline(const std::vector<int>& degrees, const std::vector<std::vector<NT>>& knots, const std::vector<Coordinates>& points,
-                     const std::vector<NT>& weights, const std::string& who)
+  Homogeneous_spline(const std::vector<int>& degrees, const std::vector<std::vector<NT>>& knots,
+                     const std::vector<Coordinates>& points, const std::vector<NT>& weights, const std::string& who)
   {
     check_weights(weights, points.size(), who);
     // Equal weights are none: nothing need be multiplied, which would round.
@@ -111,7 +112,8 @@ public:
   {
     std::map<std::vector<int>, Coordinates> result;
     const auto homogeneous = homogeneous_derivatives(u, order);
-    // In this order all derivatives of lower order along some axis, and of none higher along the others, come before: the quotient rule is a recursion.
+    // In this order all derivatives of lower order along some axis, and of none higher along the others, come before:
+    // the quotient rule is a recursion.
     for (const auto& [orders, values] : homogeneous) {
       Coordinates derivative;
       std::copy_n(values.begin(), d, derivative.begin());
@@ -160,7 +162,8 @@ public:
     const std::pair<NT, NT> domain = m_functions[0].domain(axis);
     const std::vector<NT>& knots = m_functions[0].knots(axis);
     if (!(domain.first < t && t < domain.second) || std::find(knots.begin(), knots.end(), t) == knots.end())
-      throw Invalid_input("the knot to remove on axis " + std::to_string(axis) + " is not there, or not inside the domain");
+      throw Invalid_input("the knot to remove on axis " + std::to_string(axis) +
+                          " is not there, or not inside the domain");
     const Homogeneous_spline<Exact_rational, d> fine = exact();
     std::vector<Exact_function> functions;
     for (const Exact_function& f : fine.functions()) {
@@ -169,12 +172,13 @@ public:
         return std::nullopt;
       functions.push_back(std::move(*coarser));
     }
-    return Homogeneous_spline<Exact_rational, d>(std::move(functions), "a removed knot").template converted<NT>("a removed knot");
+    return Homogeneous_spline<Exact_rational, d>(std::move(functions), "a removed knot")
+        .template converted<NT>("a removed knot");
   }
 
   /*
-  An interval for each coordinate that contains it on the whole domain: the hull of the Euclidean control points, which holds where all control weights are positive;
-  elsewhere parts are halved until they are.
+  An interval for each coordinate that contains it on the whole domain: the hull of the Euclidean control points, which
+  holds where all control weights are positive; elsewhere parts are halved until they are.
   */
   std::array<CGAL::Interval_nt<false>, d> bounds() const
   {
@@ -187,7 +191,8 @@ public:
           CGAL::Interval_nt<false> x = enclosed(numerators[k]);
           if (!weights.empty())
             x /= enclosed(weights[k]);
-          hull = hull ? CGAL::Interval_nt<false>((std::min)(hull->inf(), x.inf()), (std::max)(hull->sup(), x.sup())) : x;
+          hull =
+              hull ? CGAL::Interval_nt<false>((std::min)(hull->inf(), x.inf()), (std::max)(hull->sup(), x.sup())) : x;
         }
       };
       if (!is_rational())
@@ -195,9 +200,10 @@ public:
       else if (common_sign(m_functions[d].bounds()) > 0)
         add_quotients(m_functions[i].coefficients(), m_functions[d].coefficients());
       else
-        for_each_part_of_one_sign(exact_pieces(m_functions[i]), exact_pieces(m_functions[d]), Weight_options(), [&](const auto& numerator, const auto& weight) {
-          add_quotients(numerator.coefficients(), weight.coefficients());
-        });
+        for_each_part_of_one_sign(exact_pieces(m_functions[i]), exact_pieces(m_functions[d]), Weight_options(),
+                                  [&](const auto& numerator, const auto& weight) {
+                                    add_quotients(numerator.coefficients(), weight.coefficients());
+                                  });
       result[i] = *hull;
     }
     return result;
@@ -237,7 +243,10 @@ public:
 
 private:
   static CGAL::Interval_nt<false> enclosed(double x) { return CGAL::Interval_nt<false>(x); }
-  static CGAL::Interval_nt<false> enclosed(const Exact_rational& x) { return Number_traits<Exact_rational>::enclosure(x); }
+  static CGAL::Interval_nt<false> enclosed(const Exact_rational& x)
+  {
+    return Number_traits<Exact_rational>::enclosure(x);
+  }
 
   static void check_weights(const std::vector<NT>& weights, std::size_t number_of_points, const std::string& who)
   {
@@ -282,8 +291,10 @@ private:
     } catch (const Invalid_input& error) {
       // Which control weights are to blame is known here only.
       const std::vector<NT>& weights = m_functions[d].coefficients();
-      const auto bad = std::find_if(weights.begin(), weights.end(), [&](const NT& w) { return !((w > NT(0)) == (weights[0] > NT(0)) && w != NT(0)); });
-      throw Invalid_input(who + ": the weight is not positive everywhere (control weight " + std::to_string(bad - weights.begin()) + "): " + error.what());
+      const auto bad = std::find_if(weights.begin(), weights.end(),
+                                    [&](const NT& w) { return !((w > NT(0)) == (weights[0] > NT(0)) && w != NT(0)); });
+      throw Invalid_input(who + ": the weight is not positive everywhere (control weight " +
+                          std::to_string(bad - weights.begin()) + "): " + error.what());
     }
   }
 
@@ -295,12 +306,15 @@ private:
     const Local_weights<NT> weights(m_functions[0].axes(), u, order, "");
     std::map<std::vector<int>, std::vector<NT>> result;
     for (const Function& f : m_functions)
-      weights.derivatives(f.coefficients(), order, [&](const std::vector<int>& derivative, const NT& value) { result[derivative].push_back(value); });
+      weights.derivatives(f.coefficients(), order, [&](const std::vector<int>& derivative, const NT& value) {
+        result[derivative].push_back(value);
+      });
     return result;
   }
 
   // Leibniz' rule for numerator = weight * quotient, solved for the highest derivative of the quotient.
-  static void divide_by_weight(Coordinates& derivative, const std::vector<int>& orders, const std::map<std::vector<int>, std::vector<NT>>& homogeneous,
+  static void divide_by_weight(Coordinates& derivative, const std::vector<int>& orders,
+                               const std::map<std::vector<int>, std::vector<NT>>& homogeneous,
                                const std::map<std::vector<int>, Coordinates>& lower)
   {
     const std::size_t n = orders.size();

@@ -22,8 +22,9 @@ namespace internal {
 using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
 /*
-An exact spline in the formula of a construction. Its operators are those of splines, with short cuts for what such formulas consist of: sums on the same knots, and
-products of functions of different parameters, among them constants, whose control points are sums and products of control points.
+An exact spline in the formula of a construction. Its operators are those of splines, with short cuts for what such
+formulas consist of: sums on the same knots, and products of functions of different parameters, among them constants,
+whose control points are sums and products of control points.
 */
 class Scalar_function
 {
@@ -82,14 +83,21 @@ public:
     for_each_index(extents, [&](const std::vector<int>& index) {
       std::size_t at_f = 0, at_g = 0;
       for (std::size_t j = 0; j < index.size(); ++j)
-        (extents_f[j] > 0 ? at_f : at_g) += static_cast<std::size_t>(index[j]) * (extents_f[j] > 0 ? strides_f[j] : strides_g[j]);
+        (extents_f[j] > 0 ? at_f : at_g) +=
+            static_cast<std::size_t>(index[j]) * (extents_f[j] > 0 ? strides_f[j] : strides_g[j]);
       products.emplace_back(f.coefficients()[at_f] * g.coefficients()[at_g]);
     });
     return Exact_function::on_axes(std::move(axes), std::move(products));
   }
 
-  friend Scalar_function operator*(const Scalar_function& a, const Exact_rational& factor) { return a.m_function * factor; }
-  friend Scalar_function operator-(const Scalar_function& a, const Scalar_function& b) { return a + b * Exact_rational(-1); }
+  friend Scalar_function operator*(const Scalar_function& a, const Exact_rational& factor)
+  {
+    return a.m_function * factor;
+  }
+  friend Scalar_function operator-(const Scalar_function& a, const Scalar_function& b)
+  {
+    return a + b * Exact_rational(-1);
+  }
   friend bool operator==(const Scalar_function& a, const Scalar_function& b) { return a.m_function == b.m_function; }
 
 private:
@@ -103,7 +111,8 @@ private:
   }
 };
 
-// A vector whose coordinates are exact splines: what constructions compute with. Formulas for points of curves and surfaces are written with it as they are for vectors.
+// A vector whose coordinates are exact splines: what constructions compute with. Formulas for points of curves and
+// surfaces are written with it as they are for vectors.
 template <int d>
 struct Vector_function
 {
@@ -111,7 +120,10 @@ struct Vector_function
 
   Vector_function() = default;
 
-  explicit Vector_function(const std::array<Exact_function, d>& functions) { std::copy(functions.begin(), functions.end(), x.begin()); }
+  explicit Vector_function(const std::array<Exact_function, d>& functions)
+  {
+    std::copy(functions.begin(), functions.end(), x.begin());
+  }
 
   template <class Vector>
   Vector_function(const Exact_box& domain, const Vector& constant)
@@ -173,8 +185,8 @@ inline Vector_function<3> cross(const Vector_function<3>& a, const Vector_functi
 }
 
 /*
-Rotations and conics are rational in the direction of a point (sigma, tau): their formulas are quadratic forms in it. Here it runs along straight lines, so that its
-squares and its product are quadratic splines of the parameter.
+Rotations and conics are rational in the direction of a point (sigma, tau): their formulas are quadratic forms in it.
+Here it runs along straight lines, so that its squares and its product are quadratic splines of the parameter.
 */
 struct Direction_path
 {
@@ -182,14 +194,16 @@ struct Direction_path
   Scalar_function sigma_tau;
   Scalar_function squared_tau;
 
-  // Half round the origin, (1,0), (1,h), (0,h), (-1,h), (-1,0), along three sides of a rectangle of height h in four pieces: a rotation by twice the angle makes a whole turn.
+  // Half round the origin, (1,0), (1,h), (0,h), (-1,h), (-1,0), along three sides of a rectangle of height h in four
+  // pieces: a rotation by twice the angle makes a whole turn.
   static Direction_path half_round(const Exact_rational& h)
   {
     const Exact_rational half = h / 2, square = h * h;
     const auto spline = [](std::vector<Exact_rational> control_points) {
       return Scalar_function(Exact_function({2}, {{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}}, std::move(control_points)));
     };
-    return {spline({1, 1, 1, 0, 0, 0, 1, 1, 1}), spline({0, half, h, half, 0, -half, -h, -half, 0}), spline({0, 0, square, square, square, square, square, 0, 0})};
+    return {spline({1, 1, 1, 0, 0, 0, 1, 1, 1}), spline({0, half, h, half, 0, -half, -h, -half, 0}),
+            spline({0, 0, square, square, square, square, square, 0, 0})};
   }
 
   // From (1, first) to (1, last), with tau as the parameter.
@@ -198,14 +212,16 @@ struct Direction_path
     const auto spline = [&](std::vector<Exact_rational> control_points) {
       return Scalar_function(Exact_function({2}, {{first, first, first, last, last, last}}, std::move(control_points)));
     };
-    return {spline({1, 1, 1}), spline({first, Exact_rational((first + last) / 2), last}), spline({first * first, first * last, last * last})};
+    return {spline({1, 1, 1}), spline({first, Exact_rational((first + last) / 2), last}),
+            spline({first * first, first * last, last * last})};
   }
 
   Exact_box domain() const { return squared_sigma.domain(); }
 
   Direction_path restricted(const Exact_rational& begin, const Exact_rational& end) const
   {
-    return by_function([&](const Scalar_function& f) { return Scalar_function(f.function().restricted(0, begin, end)); });
+    return by_function(
+        [&](const Scalar_function& f) { return Scalar_function(f.function().restricted(0, begin, end)); });
   }
 
   Direction_path on_axis(const Exact_box& domain, int axis) const
@@ -222,12 +238,14 @@ private:
 };
 
 /*
-A vector turned about an axis by twice the angle with the tangent |axis| tau / sigma, times the weight sigma^2 + |axis|^2 tau^2 (Cayley's form of a rotation): polynomial in all
-that goes in, for an axis of any length.
+A vector turned about an axis by twice the angle with the tangent |axis| tau / sigma, times the weight sigma^2 +
+|axis|^2 tau^2 (Cayley's form of a rotation): polynomial in all that goes in, for an axis of any length.
 */
-inline Vector_function<3> rotated(const Vector_function<3>& p, const Vector_function<3>& axis, const Direction_path& path)
+inline Vector_function<3> rotated(const Vector_function<3>& p, const Vector_function<3>& axis,
+                                  const Direction_path& path)
 {
-  const Scalar_function cosine = path.squared_sigma - path.squared_tau * dot(axis, axis), twice_squared_tau = path.squared_tau * Exact_rational(2);
+  const Scalar_function cosine = path.squared_sigma - path.squared_tau * dot(axis, axis),
+                        twice_squared_tau = path.squared_tau * Exact_rational(2);
   return p * cosine + cross(axis, p) * (path.sigma_tau * Exact_rational(2)) + axis * (dot(axis, p) * twice_squared_tau);
 }
 

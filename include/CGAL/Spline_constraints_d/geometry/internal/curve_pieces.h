@@ -50,7 +50,10 @@ public:
   const Exact_rational& end() const { return map().domain(0).second; }
 
   Vector_expression<2> operator()(int order, const Unknown& u) const { return m_derivatives[order](u); }
-  Exact_pair at(int order, const Exact_rational& t) const { return m_derivatives[order](std::array<Exact_rational, 1>{t}); }
+  Exact_pair at(int order, const Exact_rational& t) const
+  {
+    return m_derivatives[order](std::array<Exact_rational, 1>{t});
+  }
 };
 
 // The parts between successive breaks, where all derivatives exist.
@@ -70,7 +73,8 @@ inline bool have_common_tangent(const Differentiated_map& before, const Differen
   return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0;
 }
 
-// A part with a continuous derivative. Where the next part goes on in the same direction, its end is the begin of that one, and counts there.
+// A part with a continuous derivative. Where the next part goes on in the same direction, its end is the begin of that
+// one, and counts there.
 struct Smooth_part
 {
   Differentiated_map curve;
@@ -92,13 +96,17 @@ std::vector<Smooth_part> smooth_parts(const Planar_map& curve, const Joins& join
     while (last + 1 < pieces.size() && joins(pieces[last], pieces[last + 1]))
       ++last;
     const bool is_last = last + 1 == pieces.size();
-    const bool goes_on = is_last ? curve.is_closed() && have_common_tangent(pieces.back(), pieces.front()) : have_common_tangent(pieces[last], pieces[last + 1]);
+    const bool goes_on = is_last ? curve.is_closed() && have_common_tangent(pieces.back(), pieces.front())
+                                 : have_common_tangent(pieces[last], pieces[last + 1]);
     result.push_back({Differentiated_map(curve.restricted(0, pieces[first].begin(), pieces[last].end()), 1), !goes_on});
   }
   return result;
 }
 
-inline std::vector<Smooth_part> smooth_parts(const Planar_map& curve) { return smooth_parts(curve, has_same_derivative); }
+inline std::vector<Smooth_part> smooth_parts(const Planar_map& curve)
+{
+  return smooth_parts(curve, has_same_derivative);
+}
 
 } // namespace internal
 } // namespace Spline_constraints

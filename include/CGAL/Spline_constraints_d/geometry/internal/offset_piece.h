@@ -41,8 +41,10 @@ inline std::vector<Unknown> unknowns_in(const Unknown_domains& ranges)
   return bounds.empty() ? std::vector<Unknown>() : unknowns(bounds);
 }
 
-// Positive bounds of a formula, from parts of the box that are halved until those of each part are positive. Throws when some part is tiny.
-inline Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box, const std::string& what, int depth = 0)
+// Positive bounds of a formula, from parts of the box that are halved until those of each part are positive. Throws
+// when some part is tiny.
+inline Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box,
+                                   const std::string& what, int depth = 0)
 {
   constexpr int maximal_depth = 100;
   if (const std::optional<Exact_range> own = formula(box, 0); own && own->first > 0)
@@ -57,7 +59,8 @@ inline Exact_range positive_bounds(const Expression_bounds& formula, const Unkno
   return hull_of(positive_bounds(formula, first, what, depth + 1), positive_bounds(formula, second, what, depth + 1));
 }
 
-// Powers of two around the square roots of the numbers in a range, none of which is one of its ends: curves of solutions could lie in the boundary of the domain there. \pre the range is positive
+// Powers of two around the square roots of the numbers in a range, none of which is one of its ends: curves of
+// solutions could lie in the boundary of the domain there. \pre the range is positive
 inline Exact_range root_range_in_powers_of_two(const Exact_range& squares)
 {
   Exact_range result(1, 1);
@@ -85,20 +88,26 @@ Exact_range length_range(const Vector_formula<d>& vector, const Unknown_domains&
 }
 
 /*
-The points at a signed distance r from a base point B along its normal N: B + r N / q with an auxiliary unknown q > 0, q^2 = |N|^2. A given point P is one of them when P - B is orthogonal to the
-tangents, as long as |r|, and on the side of r N.
+The points at a signed distance r from a base point B along its normal N: B + r N / q with an auxiliary unknown q > 0,
+q^2 = |N|^2. A given point P is one of them when P - B is orthogonal to the tangents, as long as |r|, and on the side of
+r N.
 */
 template <int d>
-Locus_piece<d> offset_piece(const Vector_formula<d>& base, const std::vector<Vector_formula<d>>& tangents, const Vector_formula<d>& normal, const Exact_rational& r,
-                            const Unknown_domains& parameters, const Exact_range& length_of_normal)
+Locus_piece<d> offset_piece(const Vector_formula<d>& base, const std::vector<Vector_formula<d>>& tangents,
+                            const Vector_formula<d>& normal, const Exact_rational& r, const Unknown_domains& parameters,
+                            const Exact_range& length_of_normal)
 {
   using Unknowns = typename Locus_piece<d>::Unknowns;
   Locus_piece<d> piece;
   piece.parameters = parameters;
   piece.is_without_end.resize(parameters.size(), false);
   piece.auxiliaries = {length_of_normal};
-  piece.point = [=](Unknowns u) { return base(u.first(u.size() - 1)) + normal(u.first(u.size() - 1)) * (r / u.back()); };
-  piece.constraints = [=](Unknowns u) { return std::vector<Constraint>{u.back() * u.back() == squared_norm(normal(u.first(u.size() - 1)))}; };
+  piece.point = [=](Unknowns u) {
+    return base(u.first(u.size() - 1)) + normal(u.first(u.size() - 1)) * (r / u.back());
+  };
+  piece.constraints = [=](Unknowns u) {
+    return std::vector<Constraint>{u.back() * u.back() == squared_norm(normal(u.first(u.size() - 1)))};
+  };
   piece.incidence = [=](const Vector_expression<d>& p, Unknowns u) {
     const Vector_expression<d> offset = p - base(u);
     std::vector<Constraint> result;

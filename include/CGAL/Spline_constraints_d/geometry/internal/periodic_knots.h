@@ -17,8 +17,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The knots u_0 <= ... <= u_n of one period, u_n being u_0 again, continued by `degree` knots to both sides: those of n + degree control points, the first `degree` of which come
-again at the end. All differences are taken from the ends of the period, so that rounded knots do not decrease either.
+The knots u_0 <= ... <= u_n of one period, u_n being u_0 again, continued by `degree` knots to both sides: those of n +
+degree control points, the first `degree` of which come again at the end. All differences are taken from the ends of the
+period, so that rounded knots do not decrease either.
 */
 template <class NT>
 std::vector<NT> unwrapped_knots(int degree, const std::vector<NT>& period, const std::string& who)
@@ -44,7 +45,8 @@ std::vector<NT> unwrapped_knots(int degree, const std::vector<NT>& period, const
     knots.push_back(NT(period[n] + NT(period[ahead] - period[0])) + NT(NT(static_cast<int>(turns)) * length));
   }
   if (std::count(knots.begin(), knots.end(), period[0]) > degree)
-    throw Invalid_input(who + ": the ends of the period occur too often together, the spline of degree " + std::to_string(degree) + " is torn there");
+    throw Invalid_input(who + ": the ends of the period occur too often together, the spline of degree " +
+                        std::to_string(degree) + " is torn there");
   return knots;
 }
 

@@ -35,8 +35,9 @@ inline std::optional<Exact_rational> rational_square_root(const Exact_rational& 
 }
 
 /*
-Rational numbers whose squares add up to x, where there are any, ascending: n/d is a sum of m rational squares exactly if the integer n d is one of m integer squares, for
-m = 2 and 3 (Davenport and Cassels). These are searched for in order, up to a limit; `is_complete` tells whether the search says something about all numbers.
+Rational numbers whose squares add up to x, where there are any, ascending: n/d is a sum of m rational squares exactly
+if the integer n d is one of m integer squares, for m = 2 and 3 (Davenport and Cassels). These are searched for in
+order, up to a limit; `is_complete` tells whether the search says something about all numbers.
 */
 template <int number_of_squares>
 struct Sum_of_squares
@@ -45,7 +46,8 @@ struct Sum_of_squares
   bool is_complete;
 };
 
-// The least integer a >= 0 with a^2 <= n / 2 and n - a^2 a square, up to a limit; -1 if there is none. `is_complete` becomes false where the limit ends the search.
+// The least integer a >= 0 with a^2 <= n / 2 and n - a^2 a square, up to a limit; -1 if there is none. `is_complete`
+// becomes false where the limit ends the search.
 inline int least_of_two_squares(const Big_integer& n, int limit, bool& is_complete)
 {
   for (int a = 0; a < limit; ++a) {
@@ -84,7 +86,8 @@ inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
     const Big_integer rest = n - Big_integer(c) * c;
     if (const int a = least_of_two_squares(rest, limit, result.is_complete); a >= 0) {
       const Big_integer b = boost::multiprecision::sqrt(Big_integer(rest - Big_integer(a) * a));
-      result.roots = {quotient(Big_integer(c), denominator), quotient(Big_integer(a), denominator), quotient(b, denominator)};
+      result.roots = {quotient(Big_integer(c), denominator), quotient(Big_integer(a), denominator),
+                      quotient(b, denominator)};
       return result;
     }
   }
@@ -92,10 +95,11 @@ inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
 }
 
 /*
-Rational numbers x, y with a x^2 + 2 b x y + c y^2 = value: a rational point of a conic around the origin. It is searched for in the directions of small integers; for
-multiples of x^2 + y^2 the search is that for two squares.
+Rational numbers x, y with a x^2 + 2 b x y + c y^2 = value: a rational point of a conic around the origin. It is
+searched for in the directions of small integers; for multiples of x^2 + y^2 the search is that for two squares.
 */
-inline Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const Exact_rational& b, const Exact_rational& c, const Exact_rational& value)
+inline Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const Exact_rational& b,
+                                                const Exact_rational& c, const Exact_rational& value)
 {
   if (b == 0 && a == c)
     return sum_of_two_squares(Exact_rational(value / a));

@@ -66,7 +66,8 @@ void check_number_of_pieces(const Bspline_function<NT>& before, const Bspline_fu
     throw Invalid_input("knots of axis " + std::to_string(axis) + " fall together when they are rounded");
 }
 
-// The same values on another domain, reached by an affine change of the parameter. Where numbers are rounded, the ends of the domain are exact and knots stay in order.
+// The same values on another domain, reached by an affine change of the parameter. Where numbers are rounded, the ends
+// of the domain are exact and knots stay in order.
 template <class NT>
 Bspline_function<NT> with_domain(const Bspline_function<NT>& f, int axis, const NT& new_begin, const NT& new_end)
 {
@@ -106,7 +107,8 @@ Bspline_function<NT> reversed(const Bspline_function<NT>& f, int axis)
       coefficients.insert(coefficients.end(), row, row + view.inner);
     }
   const auto [begin, end] = f.domain(axis);
-  return with_domain(with_coefficients(with_knots(f, axis, std::move(knots)), std::move(coefficients)), axis, begin, end);
+  return with_domain(with_coefficients(with_knots(f, axis, std::move(knots)), std::move(coefficients)), axis, begin,
+                     end);
 }
 
 // f(v, u) of a function of two parameters.
@@ -121,8 +123,8 @@ Bspline_function<NT> transposed(const Bspline_function<NT>& f)
 }
 
 /*
-The function on one occurrence of a knot less, where it is one. Its control points are the blossoms at the knots that are left; whether they stand for the same
-function, refinement back to all knots tells.
+The function on one occurrence of a knot less, where it is one. Its control points are the blossoms at the knots that
+are left; whether they stand for the same function, refinement back to all knots tells.
 */
 inline std::optional<Exact_function> without_knot(const Exact_function& f, int axis, const Exact_rational& t)
 {
@@ -132,7 +134,8 @@ inline std::optional<Exact_function> without_knot(const Exact_function& f, int a
   const Knot_axis<Exact_rational> coarse{fine.degree, std::move(fewer)};
 
   std::vector<int> extents = control_extents(f);
-  const std::vector<Exact_rational> candidate = transform_axis(f.coefficients(), axis_view(extents, axis), refinement_matrix(fine, coarse));
+  const std::vector<Exact_rational> candidate =
+      transform_axis(f.coefficients(), axis_view(extents, axis), refinement_matrix(fine, coarse));
   extents[axis] = static_cast<int>(coarse.size()) - 1;
   if (transform_axis(candidate, axis_view(extents, axis), refinement_matrix(coarse, fine)) != f.coefficients())
     return std::nullopt;
@@ -142,7 +145,8 @@ inline std::optional<Exact_function> without_knot(const Exact_function& f, int a
 }
 
 // The continuous function of one parameter with these pieces between breaks.
-inline Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces, const std::vector<Exact_rational>& breaks, const std::string& discontinuity)
+inline Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces,
+                             const std::vector<Exact_rational>& breaks, const std::string& discontinuity)
 {
   const int degree = pieces[0].degree(0);
   std::vector<Exact_rational> knots(1, breaks[0]), coefficients = pieces[0].coefficients();
@@ -165,7 +169,8 @@ void bring_to_common_knots(std::vector<Bspline_function<NT>>& functions)
   const auto have_equal_knots = [](const Bspline_function<NT>& f, const Bspline_function<NT>& g) {
     return f.axes() == g.axes();
   };
-  if (std::all_of(functions.begin() + 1, functions.end(), [&](const auto& f) { return have_equal_knots(f, functions[0]); }))
+  if (std::all_of(functions.begin() + 1, functions.end(),
+                  [&](const auto& f) { return have_equal_knots(f, functions[0]); }))
     return;
   Bspline_function<NT> nothing = functions[0] * NT(0);
   for (std::size_t i = 1; i < functions.size(); ++i)

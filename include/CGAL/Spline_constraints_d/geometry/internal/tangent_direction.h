@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline Bspline_function<Exact_rational> function_of_parameter(const Power_polynomial& polynomial, const std::pair<Exact_rational, Exact_rational>& domain)
+inline Bspline_function<Exact_rational> function_of_parameter(const Power_polynomial& polynomial,
+                                                              const std::pair<Exact_rational, Exact_rational>& domain)
 {
   const auto& [begin, end] = domain;
   const Bspline_function<Exact_rational> t({1}, {{begin, begin, end, end}}, {begin, end});
@@ -35,7 +36,8 @@ inline Bspline_function<Exact_rational> function_of_parameter(const Power_polyno
   return result;
 }
 
-// The derivative of a curve of one polynomial piece without the common factor of its coordinates, which is zero at cusps: what is left has the direction of the tangent there, too. Nothing if there is no factor.
+// The derivative of a curve of one polynomial piece without the common factor of its coordinates, which is zero at
+// cusps: what is left has the direction of the tangent there, too. Nothing if there is no factor.
 inline std::optional<Planar_map> reduced_derivative(const Differentiated_map& piece)
 {
   const Vector_expression<2> tangent = piece(1, unknowns_in({piece.map().domain(0)})[0]);
@@ -45,16 +47,20 @@ inline std::optional<Planar_map> reduced_derivative(const Differentiated_map& pi
   const std::optional<Common_factor> common = common_factor(coordinates);
   if (!common)
     return std::nullopt;
-  const auto reduced = [&](std::size_t i) { return function_of_parameter(common->cofactors[i], piece.map().domain(0)); };
+  const auto reduced = [&](std::size_t i) {
+    return function_of_parameter(common->cofactors[i], piece.map().domain(0));
+  };
   return Planar_map(std::array{reduced(0), reduced(1)});
 }
 
-// The smooth parts of a curve; polynomial pieces whose derivative is zero somewhere are parts of their own, with a multiple of it that is not.
+// The smooth parts of a curve; polynomial pieces whose derivative is zero somewhere are parts of their own, with a
+// multiple of it that is not.
 inline std::vector<Smooth_part> parts_with_tangents(const Planar_map& curve)
 {
-  std::vector<Smooth_part> result = smooth_parts(curve, [](const Differentiated_map& before, const Differentiated_map& after) {
-    return has_same_derivative(before, after) && !reduced_derivative(before) && !reduced_derivative(after);
-  });
+  std::vector<Smooth_part> result =
+      smooth_parts(curve, [](const Differentiated_map& before, const Differentiated_map& after) {
+        return has_same_derivative(before, after) && !reduced_derivative(before) && !reduced_derivative(after);
+      });
   for (Smooth_part& part : result)
     if (part.curve.map().breaks(0).size() == 2)
       if (const std::optional<Planar_map> tangent = reduced_derivative(part.curve))

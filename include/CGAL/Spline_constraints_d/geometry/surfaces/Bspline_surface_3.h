@@ -26,11 +26,12 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-A tensor-product B-spline surface in space, rational or not, of any degrees, on any valid knots. Axis 0 is that of the parameter \f$u\f$, axis 1 that of \f$v\f$; control points are
-stored row-major: \f$P_{ij}\f$ with index \f$i n_1 + j\f$, where \f$n_1\f$ is the number of control points along axis 1.
+A tensor-product B-spline surface in space, rational or not, of any degrees, on any valid knots. Axis 0 is that of the
+parameter \f$u\f$, axis 1 that of \f$v\f$; control points are stored row-major: \f$P_{ij}\f$ with index \f$i n_1 + j\f$,
+where \f$n_1\f$ is the number of control points along axis 1.
 
-Parameters outside of the domain, and what is not a number, are rejected with `Invalid_input` by all functions. Derivatives are from the right at knots, at the ends of
-the domain from inside.
+Parameters outside of the domain, and what is not a number, are rejected with `Invalid_input` by all functions.
+Derivatives are from the right at knots, at the ends of the domain from inside.
 
 \tparam Kernel_ a `SplineKernel`.
 
@@ -65,38 +66,44 @@ public:
   the surface of these control points, rational if there are weights.
   \throws Invalid_input as the constructor of `Bspline_curve`.
   */
-  Bspline_surface_3(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u, const std::vector<FT>& knots_v, const std::vector<Point>& points,
-                    const std::vector<FT>& weights = {})
-    : Base(Representation({degrees[0], degrees[1]}, {Base::numbers(knots_u), Base::numbers(knots_v)}, Base::coordinates(points), Base::numbers(weights),
-                          "Bspline_surface_3"))
+  Bspline_surface_3(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u, const std::vector<FT>& knots_v,
+                    const std::vector<Point>& points, const std::vector<FT>& weights = {})
+    : Base(Representation({degrees[0], degrees[1]}, {Base::numbers(knots_u), Base::numbers(knots_v)},
+                          Base::coordinates(points), Base::numbers(weights), "Bspline_surface_3"))
   {}
 
-  //! the surface in another kernel: exactly, or with doubles next to the numerators, weights and knots. \throws Invalid_input when what was rounded is no valid surface.
+  //! the surface in another kernel: exactly, or with doubles next to the numerators, weights and knots. \throws
+  //! Invalid_input when what was rounded is no valid surface.
   template <SplineKernel Other>
-    requires (!std::same_as<Other, Kernel_>)
-  explicit Bspline_surface_3(const Bspline_surface_3<Other>& other) : Base(other.representation().template converted<NT>("Bspline_surface_3")) {}
+  requires(!std::same_as<Other, Kernel_>) explicit Bspline_surface_3(const Bspline_surface_3<Other>& other)
+    : Base(other.representation().template converted<NT>("Bspline_surface_3"))
+  {}
 
   //! the surface `numerators / weight`, on the knots of all of them.
-  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not positive (or not negative).
-  static Bspline_surface_3 from_homogeneous_coordinates(const std::array<Bspline_function<NT>, 3>& numerators, const Bspline_function<NT>& weight)
+  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not
+  //! positive (or not negative).
+  static Bspline_surface_3 from_homogeneous_coordinates(const std::array<Bspline_function<NT>, 3>& numerators,
+                                                        const Bspline_function<NT>& weight)
   {
     return Bspline_surface_3(Base::from_functions(numerators, weight, "Bspline_surface_3"));
   }
 
   /*!
-  the surface of control points and knots that are periodic along the axes marked in `is_periodic`, unwrapped along them as by `Bspline_curve::from_periodic()`: a
-  periodic axis with \f$n\f$ control points has \f$n+1\f$ knots.
+  the surface of control points and knots that are periodic along the axes marked in `is_periodic`, unwrapped along them
+  as by `Bspline_curve::from_periodic()`: a periodic axis with \f$n\f$ control points has \f$n+1\f$ knots.
   \throws Invalid_input as `Bspline_curve::from_periodic()`.
   */
-  static Bspline_surface_3 from_periodic(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u, const std::vector<FT>& knots_v,
-                                         const std::vector<Point>& points, const std::array<bool, 2>& is_periodic, const std::vector<FT>& weights = {})
+  static Bspline_surface_3 from_periodic(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u,
+                                         const std::vector<FT>& knots_v, const std::vector<Point>& points,
+                                         const std::array<bool, 2>& is_periodic, const std::vector<FT>& weights = {})
   {
     std::vector<std::vector<NT>> all_knots{Base::numbers(knots_u), Base::numbers(knots_v)};
     std::array<std::size_t, 2> given, unwrapped;
     for (int j = 0; j < 2; ++j) {
       const std::size_t number_of_knots = all_knots[j].size();
       if (is_periodic[j])
-        all_knots[j] = internal::unwrapped_knots(degrees[j], all_knots[j], "Bspline_surface_3: axis " + std::to_string(j));
+        all_knots[j] =
+            internal::unwrapped_knots(degrees[j], all_knots[j], "Bspline_surface_3: axis " + std::to_string(j));
       const std::size_t order = static_cast<std::size_t>((std::max)(degrees[j], 0)) + 1;
       if (all_knots[j].size() < 2 * order)
         throw Invalid_input("Bspline_surface_3: axis " + std::to_string(j) + " has too few knots");
@@ -115,7 +122,8 @@ public:
         if (!weights.empty())
           all_weights.push_back(weights[k]);
       }
-    return Bspline_surface_3(Representation({degrees[0], degrees[1]}, all_knots, Base::coordinates(all_points), Base::numbers(all_weights), "Bspline_surface_3"));
+    return Bspline_surface_3(Representation({degrees[0], degrees[1]}, all_knots, Base::coordinates(all_points),
+                                            Base::numbers(all_weights), "Bspline_surface_3"));
   }
 
   /// @}
@@ -123,7 +131,10 @@ public:
   /// @{
 
   //! the point at parameters.
-  Point operator()(const FT& u, const FT& v) const { return internal::kernel_object<Kernel, Point>(derivative_table(u, v, 0).at({0, 0})); }
+  Point operator()(const FT& u, const FT& v) const
+  {
+    return internal::kernel_object<Kernel, Point>(derivative_table(u, v, 0).at({0, 0}));
+  }
 
   //! the partial derivative of these orders. \throws Invalid_input when an order is negative.
   Vector derivative(const FT& u, const FT& v, int order_u, int order_v) const
@@ -133,7 +144,8 @@ public:
     return internal::kernel_object<Kernel, Vector>(derivative_table(u, v, order_u + order_v).at({order_u, order_v}));
   }
 
-  //! \f$\partial S/\partial u \times \partial S/\partial v\f$, not normalised; zero where the parametrisation is singular.
+  //! \f$\partial S/\partial u \times \partial S/\partial v\f$, not normalised; zero where the parametrisation is
+  //! singular.
   Vector normal(const FT& u, const FT& v) const
   {
     const auto table = derivative_table(u, v, 1);
@@ -149,9 +161,13 @@ public:
   }
 
   //! the square of the mean curvature, a rational number. \throws Invalid_input where the parametrisation is singular.
-  FT squared_mean_curvature(const FT& u, const FT& v) const { return internal::converted_number<FT>(mean_curvature_terms(u, v).first); }
+  FT squared_mean_curvature(const FT& u, const FT& v) const
+  {
+    return internal::converted_number<FT>(mean_curvature_terms(u, v).first);
+  }
 
-  //! the mean curvature with respect to `normal()`: the square root of a double that is next to `squared_mean_curvature()`, with its sign. \throws Invalid_input as that.
+  //! the mean curvature with respect to `normal()`: the square root of a double that is next to
+  //! `squared_mean_curvature()`, with its sign. \throws Invalid_input as that.
   double mean_curvature(const FT& u, const FT& v) const
   {
     const auto [square, sign] = mean_curvature_terms(u, v);
@@ -173,7 +189,8 @@ public:
   //! the curve on which the parameter of an axis has one value; its parameter is the other one.
   Bspline_curve_3<Kernel> iso_curve(int axis, const FT& t) const
   {
-    return Bspline_curve_3<Kernel>(this->representation().mapped([&](const auto& f) { return f.slice(axis, Base::number(t)); }));
+    return Bspline_curve_3<Kernel>(
+        this->representation().mapped([&](const auto& f) { return f.slice(axis, Base::number(t)); }));
   }
 
   /// @}
@@ -189,10 +206,14 @@ private:
 
   static Coordinates cross(const Coordinates& a, const Coordinates& b)
   {
-    return {NT(NT(a[1] * b[2]) - NT(a[2] * b[1])), NT(NT(a[2] * b[0]) - NT(a[0] * b[2])), NT(NT(a[0] * b[1]) - NT(a[1] * b[0]))};
+    return {NT(NT(a[1] * b[2]) - NT(a[2] * b[1])), NT(NT(a[2] * b[0]) - NT(a[0] * b[2])),
+            NT(NT(a[0] * b[1]) - NT(a[1] * b[0]))};
   }
 
-  static NT dot(const Coordinates& a, const Coordinates& b) { return NT(NT(a[0] * b[0]) + NT(a[1] * b[1])) + NT(a[2] * b[2]); }
+  static NT dot(const Coordinates& a, const Coordinates& b)
+  {
+    return NT(NT(a[0] * b[0]) + NT(a[1] * b[1])) + NT(a[2] * b[2]);
+  }
 
   std::map<std::vector<int>, Coordinates> derivative_table(const FT& u, const FT& v, int order) const
   {

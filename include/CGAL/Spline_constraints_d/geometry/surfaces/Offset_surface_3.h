@@ -23,10 +23,13 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-The offset of a surface: the points \f$S(u,v) + r\,N/|N|\f$ with the normal \f$N = S_u \times S_v\f$, at the signed distance \f$r\f$, on the side of \f$N\f$ if \f$r > 0\f$.
+The offset of a surface: the points \f$S(u,v) + r\,N/|N|\f$ with the normal \f$N = S_u \times S_v\f$, at the signed
+distance \f$r\f$, on the side of \f$N\f$ if \f$r > 0\f$.
 
-A point \f$P\f$ is on it when \f$\langle P - S, S_u\rangle = \langle P - S, S_v\rangle = 0\f$, \f$|P-S|^2 = r^2\f$ and \f$r\,\langle P - S, N\rangle > 0\f$; otherwise as `Offset_curve_2`. The surface
-has to be regular and without edges inside: a sphere with its poles is refused. Cut it into such parts. Where the offset is rational, `rational_offset()` is this surface.
+A point \f$P\f$ is on it when \f$\langle P - S, S_u\rangle = \langle P - S, S_v\rangle = 0\f$, \f$|P-S|^2 = r^2\f$ and
+\f$r\,\langle P - S, N\rangle > 0\f$; otherwise as `Offset_curve_2`. The surface has to be regular and without edges
+inside: a sphere with its poles is refused. Cut it into such parts. Where the offset is rational, `rational_offset()` is
+this surface.
 
 \cgalModels{Locus}
 */
@@ -51,16 +54,20 @@ public:
   \tparam Surface a model of `ParametricSurface_3`.
   \param surface the surface.
   \param distance the signed distance, exactly; not zero.
-  \throws Invalid_input when the distance is zero or not finite, a derivative jumps, or the normal vanishes, or nearly so; messages say where.
+  \throws Invalid_input when the distance is zero or not finite, a derivative jumps, or the normal vanishes, or nearly
+  so; messages say where.
   */
   template <ParametricSurface_3 Surface>
   Offset_surface_3(const Surface& surface, const typename Surface::Kernel::FT& distance)
-    : m_rational_surface(Bspline_surface_3<internal::Exact_kernel>::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight())), m_surface(surface),
-      m_derivatives{derivative(m_surface, 0), derivative(m_surface, 1)}, m_distance(internal::converted_number<Exact_rational>(distance))
+    : m_rational_surface(Bspline_surface_3<internal::Exact_kernel>::from_homogeneous_coordinates(
+          surface.homogeneous_coordinates(), surface.weight())),
+      m_surface(surface), m_derivatives{derivative(m_surface, 0), derivative(m_surface, 1)},
+      m_distance(internal::converted_number<Exact_rational>(distance))
   {
     if (m_distance == Exact_rational(0))
       throw Invalid_input("Offset_surface_3: the distance is zero");
-    m_length_of_normal = internal::length_range<3>(normal(), {domain(0), domain(1)}, "Offset_surface_3: the normal of the surface");
+    m_length_of_normal =
+        internal::length_range<3>(normal(), {domain(0), domain(1)}, "Offset_surface_3: the normal of the surface");
   }
 
   //! the surface itself.
@@ -82,11 +89,14 @@ public:
   //! one piece.
   std::vector<Locus_piece<3>> locus_pieces() const
   {
-    const auto at = [](const Spline_map<2, 3>& map) -> internal::Vector_formula<3> { return [map](std::span<const Unknown> u) { return map(u[0], u[1]); }; };
-    Locus_piece<3> piece =
-      internal::offset_piece<3>(at(m_surface), {at(m_derivatives[0]), at(m_derivatives[1])}, normal(), m_distance, {domain(0), domain(1)}, m_length_of_normal);
+    const auto at = [](const Spline_map<2, 3>& map) -> internal::Vector_formula<3> {
+      return [map](std::span<const Unknown> u) { return map(u[0], u[1]); };
+    };
+    Locus_piece<3> piece = internal::offset_piece<3>(at(m_surface), {at(m_derivatives[0]), at(m_derivatives[1])},
+                                                     normal(), m_distance, {domain(0), domain(1)}, m_length_of_normal);
     for (int axis : {0, 1})
-      piece.is_without_end[axis] = m_surface.is_closed(axis) && m_derivatives[0].is_closed(axis) && m_derivatives[1].is_closed(axis);
+      piece.is_without_end[axis] =
+          m_surface.is_closed(axis) && m_derivatives[0].is_closed(axis) && m_derivatives[1].is_closed(axis);
     return {piece};
   }
 
@@ -98,7 +108,9 @@ public:
 private:
   internal::Vector_formula<3> normal() const
   {
-    return [derivatives = m_derivatives](std::span<const Unknown> u) { return cross(derivatives[0](u[0], u[1]), derivatives[1](u[0], u[1])); };
+    return [derivatives = m_derivatives](std::span<const Unknown> u) {
+      return cross(derivatives[0](u[0], u[1]), derivatives[1](u[0], u[1]));
+    };
   }
 };
 

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A multiple of the first derivative of a curve that is a piecewise polynomial: the derivative itself, of rational curves times the square of the weight.
+// A multiple of the first derivative of a curve that is a piecewise polynomial: the derivative itself, of rational
+// curves times the square of the weight.
 inline Vector_function<3> direction_function(const Exact_space_curve& curve, const std::string& who)
 {
   const auto coordinates = curve.homogeneous_coordinates();
@@ -32,7 +33,9 @@ inline Vector_function<3> direction_function(const Exact_space_curve& curve, con
     for (std::size_t c = 0; c < pieces.size(); ++c) {
       const Exact_rational width = breaks[c + 1] - breaks[c];
       const auto derivative = pieces[c].derivative(0) * Exact_rational(1 / width);
-      pieces[c] = curve.is_rational() ? derivative * weights[c] - pieces[c] * (weights[c].derivative(0) * Exact_rational(1 / width)) : derivative;
+      pieces[c] = curve.is_rational()
+          ? derivative * weights[c] - pieces[c] * (weights[c].derivative(0) * Exact_rational(1 / width))
+          : derivative;
     }
     return joined(pieces, breaks, who + " is not continuously differentiable");
   });
@@ -43,23 +46,28 @@ inline Exact_surface canal(const Exact_space_curve& spine, const Exact_space_cur
 {
   if (spine.domain() != arm.domain())
     throw Invalid_input(who + ": the spine and the arm have different domains");
-  const Vector_function<3> along_spine = direction_function(spine, who + ": the spine"), m(arm.homogeneous_coordinates());
+  const Vector_function<3> along_spine = direction_function(spine, who + ": the spine"),
+                           m(arm.homogeneous_coordinates());
   const Scalar_function spine_weight(spine.weight()), arm_weight(arm.weight());
-  const Vector_function<3> contact = Vector_function<3>(spine.homogeneous_coordinates()) * arm_weight + m * spine_weight;
-  const auto contact_curve = Exact_space_curve::from_homogeneous_coordinates(contact.functions(), (spine_weight * arm_weight).function());
+  const Vector_function<3> contact =
+      Vector_function<3>(spine.homogeneous_coordinates()) * arm_weight + m * spine_weight;
+  const auto contact_curve =
+      Exact_space_curve::from_homogeneous_coordinates(contact.functions(), (spine_weight * arm_weight).function());
   const Scalar_function cosine = dot(m, direction_function(contact_curve, who + ": the curve that the arm leads to"));
   if (cosine.function().bounds() != std::pair(Exact_rational(0), Exact_rational(0)))
     throw Invalid_input(who + ": the arm is not at a right angle to the curve it leads to");
 
   const std::vector<Exact_rational> middle(1, Exact_rational((spine.domain().first + spine.domain().second) / 2));
   const Exact_rational squared_speed = dot(along_spine, along_spine).function()(middle);
-  const Direction_path turn = Direction_path::half_round(squared_speed == 0 ? Exact_rational(1) : near_inverse_root(squared_speed));
+  const Direction_path turn =
+      Direction_path::half_round(squared_speed == 0 ? Exact_rational(1) : near_inverse_root(squared_speed));
   const Exact_box domain{turn.domain()[0], spine.weight().domain(0)};
   const Direction_path path = turn.on_axis(domain, 0);
   const Curve_on_axis<3> center(spine, domain, 1), source(arm, domain, 1);
   const Vector_function<3> axis = along_spine.on_axis(domain, 1);
   const Scalar_function weight = rotation_weight(axis, path) * source.weight;
-  return quotient_surface(center.numerators * weight + rotated(source.numerators, axis, path) * center.weight, center.weight * weight);
+  return quotient_surface(center.numerators * weight + rotated(source.numerators, axis, path) * center.weight,
+                          center.weight * weight);
 }
 
 inline Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curve& normal)
@@ -78,40 +86,48 @@ inline Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curv
 /// @{
 
 /*!
-the canal surface around a spine: the envelope of spheres whose centers run along the spine and whose radius may vary with them. It is swept by turning a rational arm
-once around the tangent of the spine. Points of the curve `arm` stand for the vectors from the origin to them: from a center to a point where its sphere touches the
-envelope. So the length of the arm is the radius, and the arm is at a right angle to the curve that it leads to, the spine plus the arm. Axis 0 is the turn, over
+the canal surface around a spine: the envelope of spheres whose centers run along the spine and whose radius may vary
+with them. It is swept by turning a rational arm once around the tangent of the spine. Points of the curve `arm` stand
+for the vectors from the origin to them: from a center to a point where its sphere touches the envelope. So the length
+of the arm is the radius, and the arm is at a right angle to the curve that it leads to, the spine plus the arm. Axis 0
+is the turn, over
 \f$[0,4]\f$; axis 1 is that of the spine.
 
-All canal surfaces of rational spines and radii are rational \cgalCite{pp-crpcs-97}, but over the rational numbers only where such an arm can be given. It is all that is
-needed, since the turn is rational in the derivative of the spine, whatever its length. Exact where the kernel is. The surface may meet itself.
-\throws Invalid_input when the domains differ, the spine or its sum with the arm is not continuously differentiable, the derivative of the spine vanishes, or the arm is
-not at a right angle to the curve it leads to (decided exactly).
+All canal surfaces of rational spines and radii are rational \cgalCite{pp-crpcs-97}, but over the rational numbers only
+where such an arm can be given. It is all that is needed, since the turn is rational in the derivative of the spine,
+whatever its length. Exact where the kernel is. The surface may meet itself.
+\throws Invalid_input when the domains differ, the spine or its sum with the arm is not continuously differentiable, the
+derivative of the spine vanishes, or the arm is not at a right angle to the curve it leads to (decided exactly).
 */
 template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> canal_surface(const Bspline_curve_3<Kernel>& spine, const Bspline_curve_3<Kernel>& arm)
 {
-  return Bspline_surface_3<Kernel>(internal::canal(internal::Exact_space_curve(spine), internal::Exact_space_curve(arm), "canal_surface"));
+  return Bspline_surface_3<Kernel>(
+      internal::canal(internal::Exact_space_curve(spine), internal::Exact_space_curve(arm), "canal_surface"));
 }
 
 /*!
-the pipe around a spine: the canal surface of a constant radius. The arm is a normal of the spine, of one length, the radius.
+the pipe around a spine: the canal surface of a constant radius. The arm is a normal of the spine, of one length, the
+radius.
 \throws Invalid_input as `canal_surface()`, and when the length of the normal is zero or not constant.
 */
 template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> pipe_surface(const Bspline_curve_3<Kernel>& spine, const Bspline_curve_3<Kernel>& normal)
 {
-  return Bspline_surface_3<Kernel>(internal::pipe(internal::Exact_space_curve(spine), internal::Exact_space_curve(normal)));
+  return Bspline_surface_3<Kernel>(
+      internal::pipe(internal::Exact_space_curve(spine), internal::Exact_space_curve(normal)));
 }
 
-//! the pipe around a spine in a plane; the radius is the length of the given vector, which is at a right angle to the plane. \throws Invalid_input as above.
+//! the pipe around a spine in a plane; the radius is the length of the given vector, which is at a right angle to the
+//! plane. \throws Invalid_input as above.
 template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> pipe_surface(const Bspline_curve_3<Kernel>& spine, const CGAL::Vector_3<Kernel>& normal)
 {
   const auto arm = CGAL::ORIGIN + internal::exact_object(normal);
   const internal::Exact_space_curve curve(spine);
   const auto [begin, end] = curve.domain();
-  return Bspline_surface_3<Kernel>(internal::pipe(curve, internal::Exact_space_curve(1, {begin, begin, end, end}, {arm, arm})));
+  return Bspline_surface_3<Kernel>(
+      internal::pipe(curve, internal::Exact_space_curve(1, {begin, begin, end, end}, {arm, arm})));
 }
 
 /// @}

@@ -33,7 +33,8 @@ inline Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& pi
   std::size_t k = 0;
   for (int i = 0; i <= piece.degree(0); ++i)
     for (int j = 0; j <= piece.degree(1); ++j)
-      result += Power_polynomial(coefficients[k++]) * pow(Power_polynomial::variable(0), i) * pow(Power_polynomial::variable(1), j);
+      result += Power_polynomial(coefficients[k++]) * pow(Power_polynomial::variable(0), i) *
+          pow(Power_polynomial::variable(1), j);
   return result;
 }
 
@@ -42,11 +43,15 @@ inline Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, con
   const std::size_t columns = static_cast<std::size_t>(degrees[1]) + 1;
   std::vector<Exact_rational> coefficients((static_cast<std::size_t>(degrees[0]) + 1) * columns, Exact_rational(0));
   for (const auto& [monomial, coefficient] : f.terms())
-    coefficients[static_cast<std::size_t>(monomial.exponent(0)) * columns + static_cast<std::size_t>(monomial.exponent(1))] = coefficient;
+    coefficients[static_cast<std::size_t>(monomial.exponent(0)) * columns +
+                 static_cast<std::size_t>(monomial.exponent(1))] = coefficient;
   return Bernstein_tensor<Exact_rational>::from_power(degrees, std::move(coefficients));
 }
 
-inline Exact_rational value_at(const Power_polynomial& f, const Exact_rational& u, const Exact_rational& v) { return f(std::array<Exact_rational, 2>{u, v}); }
+inline Exact_rational value_at(const Power_polynomial& f, const Exact_rational& u, const Exact_rational& v)
+{
+  return f(std::array<Exact_rational, 2>{u, v});
+}
 
 inline std::vector<Power_polynomial> without_common_factors(std::vector<Power_polynomial> polynomials)
 {
@@ -72,7 +77,10 @@ inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
   return scale && square * Power_polynomial(ratio) == f ? std::optional(root * Power_polynomial(*scale)) : std::nullopt;
 }
 
-inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n) { return n[0] * n[0] + n[1] * n[1] + n[2] * n[2]; }
+inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n)
+{
+  return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+}
 
 // The cross product of the derivatives of P / w, times w^3.
 inline std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
@@ -94,7 +102,8 @@ inline std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
 }
 
 // With a positive weight, if the surface has one. \pre the normal of the surface vanishes nowhere.
-inline std::optional<Homogeneous_polynomials> rational_offset(const Homogeneous_polynomials& surface, const Exact_rational& distance)
+inline std::optional<Homogeneous_polynomials> rational_offset(const Homogeneous_polynomials& surface,
+                                                              const Exact_rational& distance)
 {
   const Exact_rational half = Exact_rational(1) / 2;
   const std::vector<Power_polynomial> normal = normal_of(surface);
@@ -110,7 +119,8 @@ inline std::optional<Homogeneous_polynomials> rational_offset(const Homogeneous_
   for (std::size_t i = 0; i < 3; ++i)
     cosine += value_at(normal[i], half, half) * value_at(direction[i], half, half);
   const bool is_negative = value_at(*length, half, half) < 0;
-  const Power_polynomial weight = is_negative ? -*length : *length, step(cosine < 0 ? Exact_rational(-distance) : distance);
+  const Power_polynomial weight = is_negative ? -*length : *length,
+                         step(cosine < 0 ? Exact_rational(-distance) : distance);
   Homogeneous_polynomials result;
   for (std::size_t i = 0; i < 3; ++i)
     result.push_back(surface[i] * weight + step * direction[i] * surface[3]);
@@ -119,16 +129,19 @@ inline std::optional<Homogeneous_polynomials> rational_offset(const Homogeneous_
 }
 
 /*
-The continuous surface with these pieces on the cells of a grid, in row-major order, each of which may be multiplied by a constant: that which makes it fit the one before.
-None if their homogeneous coordinates do not fit.
+The continuous surface with these pieces on the cells of a grid, in row-major order, each of which may be multiplied by
+a constant: that which makes it fit the one before. None if their homogeneous coordinates do not fit.
 */
-inline std::optional<Bspline_surface_3<Exact_kernel>> joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std::vector<Exact_rational>, 2>& breaks)
+inline std::optional<Bspline_surface_3<Exact_kernel>>
+joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std::vector<Exact_rational>, 2>& breaks)
 {
   const std::size_t columns = breaks[1].size() - 1;
   for (std::size_t c = 1; c < pieces.size(); ++c) {
     const bool is_first_in_row = c % columns == 0;
     const Homogeneous_polynomials& before = pieces[is_first_in_row ? c - columns : c - 1];
-    const Exact_rational factor = is_first_in_row ? Exact_rational(value_at(before[3], 1, 0) / value_at(pieces[c][3], 0, 0)) : Exact_rational(value_at(before[3], 0, 1) / value_at(pieces[c][3], 0, 0));
+    const Exact_rational factor = is_first_in_row
+        ? Exact_rational(value_at(before[3], 1, 0) / value_at(pieces[c][3], 0, 0))
+        : Exact_rational(value_at(before[3], 0, 1) / value_at(pieces[c][3], 0, 0));
     for (Power_polynomial& f : pieces[c])
       f *= Power_polynomial(factor);
   }
@@ -151,7 +164,8 @@ inline std::optional<Bspline_surface_3<Exact_kernel>> joined_surface(std::vector
     if (coordinates[i].bezier_pieces() != tensors)
       return std::nullopt;
   }
-  return Bspline_surface_3<Exact_kernel>::from_homogeneous_coordinates({coordinates[0], coordinates[1], coordinates[2]}, coordinates[3]);
+  return Bspline_surface_3<Exact_kernel>::from_homogeneous_coordinates({coordinates[0], coordinates[1], coordinates[2]},
+                                                                       coordinates[3]);
 }
 
 } // namespace internal
@@ -159,21 +173,30 @@ inline std::optional<Bspline_surface_3<Exact_kernel>> joined_surface(std::vector
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-an offset as a rational surface with the same parameters, exactly, where it is one: where on each piece the squared length of the normal is the square of a polynomial with rational coefficients, up to squares. So it is for parts of
-spheres, cylinders and tori with rational radii, as functions of this package make them, for cones whose angle has a rational sine and cosine, planes with a rational unit normal, and other surfaces with a Pythagorean normal. Otherwise, or if common factors are not found by `common_factor()`, nothing.
+an offset as a rational surface with the same parameters, exactly, where it is one: where on each piece the squared
+length of the normal is the square of a polynomial with rational coefficients, up to squares. So it is for parts of
+spheres, cylinders and tori with rational radii, as functions of this package make them, for cones whose angle has a
+rational sine and cosine, planes with a rational unit normal, and other surfaces with a Pythagorean normal. Otherwise,
+or if common factors are not found by `common_factor()`, nothing.
 
-All that is known of rational surfaces can be done with it, also what is not supported for `Offset_surface_3`. Its degrees are as low as common factors of homogeneous coordinates allow, if the pieces then fit together.
+All that is known of rational surfaces can be done with it, also what is not supported for `Offset_surface_3`. Its
+degrees are as low as common factors of homogeneous coordinates allow, if the pieces then fit together.
 
-Complexity: greatest common divisors of polynomials of three times the degrees, for each piece of the surface; one evaluation, if the length of the normal in one point is not rational.
+Complexity: greatest common divisors of polynomials of three times the degrees, for each piece of the surface; one
+evaluation, if the length of the normal in one point is not rational.
 
 Source: Pottmann, Rational curves and surfaces with rational offsets, 1995.
 */
-inline std::optional<Bspline_surface_3<CGAL::Simple_cartesian<Exact_rational>>> rational_offset(const Offset_surface_3& offset)
+inline std::optional<Bspline_surface_3<CGAL::Simple_cartesian<Exact_rational>>>
+rational_offset(const Offset_surface_3& offset)
 {
   const auto& surface = offset.rational_surface();
   const auto numerators = surface.homogeneous_coordinates();
-  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> pieces{numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
-  const auto weights = surface.is_rational() ? surface.weight().bezier_pieces() : std::vector(pieces[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
+  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> pieces{
+      numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
+  const auto weights = surface.is_rational()
+      ? surface.weight().bezier_pieces()
+      : std::vector(pieces[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
   std::vector<internal::Homogeneous_polynomials> offsets, simpler;
   for (std::size_t c = 0; c < weights.size(); ++c) {
     internal::Homogeneous_polynomials piece;

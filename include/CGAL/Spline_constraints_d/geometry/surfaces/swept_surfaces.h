@@ -25,7 +25,8 @@ struct Curve_on_axis
 
   template <class Curve>
   Curve_on_axis(const Curve& curve, const Exact_box& domain, int axis)
-    : numerators(Vector_function<d>(curve.homogeneous_coordinates()).on_axis(domain, axis)), weight(Scalar_function(curve.weight()).on_axis(domain, axis))
+    : numerators(Vector_function<d>(curve.homogeneous_coordinates()).on_axis(domain, axis)),
+      weight(Scalar_function(curve.weight()).on_axis(domain, axis))
   {}
 };
 
@@ -45,11 +46,12 @@ Exact_box product_domain(const Curve_u& a, const Curve_v& b)
 /// \addtogroup PkgSplineConstraintsDConstructions
 /// @{
 
-//! the surface \f$(1-u)(1-v) P_{00} + (1-u) v P_{01} + u (1-v) P_{10} + u v P_{11}\f$ over \f$[0,1]^2\f$. Exact in every kernel.
+//! the surface \f$(1-u)(1-v) P_{00} + (1-u) v P_{01} + u (1-v) P_{10} + u v P_{11}\f$ over \f$[0,1]^2\f$. Exact in
+//! every kernel.
 //! \throws Invalid_input for coordinates that are not finite.
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> bilinear_surface(const CGAL::Point_3<Kernel>& p00, const CGAL::Point_3<Kernel>& p01, const CGAL::Point_3<Kernel>& p10,
-                                           const CGAL::Point_3<Kernel>& p11)
+Bspline_surface_3<Kernel> bilinear_surface(const CGAL::Point_3<Kernel>& p00, const CGAL::Point_3<Kernel>& p01,
+                                           const CGAL::Point_3<Kernel>& p10, const CGAL::Point_3<Kernel>& p11)
 {
   return Bspline_surface_3<Kernel>({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {p00, p01, p10, p11});
 }
@@ -57,15 +59,16 @@ Bspline_surface_3<Kernel> bilinear_surface(const CGAL::Point_3<Kernel>& p00, con
 //! the parallelogram \f$p + u a + v b\f$ over \f$[0,1]^2\f$. Exact where the kernel is.
 //! \throws Invalid_input for coordinates that are not finite.
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> plane_patch(const CGAL::Point_3<Kernel>& p, const CGAL::Vector_3<Kernel>& a, const CGAL::Vector_3<Kernel>& b)
+Bspline_surface_3<Kernel> plane_patch(const CGAL::Point_3<Kernel>& p, const CGAL::Vector_3<Kernel>& a,
+                                      const CGAL::Vector_3<Kernel>& b)
 {
   return bilinear_surface<Kernel>(p, p + b, p + a, p + a + b);
 }
 
 /*!
-the surface of the segments between points of two curves at the same parameter: it runs through the first at \f$v = 0\f$ and through the second at \f$v = 1\f$.
-Homogeneous coordinates are interpolated linearly, as control points are: where the weights differ, \f$v\f$ does not measure the segments evenly. Exact where the kernel
-is.
+the surface of the segments between points of two curves at the same parameter: it runs through the first at \f$v = 0\f$
+and through the second at \f$v = 1\f$. Homogeneous coordinates are interpolated linearly, as control points are: where
+the weights differ, \f$v\f$ does not measure the segments evenly. Exact where the kernel is.
 \throws Invalid_input when the curves have different domains.
 */
 template <SplineKernel Kernel>
@@ -76,46 +79,54 @@ Bspline_surface_3<Kernel> ruled_surface(const Bspline_curve_3<Kernel>& first, co
   const internal::Exact_function rising({1}, {{0, 0, 1, 1}}, {0, 1});
   const internal::Exact_box domain{first.weight().domain(0), rising.domain(0)};
   const internal::Curve_on_axis<3> a(first, domain, 0), b(second, domain, 0);
-  const internal::Scalar_function v = internal::Scalar_function(rising).on_axis(domain, 1), rest = internal::Scalar_function(domain, 1) - v;
-  return Bspline_surface_3<Kernel>(internal::quotient_surface(a.numerators * rest + b.numerators * v, a.weight * rest + b.weight * v));
+  const internal::Scalar_function v = internal::Scalar_function(rising).on_axis(domain, 1),
+                                  rest = internal::Scalar_function(domain, 1) - v;
+  return Bspline_surface_3<Kernel>(
+      internal::quotient_surface(a.numerators * rest + b.numerators * v, a.weight * rest + b.weight * v));
 }
 
 /*!
-the surface \f$C(u) + D(v) - \mathit{origin}\f$: the profile \f$C\f$ moved without turning, by the vectors from the origin to the points of the path \f$D\f$. Exact where
-the kernel is.
+the surface \f$C(u) + D(v) - \mathit{origin}\f$: the profile \f$C\f$ moved without turning, by the vectors from the
+origin to the points of the path \f$D\f$. Exact where the kernel is.
 \throws Invalid_input when the origin is not finite.
 */
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> translational_surface(const Bspline_curve_3<Kernel>& profile, const Bspline_curve_3<Kernel>& path,
-                                                const CGAL::Point_3<Kernel>& origin = CGAL::Point_3<Kernel>(CGAL::ORIGIN))
+Bspline_surface_3<Kernel>
+translational_surface(const Bspline_curve_3<Kernel>& profile, const Bspline_curve_3<Kernel>& path,
+                      const CGAL::Point_3<Kernel>& origin = CGAL::Point_3<Kernel>(CGAL::ORIGIN))
 {
   const internal::Exact_box domain = internal::product_domain(profile, path);
   const internal::Curve_on_axis<3> c(profile, domain, 0), d(path, domain, 1);
   const internal::Scalar_function weight = c.weight * d.weight;
   const internal::Vector_function<3> shift(domain, CGAL::ORIGIN - internal::exact_object(origin));
-  return Bspline_surface_3<Kernel>(internal::quotient_surface(c.numerators * d.weight + d.numerators * c.weight + shift * weight, weight));
+  return Bspline_surface_3<Kernel>(
+      internal::quotient_surface(c.numerators * d.weight + d.numerators * c.weight + shift * weight, weight));
 }
 
 //! the surface \f$C(u) + v\,d\f$, \f$v \in [0,1]\f$: a general cylinder. Exact where the kernel is.
 //! \throws Invalid_input when the direction is zero or not finite.
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> extruded_surface(const Bspline_curve_3<Kernel>& profile, const CGAL::Vector_3<Kernel>& direction)
+Bspline_surface_3<Kernel> extruded_surface(const Bspline_curve_3<Kernel>& profile,
+                                           const CGAL::Vector_3<Kernel>& direction)
 {
   if (direction == CGAL::NULL_VECTOR)
     throw Invalid_input("extruded_surface: the direction is zero");
   const typename Kernel::FT zero(0), one(1);
   const CGAL::Point_3<Kernel> origin(CGAL::ORIGIN);
-  return translational_surface(profile, Bspline_curve_3<Kernel>(1, {zero, zero, one, one}, {origin, origin + direction}));
+  return translational_surface(profile,
+                               Bspline_curve_3<Kernel>(1, {zero, zero, one, one}, {origin, origin + direction}));
 }
 
 /*!
-the surface \f$S(u,v) = O(v) + x(u)\,a(v) + y(u)\,b(v)\f$: the planar profile \f$(x,y)\f$ moved with a frame that has its origin on the spine \f$O\f$. The frame vectors
-are given as curves, points standing for the vectors from the origin to them. A moving frame of unit vectors at right angles is rational along special spines only
-(Pythagorean-hodograph curves); any rational frame, also one that shears or scales, is swept exactly where the kernel is.
+the surface \f$S(u,v) = O(v) + x(u)\,a(v) + y(u)\,b(v)\f$: the planar profile \f$(x,y)\f$ moved with a frame that has
+its origin on the spine \f$O\f$. The frame vectors are given as curves, points standing for the vectors from the origin
+to them. A moving frame of unit vectors at right angles is rational along special spines only (Pythagorean-hodograph
+curves); any rational frame, also one that shears or scales, is swept exactly where the kernel is.
 \throws Invalid_input when spine and frame have different domains.
 */
 template <SplineKernel Kernel>
-Bspline_surface_3<Kernel> swept_surface(const Bspline_curve_2<Kernel>& profile, const Bspline_curve_3<Kernel>& spine, const Bspline_curve_3<Kernel>& first_axis,
+Bspline_surface_3<Kernel> swept_surface(const Bspline_curve_2<Kernel>& profile, const Bspline_curve_3<Kernel>& spine,
+                                        const Bspline_curve_3<Kernel>& first_axis,
                                         const Bspline_curve_3<Kernel>& second_axis)
 {
   if (spine.domain() != first_axis.domain() || spine.domain() != second_axis.domain())
@@ -131,7 +142,8 @@ Bspline_surface_3<Kernel> swept_surface(const Bspline_curve_2<Kernel>& profile, 
     a.numerators = a.numerators * (o.weight * b.weight);
     b.numerators = b.numerators * (o.weight * a.weight);
   }
-  const internal::Vector_function<3> numerators = o.numerators * p.weight + a.numerators * p.numerators.x[0] + b.numerators * p.numerators.x[1];
+  const internal::Vector_function<3> numerators =
+      o.numerators * p.weight + a.numerators * p.numerators.x[0] + b.numerators * p.numerators.x[1];
   return Bspline_surface_3<Kernel>(internal::quotient_surface(numerators, weight * p.weight));
 }
 

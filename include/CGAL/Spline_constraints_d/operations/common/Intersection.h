@@ -33,7 +33,8 @@ struct Common_point
   Parameter_box parameters;
   std::vector<bool> is_at_end;
   std::optional<Solution_d<double>> solution;
-  bool is_repeated;   // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
+  // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
+  bool is_repeated;
 };
 
 } // namespace Common
@@ -42,7 +43,8 @@ struct Common_point
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-An intersection of two operands, each a point, a curve or a surface: parameters on both, within ranges that are proved to hold those of the common point, or of the common piece.
+An intersection of two operands, each a point, a curve or a surface: parameters on both, within ranges that are proved
+to hold those of the common point, or of the common piece.
 
 Operands are numbered 0 and 1, their parameters, the axes, 0 and 1 on a surface and 0 on a curve; a point has none.
 
@@ -65,9 +67,11 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands) : m_common(std::move(common)), m_split(operands.first_parameter(1))
+  Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands)
+    : m_common(std::move(common)), m_split(operands.first_parameter(1))
   {
-    internal::Common::Parameter_box ranges = internal::Common::clipped(internal::Common::with_short_ends(m_common.parameters), operands.domain());
+    internal::Common::Parameter_box ranges =
+        internal::Common::clipped(internal::Common::with_short_ends(m_common.parameters), operands.domain());
     ranges.resize(m_split);
     m_point = internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(ranges)));
   }
@@ -76,30 +80,49 @@ public:
   //! what is proved.
   Intersection_kind kind() const { return m_common.kind; }
 
-  //! the parameters of an operand along an axis: those of a common point lie in the range, those of an overlap too. At a pole of a surface, where one parameter is free, its range is the whole domain.
-  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const { return m_common.parameters[index(operand, axis)]; }
+  //! the parameters of an operand along an axis: those of a common point lie in the range, those of an overlap too. At
+  //! a pole of a surface, where one parameter is free, its range is the whole domain.
+  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const
+  {
+    return m_common.parameters[index(operand, axis)];
+  }
 
   //! the middle of the range, rounded to double.
-  double parameter(std::size_t operand, std::size_t axis = 0) const { return to_nearest_double(internal::Common::middle_of(parameter_range(operand, axis))); }
+  double parameter(std::size_t operand, std::size_t axis = 0) const
+  {
+    return to_nearest_double(internal::Common::middle_of(parameter_range(operand, axis)));
+  }
 
-  //! the point of the first operand in the middle of its ranges; where these are narrower than 256 binary digits tell, next to it. Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
+  //! the point of the first operand in the middle of its ranges; where these are narrower than 256 binary digits tell,
+  //! next to it. Where they are one number each, as for a point, and the kernel is exact, it is the common point
+  //! itself.
   const Point& point() const { return m_point; }
 
-  //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or pole of a surface, or a seam.
+  //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or
+  //! pole of a surface, or a seam.
   bool is_at_end(std::size_t operand, std::size_t axis) const { return m_common.is_at_end[index(operand, axis)]; }
 
   //! whether it is at an end of any parameter of an operand.
   bool is_at_end(std::size_t operand) const
   {
     const auto split = m_common.is_at_end.begin() + static_cast<std::ptrdiff_t>(m_split);
-    return operand == 0 ? std::find(m_common.is_at_end.begin(), split, true) != split : std::find(split, m_common.is_at_end.end(), true) != m_common.is_at_end.end();
+    return operand == 0 ? std::find(m_common.is_at_end.begin(), split, true) != split
+                        : std::find(split, m_common.is_at_end.end(), true) != m_common.is_at_end.end();
   }
 
   //! how often the common point counts; 1 when the operands cross, 0 when not known, as at a pole.
-  int multiplicity() const { return m_common.solution ? m_common.solution->multiplicity() : m_common.kind == Intersection_kind::TRANSVERSAL ? 1 : 0; }
+  int multiplicity() const
+  {
+    return m_common.solution                              ? m_common.solution->multiplicity()
+        : m_common.kind == Intersection_kind::TRANSVERSAL ? 1
+                                                          : 0;
+  }
 
-  //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or those of one operand, if the points of the other one are affine in its parameters:
-  //! a point, a segment, a parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of surfaces or of ruled ones.
+  //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or
+  //! those of one operand, if the points of the other one are affine in its parameters: a point, a segment, a
+  //! parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what
+  //! the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of
+  //! surfaces or of ruled ones.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:
@@ -123,7 +146,8 @@ public:
   using const_iterator = typename std::vector<Answer>::const_iterator;
 
 #ifndef DOXYGEN_RUNNING
-  Intersection_set(std::vector<Answer> answers, const Summary& summary) : m_answers(std::move(answers)), m_summary(summary)
+  Intersection_set(std::vector<Answer> answers, const Summary& summary)
+    : m_answers(std::move(answers)), m_summary(summary)
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
   }
@@ -140,7 +164,8 @@ public:
   //! number of answers of a kind.
   std::size_t count(Intersection_kind kind) const
   {
-    return static_cast<std::size_t>(std::count_if(begin(), end(), [=](const Answer& answer) { return answer.kind() == kind; }));
+    return static_cast<std::size_t>(
+        std::count_if(begin(), end(), [=](const Answer& answer) { return answer.kind() == kind; }));
   }
 
   //! whether there are no others, by proof, and none is undecided.
@@ -153,7 +178,8 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of the second: on a ray, from its source on.
+The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of
+the second: on a ray, from its source on.
 */
 template <SplineKernel Kernel, int d>
 using Intersections = Intersection_set<Intersection<Kernel, d>>;

@@ -44,14 +44,22 @@ struct Intersection_curve
   //! whether the last arc ends where the first one begins.
   bool is_closed;
 
-  //! how often its points count in the equations that were solved, see `Curve_piece::multiplicity`; 0 if this is not known. If one of two surfaces is implicit, and not singular along the curve, they have contact of the order `multiplicity` - 1 there.
+  //! how often its points count in the equations that were solved, see `Curve_piece::multiplicity`; 0 if this is not
+  //! known. If one of two surfaces is implicit, and not singular along the curve, they have contact of the order
+  //! `multiplicity` - 1 there.
   int multiplicity = 1;
 
   /*!
-  `TRANSVERSAL`: the surfaces cross at an angle in all points between the ends of arcs, by proof, since the equations are regular there. `TANGENT`: a contact curve, along which the surfaces have the same tangent planes, or one of them is singular, by proof, as the points count
-  several times. `UNDECIDED`: this is not known, or arcs differ.
+  `TRANSVERSAL`: the surfaces cross at an angle in all points between the ends of arcs, by proof, since the equations
+  are regular there. `TANGENT`: a contact curve, along which the surfaces have the same tangent planes, or one of them
+  is singular, by proof, as the points count several times. `UNDECIDED`: this is not known, or arcs differ.
   */
-  Intersection_kind kind() const { return multiplicity == 1 ? Intersection_kind::TRANSVERSAL : multiplicity > 1 ? Intersection_kind::TANGENT : Intersection_kind::UNDECIDED; }
+  Intersection_kind kind() const
+  {
+    return multiplicity == 1 ? Intersection_kind::TRANSVERSAL
+        : multiplicity > 1   ? Intersection_kind::TANGENT
+                             : Intersection_kind::UNDECIDED;
+  }
 };
 
 namespace internal {
@@ -62,7 +70,9 @@ template <class Multiplicity>
 int common_multiplicity(const std::vector<Intersection_arc>& arcs, const Multiplicity& multiplicity)
 {
   const int result = multiplicity(arcs.front());
-  return std::all_of(arcs.begin(), arcs.end(), [&](const Intersection_arc& arc) { return multiplicity(arc) == result; }) ? result : 0;
+  return std::all_of(arcs.begin(), arcs.end(), [&](const Intersection_arc& arc) { return multiplicity(arc) == result; })
+      ? result
+      : 0;
 }
 
 } // namespace Common

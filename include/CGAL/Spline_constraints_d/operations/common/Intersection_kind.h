@@ -15,9 +15,15 @@ namespace Spline_constraints {
 What is known of an intersection of two operands.
 */
 enum class Intersection_kind {
-  TRANSVERSAL,   ///< one common point that counts once, where no parameter is at an end: curves cross, a curve passes through a surface, a point lies on a curve or surface
-  TANGENT,       ///< a common point that counts several times: the operands touch, or one of them is singular there; or one on a knot that is not proved to count once
-  END_POINT,     ///< one common point that counts once, at an end of a curve, on an edge of a surface, on the seam of a closed operand, or at the pole of a surface
+  /// one common point that counts once, where no parameter is at an end: curves cross, a curve passes through a
+  /// surface, a point lies on a curve or surface
+  TRANSVERSAL,
+  /// a common point that counts several times: the operands touch, or one of them is singular there; or one on a knot
+  /// that is not proved to count once
+  TANGENT,
+  /// one common point that counts once, at an end of a curve, on an edge of a surface, on the seam of a closed operand,
+  /// or at the pole of a surface
+  END_POINT,
   OVERLAP,       ///< a piece of one operand lies on the other
   UNDECIDED      ///< nothing is proved: there may be common points with these parameters
 };

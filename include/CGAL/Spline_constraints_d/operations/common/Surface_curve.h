@@ -35,10 +35,13 @@ A connected curve on a surface.
 struct Surface_curve
 {
   std::size_t part;                          ///< the index of the part of the domain that it lies in
-  std::vector<Intersection_arc> arcs;        ///< between seams and poles; indices are those of curves in `Surface_curves_3::solutions(part)`
+  /// between seams and poles; indices are those of curves in `Surface_curves_3::solutions(part)`
+  std::vector<Intersection_arc> arcs;
   bool is_closed;                            ///< whether the last arc ends where the first one begins
-  std::optional<Constant_parameter> line{};  ///< of a curve along a break, a seam or an edge of the surface, which has no arcs and is not joined with other curves
-  int multiplicity = 1;                      ///< how often its points count in the equations, see `Curve_piece::multiplicity`; 0 if this is not known
+  /// of a curve along a break, a seam or an edge of the surface, which has no arcs and is not joined with other curves
+  std::optional<Constant_parameter> line{};
+  /// how often its points count in the equations, see `Curve_piece::multiplicity`; 0 if this is not known
+  int multiplicity = 1;
 };
 
 } // namespace Spline_constraints

@@ -15,14 +15,16 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A vertex of a boundary that consists of arcs of curves and of segments between points of them, as those of a convex hull and of what is seen from a point.
+A vertex of a boundary that consists of arcs of curves and of segments between points of them, as those of a convex hull
+and of what is seen from a point.
 */
 struct Boundary_vertex_2
 {
   //! the index of the curve; those of isolated points follow on those of the curves.
   std::size_t curve;
 
-  //! a range that is proved to have the parameter in it: one number at the ends of curves and in other points that are known exactly.
+  //! a range that is proved to have the parameter in it: one number at the ends of curves and in other points that are
+  //! known exactly.
   std::pair<Exact_rational, Exact_rational> parameters;
 
   //! the middle of the range.

@@ -29,7 +29,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The convex hull of curves and points in the plane: its boundary, counterclockwise, of arcs of the curves and segments that touch them.
+The convex hull of curves and points in the plane: its boundary, counterclockwise, of arcs of the curves and segments
+that touch them.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -53,7 +54,8 @@ public:
   \param curves the curves.
   \param points the points.
   \param options those of the solver; limits hold for the operation as a whole.
-  \throws Invalid_input when there are neither curves nor points, a coordinate is not finite, or an option makes no sense.
+  \throws Invalid_input when there are neither curves nor points, a coordinate is not finite, or an option makes no
+  sense.
   */
   Convex_hull_2(const std::vector<Curve>& curves, const std::vector<Point>& points, const Solver_options& options = {})
   {
@@ -63,7 +65,8 @@ public:
     m_parts = internal::Convex_hull::Curve_parts_2(curves);
     std::map<internal::Exact_pair, Boundary_vertex_2> isolated;
     for (const Point& point : points) {
-      m_points.push_back({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+      m_points.push_back({internal::converted_number<Exact_rational>(point.x()),
+                          internal::converted_number<Exact_rational>(point.y())});
       isolated.try_emplace(m_points.back(), Boundary_vertex_2{curves.size() + m_points.size() - 1, {}});
     }
     const internal::Convex_hull::Hull_boundary_2 boundary(m_parts.pieces(), std::move(isolated), options);
@@ -73,25 +76,31 @@ public:
   }
 
   /*!
-  the boundary: each part begins in the point where the one before ends, which may be on two curves. Arcs of a closed curve end at its seam. The hull of one point has one segment, from this point to itself; one that is a segment has two of
-  them.
+  the boundary: each part begins in the point where the one before ends, which may be on two curves. Arcs of a closed
+  curve end at its seam. The hull of one point has one segment, from this point to itself; one that is a segment has two
+  of them.
   */
   const std::vector<Hull_edge_2>& edges() const { return m_edges; }
 
   //! whether no part of the boundary is undecided.
   bool is_complete() const
   {
-    return std::none_of(m_edges.begin(), m_edges.end(), [](const Hull_edge_2& edge) { return edge.kind == Hull_edge_kind::UNDECIDED; });
+    return std::none_of(m_edges.begin(), m_edges.end(),
+                        [](const Hull_edge_2& edge) { return edge.kind == Hull_edge_kind::UNDECIDED; });
   }
 
   //! the work of the solver.
   const Summary& summary() const { return m_summary; }
 
   //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
-  Point point(const Boundary_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(exact_point(vertex.curve, vertex.parameter())); }
+  Point point(const Boundary_vertex_2& vertex) const
+  {
+    return internal::kernel_object<Kernel, Point>(exact_point(vertex.curve, vertex.parameter()));
+  }
 
   /*!
-  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
+  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords
+  between them than a given distance, but for the rounding of coordinates.
   \param edge the index of the part.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
@@ -109,7 +118,8 @@ public:
   }
 
   /*!
-  the polygon of these points of all parts; its vertices are on the boundary, and the boundary is nowhere farther from it, but for the rounding of coordinates.
+  the polygon of these points of all parts; its vertices are on the boundary, and the boundary is nowhere farther from
+  it, but for the rounding of coordinates.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
   */
@@ -126,7 +136,8 @@ public:
   }
 
   /*!
-  bounds of the area; the same number twice where all vertices are known exactly and the curves are polynomial. They are as close as the ranges of the parameters of vertices.
+  bounds of the area; the same number twice where all vertices are known exactly and the curves are polynomial. They are
+  as close as the ranges of the parameters of vertices.
   \param error how far from each other the bounds may be in addition; positive.
   \pre `is_complete()`
   \throws Invalid_input when the error is not positive.
@@ -139,15 +150,19 @@ public:
     Exact_rational twice_polygon(0), twice_rest(0);
     for (std::size_t i = 0; i < m_edges.size(); ++i)
       if (m_edges[i].kind == Hull_edge_kind::ARC)
-        for (const internal::Convex_hull::Hull_piece_2& piece : m_parts.between(m_edges[i].source.curve, certain_end(i, 0), certain_end(i, 1)))
+        for (const internal::Convex_hull::Hull_piece_2& piece :
+             m_parts.between(m_edges[i].source.curve, certain_end(i, 0), certain_end(i, 1)))
           arcs.push_back(piece.curve());
       else {
         const auto [begin, end] = certain_segment(i);
         twice_polygon += internal::exact_cross(begin, end);
         twice_rest += twice_area_beside_segment(i);
       }
-    const internal::Common::Rational_interval below_arcs = arcs.empty() ? internal::Common::Rational_interval(Exact_rational(0)) : internal::Regions::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
-    return {Exact_rational(below_arcs.lower + twice_polygon / 2), Exact_rational(below_arcs.upper + (twice_polygon + twice_rest) / 2)};
+    const internal::Common::Rational_interval below_arcs = arcs.empty()
+        ? internal::Common::Rational_interval(Exact_rational(0))
+        : internal::Regions::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
+    return {Exact_rational(below_arcs.lower + twice_polygon / 2),
+            Exact_rational(below_arcs.upper + (twice_polygon + twice_rest) / 2)};
   }
 
 private:
@@ -155,15 +170,18 @@ private:
   static std::vector<Hull_edge_2> with_joined_arcs(std::vector<Hull_edge_2> edges)
   {
     const auto goes_on = [](const Hull_edge_2& edge, const Hull_edge_2& next) {
-      return edge.kind == Hull_edge_kind::ARC && next.kind == Hull_edge_kind::ARC && edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters &&
-             edge.is_reversed() == next.is_reversed();
+      return edge.kind == Hull_edge_kind::ARC && next.kind == Hull_edge_kind::ARC &&
+          edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters &&
+          edge.is_reversed() == next.is_reversed();
     };
-    return internal::Regions::joined_edges(std::move(edges), goes_on, [](Hull_edge_2& edge, const Hull_edge_2& next) { edge.target = next.target; });
+    return internal::Regions::joined_edges(
+        std::move(edges), goes_on, [](Hull_edge_2& edge, const Hull_edge_2& next) { edge.target = next.target; });
   }
 
   internal::Exact_pair exact_point(std::size_t curve, const Exact_rational& parameter) const
   {
-    return curve < m_parts.number_of_curves() ? m_parts.point(curve, parameter) : m_points[curve - m_parts.number_of_curves()];
+    return curve < m_parts.number_of_curves() ? m_parts.point(curve, parameter)
+                                              : m_points[curve - m_parts.number_of_curves()];
   }
 
   // The parameter of the begin or end of an arc such that all before it, or after it, is on the boundary.
@@ -177,16 +195,20 @@ private:
   std::size_t before(std::size_t i) const { return (i + m_edges.size() - 1) % m_edges.size(); }
   std::size_t after(std::size_t i) const { return (i + 1) % m_edges.size(); }
 
-  // Where the arcs next to a segment certainly belong to the boundary; points that are known exactly where there are no arcs.
+  // Where the arcs next to a segment certainly belong to the boundary; points that are known exactly where there are no
+  // arcs.
   std::array<internal::Exact_pair, 2> certain_segment(std::size_t i) const
   {
     const auto end = [&](const Boundary_vertex_2& vertex, std::size_t neighbour, int side) {
-      return m_edges[neighbour].kind == Hull_edge_kind::ARC ? exact_point(m_edges[neighbour].source.curve, certain_end(neighbour, side)) : exact_point(vertex.curve, vertex.parameter());
+      return m_edges[neighbour].kind == Hull_edge_kind::ARC
+          ? exact_point(m_edges[neighbour].source.curve, certain_end(neighbour, side))
+          : exact_point(vertex.curve, vertex.parameter());
     };
     return {end(m_edges[i].source, before(i), 1), end(m_edges[i].target, after(i), 0)};
   }
 
-  // A bound for what is between that segment and the boundary: the hull of its ends and the parts of the arcs where these may end.
+  // A bound for what is between that segment and the boundary: the hull of its ends and the parts of the arcs where
+  // these may end.
   Exact_rational twice_area_beside_segment(std::size_t i) const
   {
     using Exact_point = internal::Exact_kernel::Point_2;
@@ -195,7 +217,8 @@ private:
       points.emplace_back(p[0], p[1]);
     for (const Boundary_vertex_2& vertex : {m_edges[i].source, m_edges[i].target})
       if (vertex.parameters.first < vertex.parameters.second)
-        for (const internal::Convex_hull::Hull_piece_2& piece : m_parts.between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
+        for (const internal::Convex_hull::Hull_piece_2& piece :
+             m_parts.between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
           for (const internal::Exact_pair& p : piece.points())
             points.emplace_back(p[0], p[1]);
     CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));

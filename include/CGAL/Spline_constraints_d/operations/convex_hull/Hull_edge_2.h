@@ -19,7 +19,8 @@ What a part of the boundary of a convex hull is.
 enum class Hull_edge_kind {
   ARC,       ///< an arc of a curve
   SEGMENT,   ///< a segment between points of curves, where it touches them; it may be a straight part of a curve
-  UNDECIDED  ///< the segment between two points of curves that are in the hull; it is not decided what the boundary is near it
+  /// the segment between two points of curves that are in the hull; it is not decided what the boundary is near it
+  UNDECIDED
 };
 
 //! \ingroup PkgSplineConstraintsDOperations

@@ -33,13 +33,17 @@ class Bitangent_2
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Bitangent_2(std::array<Point_on_spline<Kernel, 1, 2>, 2> contacts, Solution_d<double> solution) : m_contacts(std::move(contacts)), m_solution(std::move(solution)) {}
+  Bitangent_2(std::array<Point_on_spline<Kernel, 1, 2>, 2> contacts, Solution_d<double> solution)
+    : m_contacts(std::move(contacts)), m_solution(std::move(solution))
+  {}
 #endif
 
-  //! the point where it touches the first (0) or second (1) curve; of one curve, the contact with the smaller (0) or larger (1) parameter.
+  //! the point where it touches the first (0) or second (1) curve; of one curve, the contact with the smaller (0) or
+  //! larger (1) parameter.
   const Point_on_spline<Kernel, 1, 2>& contact(std::size_t curve) const { return m_contacts[curve]; }
 
-  //! the answer of the solver, with its proof: the unknowns are the two parameters. Nothing is proved of an `UNDECIDED` one.
+  //! the answer of the solver, with its proof: the unknowns are the two parameters. Nothing is proved of an `UNDECIDED`
+  //! one.
   const Solution_d<double>& solution() const { return m_solution; }
 };
 
@@ -76,7 +80,9 @@ class Bitangent_finder
   Bitangents_2<Kernel> m_result;
 
 public:
-  Bitangent_finder(const Planar_map& first, const Planar_map& second, const Solver_options& options) : m_curves{&first, &second}, m_solve(options) {}
+  Bitangent_finder(const Planar_map& first, const Planar_map& second, const Solver_options& options)
+    : m_curves{&first, &second}, m_solve(options)
+  {}
 
   // Those of two curves.
   Bitangents_2<Kernel> between()
@@ -89,7 +95,8 @@ public:
     return std::move(m_result);
   }
 
-  // Those of the first curve with itself: of each polynomial piece, and of each two of them without the corners where they meet.
+  // Those of the first curve with itself: of each polynomial piece, and of each two of them without the corners where
+  // they meet.
   Bitangents_2<Kernel> within()
   {
     const std::vector<Smooth_part> pieces = smooth_parts(*m_curves[0], [](const auto&, const auto&) { return false; });
@@ -109,11 +116,15 @@ public:
   }
 
 private:
-  static std::vector<Region> whole(const Smooth_part& first, const Smooth_part& second) { return {{first.curve.map().domain(0), second.curve.map().domain(0)}}; }
+  static std::vector<Region> whole(const Smooth_part& first, const Smooth_part& second)
+  {
+    return {{first.curve.map().domain(0), second.curve.map().domain(0)}};
+  }
 
   static std::vector<Unknown> unknowns_in(const Region& region)
   {
-    return unknowns(std::vector<std::array<Bound, 2>>{{Bound(region[0].first), Bound(region[0].second)}, {Bound(region[1].first), Bound(region[1].second)}});
+    return unknowns(std::vector<std::array<Bound, 2>>{{Bound(region[0].first), Bound(region[0].second)},
+                                                      {Bound(region[1].first), Bound(region[1].second)}});
   }
 
   // C1'(u) x C2'(v) = 0 and C1'(u) x (C1(u) - C2(v)) = 0, which both hold as well where a derivative is zero.
@@ -122,15 +133,17 @@ private:
     for (const Region& region : regions) {
       const std::vector<Unknown> u = unknowns_in(region);
       const Vector_expression<2> tangent = first.curve(1, u[0]), chord = first.curve(0, u[0]) - second.curve(0, u[1]);
-      std::vector<Constraint> constraints{cross(tangent, second.curve(1, u[1])) == 0, cross(tangent, chord) == 0, squared_norm(chord) != 0};
+      std::vector<Constraint> constraints{cross(tangent, second.curve(1, u[1])) == 0, cross(tangent, chord) == 0,
+                                          squared_norm(chord) != 0};
       add_ends(constraints, {&first, &second}, region, u);
       report(m_solve(constraints));
     }
   }
 
   /*
-  With the chord D = C(u) - C(v), H = (C'(u) x D)/(u-v)^2 and G = (C'(u) x C'(v))/(u-v) are polynomials, and H = -C' x C''/2, G = -C' x C'' where u = v: at inflections both are
-  zero. But G - 2H is zero on all of u = v, so that it can be divided by u - v once more, which gives C' x C'''/6.
+  With the chord D = C(u) - C(v), H = (C'(u) x D)/(u-v)^2 and G = (C'(u) x C'(v))/(u-v) are polynomials, and H = -C' x
+  C''/2, G = -C' x C'' where u = v: at inflections both are zero. But G - 2H is zero on all of u = v, so that it can be
+  divided by u - v once more, which gives C' x C'''/6.
   */
   void solve_piece(const Smooth_part& piece, const Region& region)
   {
@@ -147,7 +160,8 @@ private:
   }
 
   // Ends that count on the next part or region.
-  static void add_ends(std::vector<Constraint>& constraints, const std::array<const Smooth_part*, 2>& parts, const Region& region, const std::vector<Unknown>& u)
+  static void add_ends(std::vector<Constraint>& constraints, const std::array<const Smooth_part*, 2>& parts,
+                       const Region& region, const std::vector<Unknown>& u)
   {
     for (std::size_t i = 0; i < 2; ++i)
       if (!parts[i]->has_end || region[i].second != parts[i]->curve.end())
@@ -158,15 +172,21 @@ private:
   {
     for (const Solution_d<double>& solution : solutions) {
       const auto box = solution.exact_box();
-      m_result.bitangents.emplace_back(std::array<Contact, 2>{Contact(*m_curves[0], {box[0]}), Contact(*m_curves[1], {box[1]})}, solution);
+      m_result.bitangents.emplace_back(
+          std::array<Contact, 2>{Contact(*m_curves[0], {box[0]}), Contact(*m_curves[1], {box[1]})}, solution);
     }
   }
 
-  static void append(std::vector<Joint>& joints, std::vector<Joint> more) { joints.insert(joints.end(), more.begin(), more.end()); }
+  static void append(std::vector<Joint>& joints, std::vector<Joint> more)
+  {
+    joints.insert(joints.end(), more.begin(), more.end());
+  }
 
   /*
-  Arcs of two pieces on both sides of their common end that are graphs over the tangent there, and curved everywhere. If both are curved to the same side, no two tangents of theirs have the same
-  direction; if to different ones, tangents of one pass below the common end and those of the other one above it. Nothing when no such arcs are found, as where the curvature is zero at the end.
+  Arcs of two pieces on both sides of their common end that are graphs over the tangent there, and curved everywhere. If
+  both are curved to the same side, no two tangents of theirs have the same direction; if to different ones, tangents of
+  one pass below the common end and those of the other one above it. Nothing when no such arcs are found, as where the
+  curvature is zero at the end.
   */
   std::vector<Joint> curved_joint(const Smooth_part& before, const Smooth_part& after, bool is_seam)
   {
@@ -174,11 +194,13 @@ private:
       return {};
     const Differentiated_map a(before.curve.map(), 2), b(after.curve.map(), 2);
     const Exact_pair direction = a.at(1, a.end());
-    if (sign_of(exact_cross(direction, a.at(2, a.end()))) == 0 || sign_of(exact_cross(b.at(1, b.begin()), b.at(2, b.begin()))) == 0)
+    if (sign_of(exact_cross(direction, a.at(2, a.end()))) == 0 ||
+        sign_of(exact_cross(b.at(1, b.begin()), b.at(2, b.begin()))) == 0)
       return {};
     Exact_rational share = Exact_rational(5) / 16;
     for (int halvings = 0; halvings < 20; ++halvings, share /= 2) {
-      const Range end{Exact_rational(a.end() - share * (a.end() - a.begin())), a.end()}, begin{b.begin(), Exact_rational(b.begin() + share * (b.end() - b.begin()))};
+      const Range end{Exact_rational(a.end() - share * (a.end() - a.begin())), a.end()},
+          begin{b.begin(), Exact_rational(b.begin() + share * (b.end() - b.begin()))};
       if (is_curved(a, end, direction) && is_curved(b, begin, direction))
         return {is_seam ? Joint{begin, end} : Joint{end, begin}};
     }
@@ -239,9 +261,11 @@ all lines that are tangent to two curves at two different points: the solutions 
 \f[ C_1'(u) \times C_2'(v) = 0, \quad C_1'(u) \times (C_1(u) - C_2(v)) = 0, \quad C_1(u) \neq C_2(v). \f]
 The inequality excludes the points where the curves touch.
 
-A curve is split where its derivative jumps; at a corner the tangents of both sides count. A contact at the seam of a closed curve that has a tangent there, or at another such break,
-is reported with one parameter. Where the derivative of a curve vanishes, at a cusp, every tangent of the other one satisfies the first equation: such points come back as families,
-or undecided. So does the line of a straight piece that is tangent to the other curve, as all points of the piece are contacts.
+A curve is split where its derivative jumps; at a corner the tangents of both sides count. A contact at the seam of a
+closed curve that has a tangent there, or at another such break, is reported with one parameter. Where the derivative of
+a curve vanishes, at a cusp, every tangent of the other one satisfies the first equation: such points come back as
+families, or undecided. So does the line of a straight piece that is tangent to the other curve, as all points of the
+piece are contacts.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -261,10 +285,13 @@ Bitangents_2<typename C1::Kernel> bitangents(const C1& c1, const C2& c2, const S
 /*!
 all lines that are tangent to a curve at two different points, each once.
 
-On one polynomial piece, \f$u = v\f$ satisfies the equations. It is divided out exactly, in such a way that inflections are no solutions either: of
-\f$H = C'(u) \times (C(u)-C(v)) / (u-v)^2\f$ and \f$G = C'(u) \times C'(v) / (u-v)\f$ the system \f$H = 0\f$, \f$(G - 2H)/(u-v) = 0\f$, \f$u < v\f$ is solved, whose second
-function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces with a common end are solved without two arcs around it that are proved to be curved everywhere, so that no line is tangent to both.
-Where the curvature is zero at the end of one of the pieces, there are none, and the common end may come back undecided.
+On one polynomial piece, \f$u = v\f$ satisfies the equations. It is divided out exactly, in such a way that inflections
+are no solutions either: of
+\f$H = C'(u) \times (C(u)-C(v)) / (u-v)^2\f$ and \f$G = C'(u) \times C'(v) / (u-v)\f$ the system \f$H = 0\f$, \f$(G -
+2H)/(u-v) = 0\f$, \f$u < v\f$ is solved, whose second function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces
+with a common end are solved without two arcs around it that are proved to be curved everywhere, so that no line is
+tangent to both. Where the curvature is zero at the end of one of the pieces, there are none, and the common end may
+come back undecided.
 
 Straight pieces are not reported as tangent to themselves; one that goes on smoothly into another piece is a family.
 

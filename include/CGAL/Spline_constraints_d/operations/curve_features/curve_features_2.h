@@ -33,8 +33,11 @@ enum class Curve_feature_kind {
   INFLECTION,   ///< the curvature changes its sign
   MAXIMUM,      ///< a local maximum: smaller on both sides; at an end of the curve, on one
   MINIMUM,      ///< a local minimum
-  STATIONARY,   ///< the equation is satisfied and its sign does not change, or it is an end of the curve: neither of the above
-  CONSTANT,     ///< the equation is satisfied on a whole piece, and nothing else is known: straight for inflections, an arc of a circle for extremes of curvature
+  /// the equation is satisfied and its sign does not change, or it is an end of the curve: neither of the above
+  STATIONARY,
+  /// the equation is satisfied on a whole piece, and nothing else is known: straight for inflections, an arc of a
+  /// circle for extremes of curvature
+  CONSTANT,
   SINGULAR,     ///< the derivative of the curve is zero: no curvature there
   BREAK,        ///< a corner of the curve; for extremes of curvature also a jump of the curvature
   UNDECIDED     ///< nothing is proved; only when a limit ended the run
@@ -44,7 +47,8 @@ enum class Curve_feature_kind {
 //! writes `inflection`, `maximum`, `minimum`, `stationary`, `constant`, `singular`, `break` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Curve_feature_kind kind)
 {
-  static const char* const names[] = {"inflection", "maximum", "minimum", "stationary", "constant", "singular", "break", "undecided"};
+  static const char* const names[] = {"inflection", "maximum",  "minimum", "stationary",
+                                      "constant",   "singular", "break",   "undecided"};
   return out << names[static_cast<int>(kind)];
 }
 
@@ -64,15 +68,18 @@ class Curve_feature_2
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Curve_feature_2(Curve_feature_kind kind, Point_on_spline<Kernel, 1, 2> point, const internal::Common::Sign_event& event, CGAL::Uncertain<bool> is_global)
-    : m_kind(kind), m_point(std::move(point)), m_is_family(event.is_family()), m_is_at_break(event.is_break), m_is_global(is_global), m_solutions(event.zeros)
+  Curve_feature_2(Curve_feature_kind kind, Point_on_spline<Kernel, 1, 2> point,
+                  const internal::Common::Sign_event& event, CGAL::Uncertain<bool> is_global)
+    : m_kind(kind), m_point(std::move(point)), m_is_family(event.is_family()), m_is_at_break(event.is_break),
+      m_is_global(is_global), m_solutions(event.zeros)
   {}
 #endif
 
   //! what is proved.
   Curve_feature_kind kind() const { return m_kind; }
 
-  //! the point: its parameter lies in the range, which is a single number where it is rational. Of a family, the range is the piece and the point is in its middle.
+  //! the point: its parameter lies in the range, which is a single number where it is rational. Of a family, the range
+  //! is the piece and the point is in its middle.
   const Point_on_spline<Kernel, 1, 2>& point_on_curve() const { return m_point; }
 
   //! whether all points of the range are solutions.
@@ -81,7 +88,8 @@ public:
   //! whether it is at a break of the curve, or a family that contains one; the seam of a closed curve is one.
   bool is_at_break() const { return m_is_at_break; }
 
-  //! for `extreme_points()`: whether no point of the curve is further on the side of this extreme. Indeterminate where heights differ by less than their enclosures; ties do not.
+  //! for `extreme_points()`: whether no point of the curve is further on the side of this extreme. Indeterminate where
+  //! heights differ by less than their enclosures; ties do not.
   CGAL::Uncertain<bool> is_global() const { return m_is_global; }
 
   //! the answers of the solver, with their proofs: none at a break where the sign jumps, several where pieces meet.
@@ -116,7 +124,8 @@ namespace Curve_features {
 inline bool is_singular(const std::vector<Differentiated_map>& pieces, const Sign_event& event, Budgeted_solver& solve)
 {
   for (const Differentiated_map& piece : pieces) {
-    const Exact_rational lower = (std::max)(event.range.first, piece.begin()), upper = (std::min)(event.range.second, piece.end());
+    const Exact_rational lower = (std::max)(event.range.first, piece.begin()),
+                         upper = (std::min)(event.range.second, piece.end());
     if (lower > upper)
       continue;
     const std::vector<Unknown> u = unknowns({{Bound(lower), Bound(upper)}});
@@ -137,12 +146,14 @@ inline Curve_feature_kind kind_of_extreme(const Sign_event& event)
 inline Curve_feature_kind kind_of_inflection(const Sign_event& event)
 {
   const Curve_feature_kind kind = kind_of_extreme(event);
-  return kind == Curve_feature_kind::MAXIMUM || kind == Curve_feature_kind::MINIMUM ? Curve_feature_kind::INFLECTION : kind;
+  return kind == Curve_feature_kind::MAXIMUM || kind == Curve_feature_kind::MINIMUM ? Curve_feature_kind::INFLECTION
+                                                                                    : kind;
 }
 
 // The features that the signs of a formula of the curvature make.
 template <class Kernel, class Kind>
-Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces, const Sign_sequence& signs, const Kind& kind_of_event,
+Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces,
+                                            const Sign_sequence& signs, const Kind& kind_of_event,
                                             Budgeted_solver& solve)
 {
   Curve_features_2<Kernel> result;
@@ -170,12 +181,14 @@ inline Exact_rational signed_squared_curvature(const Differentiated_map& piece, 
 
 inline bool have_common_curvature(const Differentiated_map& before, const Differentiated_map& after)
 {
-  return have_common_tangent(before, after) && signed_squared_curvature(before, before.end()) == signed_squared_curvature(after, after.begin());
+  return have_common_tangent(before, after) &&
+      signed_squared_curvature(before, before.end()) == signed_squared_curvature(after, after.begin());
 }
 
 /*
-Heights of the points of a curve in a direction, compared. Ranges of heights come from the coefficients of the curve on the range of the parameter: about the critical points that are
-compared, heights differ by the square of its width. Heights that are not told apart by that are zeros of polynomials, which decide whether they are equal.
+Heights of the points of a curve in a direction, compared. Ranges of heights come from the coefficients of the curve on
+the range of the parameter: about the critical points that are compared, heights differ by the square of its width.
+Heights that are not told apart by that are zeros of polynomials, which decide whether they are equal.
 */
 class Height_comparison
 {
@@ -194,9 +207,10 @@ class Height_comparison
 
 public:
   template <class Curve>
-  Height_comparison(const Curve& curve, const std::vector<Differentiated_map>& pieces, const Exact_pair& direction, const std::vector<Sign_event>& events,
-                    Budgeted_solver& solve)
-    : m_pieces(pieces), m_direction(direction), m_height(curve.homogeneous_coordinates()[0] * direction[0] + curve.homogeneous_coordinates()[1] * direction[1]),
+  Height_comparison(const Curve& curve, const std::vector<Differentiated_map>& pieces, const Exact_pair& direction,
+                    const std::vector<Sign_event>& events, Budgeted_solver& solve)
+    : m_pieces(pieces), m_direction(direction),
+      m_height(curve.homogeneous_coordinates()[0] * direction[0] + curve.homogeneous_coordinates()[1] * direction[1]),
       m_weight(curve.weight()), m_solve(solve)
   {
     for (const Sign_event& event : events)
@@ -208,7 +222,8 @@ public:
   {
     CGAL::Uncertain<bool> result = true;
     for (std::size_t j = 0; j < m_candidates.size(); ++j) {
-      const CGAL::Uncertain<CGAL::Sign> comparison = i == j ? CGAL::Uncertain<CGAL::Sign>(CGAL::ZERO) : compare(m_candidates[j], m_candidates[i]);
+      const CGAL::Uncertain<CGAL::Sign> comparison =
+          i == j ? CGAL::Uncertain<CGAL::Sign>(CGAL::ZERO) : compare(m_candidates[j], m_candidates[i]);
       if (!comparison.is_certain())
         result = CGAL::Uncertain<bool>::indeterminate();
       else if (comparison.make_certain() * sign > 0)
@@ -227,7 +242,8 @@ private:
       result.heights.first = result.heights.second = Exact_rational(m_height(t) / m_weight(t));
       return result;
     }
-    const Bspline_function<Exact_rational> h = m_height.restricted(0, lower, upper), w = m_weight.restricted(0, lower, upper);
+    const Bspline_function<Exact_rational> h = m_height.restricted(0, lower, upper),
+                                           w = m_weight.restricted(0, lower, upper);
     bool is_first = true;
     for (const auto& [a, b] : quotients(h, w)) {
       if (sign_of(b) == 0 || sign_of(b) != sign_of(w.coefficients()[0])) {
@@ -243,9 +259,11 @@ private:
   }
 
   // Coefficients on common knots.
-  static std::vector<std::pair<Exact_rational, Exact_rational>> quotients(const Bspline_function<Exact_rational>& h, const Bspline_function<Exact_rational>& w)
+  static std::vector<std::pair<Exact_rational, Exact_rational>> quotients(const Bspline_function<Exact_rational>& h,
+                                                                          const Bspline_function<Exact_rational>& w)
   {
-    const Bspline_function<Exact_rational> zero = h * Exact_rational(0) + w * Exact_rational(0), a = h + zero, b = w + zero;
+    const Bspline_function<Exact_rational> zero = h * Exact_rational(0) + w * Exact_rational(0), a = h + zero,
+                                           b = w + zero;
     std::vector<std::pair<Exact_rational, Exact_rational>> result;
     for (std::size_t i = 0; i < a.coefficients().size(); ++i)
       result.emplace_back(a.coefficients()[i], b.coefficients()[i]);
@@ -260,34 +278,44 @@ private:
       if (a.heights.second < b.heights.first)
         return CGAL::NEGATIVE;
     }
-    if ((a.is_exact() && b.is_exact()) || (a.is_exact() && attains(b, a.heights.first)) || (b.is_exact() && attains(a, b.heights.first)) ||
+    if ((a.is_exact() && b.is_exact()) || (a.is_exact() && attains(b, a.heights.first)) ||
+        (b.is_exact() && attains(a, b.heights.first)) ||
         (a.has_heights && b.has_heights && !a.is_exact() && !b.is_exact() && have_common_height(a, b)))
       return CGAL::ZERO;
     return CGAL::Uncertain<CGAL::Sign>::indeterminate();
   }
 
-  // Whether the polynomials of the heights of two critical points have one zero each where both heights are, and it is the same.
+  // Whether the polynomials of the heights of two critical points have one zero each where both heights are, and it is
+  // the same.
   bool have_common_height(const Candidate& a, const Candidate& b) const
   {
-    const std::vector<Unknown> height = unknowns({{Bound((std::min)(a.heights.first, b.heights.first)), Bound((std::max)(a.heights.second, b.heights.second))}});
+    const std::vector<Unknown> height = unknowns(
+        {{Bound((std::min)(a.heights.first, b.heights.first)), Bound((std::max)(a.heights.second, b.heights.second))}});
     const std::array<Expression, 2> polynomials{height_polynomial(a, height[0]), height_polynomial(b, height[0])};
     if (polynomials[0].numerator().is_zero() || polynomials[1].numerator().is_zero())
       return false;
-    return m_solve({polynomials[0] == 0}).size() == 1 && m_solve({polynomials[1] == 0}).size() == 1 && m_solve({polynomials[0] == 0, polynomials[1] == 0}).size() == 1;
+    return m_solve({polynomials[0] == 0}).size() == 1 && m_solve({polynomials[1] == 0}).size() == 1 &&
+        m_solve({polynomials[0] == 0, polynomials[1] == 0}).size() == 1;
   }
 
   Expression height_polynomial(const Candidate& candidate, const Unknown& height) const
   {
-    const auto piece = std::find_if(m_pieces.begin(), m_pieces.end(), [&](const auto& p) { return candidate.parameters.second <= p.end(); });
-    const auto tensor = [&](const Bspline_function<Exact_rational>& function) { return function.restricted(0, piece->begin(), piece->end()).bezier_pieces().front(); };
-    return Expression(critical_value_polynomial(tensor(m_height), tensor(m_weight), height.numerator()), Monomial(), height.symbols());
+    const auto piece = std::find_if(m_pieces.begin(), m_pieces.end(),
+                                    [&](const auto& p) { return candidate.parameters.second <= p.end(); });
+    const auto tensor = [&](const Bspline_function<Exact_rational>& function) {
+      return function.restricted(0, piece->begin(), piece->end()).bezier_pieces().front();
+    };
+    return Expression(critical_value_polynomial(tensor(m_height), tensor(m_weight), height.numerator()), Monomial(),
+                      height.symbols());
   }
 
-  // Whether the critical point in a range has a given height: a system of two equations in one unknown, decided exactly.
+  // Whether the critical point in a range has a given height: a system of two equations in one unknown, decided
+  // exactly.
   bool attains(const Candidate& candidate, const Exact_rational& height) const
   {
     for (const Differentiated_map& piece : m_pieces) {
-      const Exact_rational lower = (std::max)(candidate.parameters.first, piece.begin()), upper = (std::min)(candidate.parameters.second, piece.end());
+      const Exact_rational lower = (std::max)(candidate.parameters.first, piece.begin()),
+                           upper = (std::min)(candidate.parameters.second, piece.end());
       if (!(lower < upper))
         continue;
       const std::vector<Unknown> u = unknowns({{Bound(lower), Bound(upper)}});
@@ -299,7 +327,8 @@ private:
   }
 };
 
-// The ends of an open curve, that the formula need not be zero at, as the places where the derivative of the height changes its sign.
+// The ends of an open curve, that the formula need not be zero at, as the places where the derivative of the height
+// changes its sign.
 inline std::vector<Sign_event> events_with_ends(const Sign_sequence& signs, const Planar_map& curve)
 {
   std::vector<Sign_event> events = signs.events();
@@ -327,16 +356,19 @@ inline std::vector<Sign_event> events_with_ends(const Sign_sequence& signs, cons
 /*!
 all inflections of a planar curve: the zeros of \f$C' \times C''\f$, and breaks where it changes its sign.
 
-The sign on both sides of each zero is known exactly, from a value between it and the next one. `INFLECTION` says that the curvature changes its sign, also across a straight piece
-(`Curve_feature_2::is_family()`); `STATIONARY` that it does not, or that an open curve ends there; `CONSTANT` is a straight piece without that. Pieces of the curve are joined
-where they have a common tangent; corners are reported as `BREAK`. On a closed curve what is at the seam is reported with the first parameter.
+The sign on both sides of each zero is known exactly, from a value between it and the next one. `INFLECTION` says that
+the curvature changes its sign, also across a straight piece (`Curve_feature_2::is_family()`); `STATIONARY` that it does
+not, or that an open curve ends there; `CONSTANT` is a straight piece without that. Pieces of the curve are joined where
+they have a common tangent; corners are reported as `BREAK`. On a closed curve what is at the seam is reported with the
+first parameter.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve; exact, as doubles are rational numbers.
 \param options those of the solver; limits hold for the operation as a whole. Nothing depends on a tolerance.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: one system in one unknown per polynomial piece, of degree \f$2d-4\f$ for polynomial curves of degree \f$d\f$, and one per zero.
+Complexity: one system in one unknown per polynomial piece, of degree \f$2d-4\f$ for polynomial curves of degree
+\f$d\f$, and one per zero.
 */
 template <ParametricCurve_2 Curve>
 Curve_features_2<typename Curve::Kernel> inflections(const Curve& curve, const Solver_options& options = {})
@@ -346,16 +378,19 @@ Curve_features_2<typename Curve::Kernel> inflections(const Curve& curve, const S
   const auto pieces = internal::polynomial_pieces(map, 2);
   const auto turn = [](const internal::Differentiated_map& c, const Unknown& u) { return cross(c(1, u), c(2, u)); };
   const internal::Common::Sign_sequence signs(pieces, map.is_closed(), turn, internal::have_common_tangent, solve);
-  return internal::Curve_features::curvature_features<typename Curve::Kernel>(map, pieces, signs, internal::Curve_features::kind_of_inflection, solve);
+  return internal::Curve_features::curvature_features<typename Curve::Kernel>(
+      map, pieces, signs, internal::Curve_features::kind_of_inflection, solve);
 }
 
 /*!
-the vertices of a planar curve: the local extremes of its signed curvature \f$\kappa = (C' \times C'')/\|C'\|^3\f$, which are zeros of
+the vertices of a planar curve: the local extremes of its signed curvature \f$\kappa = (C' \times C'')/\|C'\|^3\f$,
+which are zeros of
 \f[ (C' \times C''')\, \|C'\|^2 - 3\, (C' \times C'')\, \langle C', C''\rangle, \f]
 the numerator of \f$\kappa'\f$, and breaks where it changes its sign.
 
-A zero without a change of sign is `STATIONARY`, a circular arc or straight piece a family: `CONSTANT`, or an extreme if the curvature is smaller, or larger, on both sides.
-Corners, and breaks where the curvature jumps, are reported as `BREAK`. Pieces are joined where the curvature is continuous, whether the derivatives are or not.
+A zero without a change of sign is `STATIONARY`, a circular arc or straight piece a family: `CONSTANT`, or an extreme if
+the curvature is smaller, or larger, on both sides. Corners, and breaks where the curvature jumps, are reported as
+`BREAK`. Pieces are joined where the curvature is continuous, whether the derivatives are or not.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.
@@ -374,15 +409,19 @@ Curve_features_2<typename Curve::Kernel> curvature_extremes(const Curve& curve, 
     const auto first = c(1, u), second = c(2, u);
     return cross(first, c(3, u)) * squared_norm(first) - 3 * cross(first, second) * dot(first, second);
   };
-  const internal::Common::Sign_sequence signs(pieces, map.is_closed(), slope_of_curvature, internal::Curve_features::have_common_curvature, solve);
-  return internal::Curve_features::curvature_features<typename Curve::Kernel>(map, pieces, signs, internal::Curve_features::kind_of_extreme, solve);
+  const internal::Common::Sign_sequence signs(pieces, map.is_closed(), slope_of_curvature,
+                                              internal::Curve_features::have_common_curvature, solve);
+  return internal::Curve_features::curvature_features<typename Curve::Kernel>(
+      map, pieces, signs, internal::Curve_features::kind_of_extreme, solve);
 }
 
 /*!
-the points of a planar curve that are extreme in a direction: the zeros of \f$\langle C', d\rangle\f$, corners where it changes its sign, and the ends of an open curve.
+the points of a planar curve that are extreme in a direction: the zeros of \f$\langle C', d\rangle\f$, corners where it
+changes its sign, and the ends of an open curve.
 
-Each is proved to be a local `MAXIMUM` or `MINIMUM` of \f$\langle C, d\rangle\f$, or neither (`STATIONARY`); a piece at constant height is a family. `Curve_feature_2::is_global()` tells
-those that no point of the curve surpasses. Ties are decided exactly: critical heights are zeros of a polynomial, a resultant.
+Each is proved to be a local `MAXIMUM` or `MINIMUM` of \f$\langle C, d\rangle\f$, or neither (`STATIONARY`); a piece at
+constant height is a family. `Curve_feature_2::is_global()` tells those that no point of the curve surpasses. Ties are
+decided exactly: critical heights are zeros of a polynomial, a resultant.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.
@@ -390,18 +429,24 @@ those that no point of the curve surpasses. Ties are decided exactly: critical h
 \param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when the direction is zero or an option makes no sense.
 
-Complexity: one system in one unknown per piece, \f$O(n^2)\f$ comparisons of \f$n\f$ heights, and at most as many systems where they are close.
+Complexity: one system in one unknown per piece, \f$O(n^2)\f$ comparisons of \f$n\f$ heights, and at most as many
+systems where they are close.
 */
 template <ParametricCurve_2 Curve>
-Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve, const typename Curve::Kernel::Vector_2& direction, const Solver_options& options = {})
+Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve,
+                                                        const typename Curve::Kernel::Vector_2& direction,
+                                                        const Solver_options& options = {})
 {
-  const internal::Exact_pair d{internal::converted_number<Exact_rational>(direction.x()), internal::converted_number<Exact_rational>(direction.y())};
+  const internal::Exact_pair d{internal::converted_number<Exact_rational>(direction.x()),
+                               internal::converted_number<Exact_rational>(direction.y())};
   if (d == internal::Exact_pair{0, 0})
     throw Invalid_input("extreme_points: the direction is zero");
   internal::Common::Budgeted_solver solve(options);
   const internal::Planar_map map(curve);
   const auto pieces = internal::polynomial_pieces(map, 1);
-  const auto slope = [&](const internal::Differentiated_map& c, const Unknown& u) { return dot(c(1, u), Vector_expression<2>(d[0], d[1])); };
+  const auto slope = [&](const internal::Differentiated_map& c, const Unknown& u) {
+    return dot(c(1, u), Vector_expression<2>(d[0], d[1]));
+  };
   const auto is_continuous = [](const auto&, const auto&) { return true; };
   const internal::Common::Sign_sequence signs(pieces, map.is_closed(), slope, is_continuous, solve);
   const std::vector<internal::Common::Sign_event> events = internal::Curve_features::events_with_ends(signs, map);
@@ -409,10 +454,14 @@ Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve, cons
   Curve_features_2<typename Curve::Kernel> result;
   const internal::Curve_features::Height_comparison heights(curve, pieces, d, events, solve);
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const Curve_feature_kind kind = events[i].is_undecided() ? Curve_feature_kind::UNDECIDED : internal::Curve_features::kind_of_extreme(events[i]);
+    const Curve_feature_kind kind =
+        events[i].is_undecided() ? Curve_feature_kind::UNDECIDED : internal::Curve_features::kind_of_extreme(events[i]);
     const bool may_be_global = kind != Curve_feature_kind::STATIONARY && kind != Curve_feature_kind::UNDECIDED;
-    const CGAL::Uncertain<bool> is_global = may_be_global ? heights.is_global(i, kind == Curve_feature_kind::MINIMUM ? -1 : 1) : CGAL::Uncertain<bool>(false);
-    result.features.emplace_back(kind, Point_on_spline<typename Curve::Kernel, 1, 2>(map, {events[i].range}), events[i], is_global);
+    const CGAL::Uncertain<bool> is_global = may_be_global
+        ? heights.is_global(i, kind == Curve_feature_kind::MINIMUM ? -1 : 1)
+        : CGAL::Uncertain<bool>(false);
+    result.features.emplace_back(kind, Point_on_spline<typename Curve::Kernel, 1, 2>(map, {events[i].range}), events[i],
+                                 is_global);
   }
   result.summary = solve.total();
   return result;

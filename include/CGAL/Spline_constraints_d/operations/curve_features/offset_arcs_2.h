@@ -57,9 +57,11 @@ struct Offset_arcs_2
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-an offset, untrimmed, as polylines with so many points that it passes the middles of their chords at no more than a given distance; that on the other side of the curve is the offset with the negative distance.
+an offset, untrimmed, as polylines with so many points that it passes the middles of their chords at no more than a
+given distance; that on the other side of the curve is the offset with the negative distance.
 
-The offset is cut at its cusps, which are certified, and where the derivative of the curve jumps: at corners it has gaps. All breaks of the curve are among the points. A zero of \f$1 - r\kappa\f$ without a change of sign is no cusp.
+The offset is cut at its cusps, which are certified, and where the derivative of the curve jumps: at corners it has
+gaps. All breaks of the curve are among the points. A zero of \f$1 - r\kappa\f$ without a change of sign is no cusp.
 
 \param offset the offset.
 \param error the distance; positive.
@@ -76,7 +78,8 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
   Offset_arcs_2 result{{}, cusps(offset, options)};
   const auto is_cusp_at = [&](const Exact_rational& t) {
     return std::any_of(result.cusps.begin(), result.cusps.end(), [&](const auto& cusp) {
-      return cusp.kind() != Intersection_kind::OVERLAP && cusp.multiplicity() % 2 == 1 && cusp.parameter_range(0).first <= t && t <= cusp.parameter_range(0).second;
+      return cusp.kind() != Intersection_kind::OVERLAP && cusp.multiplicity() % 2 == 1 &&
+          cusp.parameter_range(0).first <= t && t <= cusp.parameter_range(0).second;
     });
   };
   for (const Smooth_part& part : smooth_parts(offset.curve())) {
@@ -90,8 +93,12 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
       const double t = from.parameter / 2 + to.parameter / 2;
       return Offset_sample_2{offset_point(part.curve, offset.distance(), Exact_rational(t)), t};
     };
-    const auto is_chord = [&](const Offset_sample_2& from, const Offset_sample_2& middle, const Offset_sample_2& to) { return distance_from_middle(from.point, middle.point, to.point) <= error; };
-    const auto sample_at = [&](const Exact_rational& t) { return Offset_sample_2{offset_point(part.curve, offset.distance(), t), to_nearest_double(t)}; };
+    const auto is_chord = [&](const Offset_sample_2& from, const Offset_sample_2& middle, const Offset_sample_2& to) {
+      return distance_from_middle(from.point, middle.point, to.point) <= error;
+    };
+    const auto sample_at = [&](const Exact_rational& t) {
+      return Offset_sample_2{offset_point(part.curve, offset.distance(), t), to_nearest_double(t)};
+    };
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const bool begins_at_cusp = is_cusp_at(stops[i]);
       if (i == 0 || begins_at_cusp)

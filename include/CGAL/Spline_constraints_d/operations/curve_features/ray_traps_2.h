@@ -35,13 +35,16 @@ class Ray_trap_2
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Ray_trap_2(std::vector<typename Kernel::Point_2> points, Solution_d<double> solution) : m_points(std::move(points)), m_solution(std::move(solution)) {}
+  Ray_trap_2(std::vector<typename Kernel::Point_2> points, Solution_d<double> solution)
+    : m_points(std::move(points)), m_solution(std::move(solution))
+  {}
 #endif
 
   //! the points of reflection: of each curve the one in the middle of the range of its parameter.
   const std::vector<typename Kernel::Point_2>& points() const { return m_points; }
 
-  //! the answer of the solver, with its proof: the unknowns are the parameters on the curves, in their order. Nothing is proved about an `UNDECIDED` one.
+  //! the answer of the solver, with its proof: the unknowns are the parameters on the curves, in their order. Nothing
+  //! is proved about an `UNDECIDED` one.
   const Solution_d<double>& solution() const { return m_solution; }
 };
 
@@ -53,7 +56,8 @@ The ray-traps of some curves.
 template <SplineKernel Kernel>
 struct Ray_traps_2
 {
-  //! what was found: certified ones, clusters, families (a `CONTINUUM`, of which the middle of the cover is given), and what is undecided.
+  //! what was found: certified ones, clusters, families (a `CONTINUUM`, of which the middle of the cover is given), and
+  //! what is undecided.
   std::vector<Ray_trap_2<Kernel>> traps;
 
   //! whether there are no others, by proof, and none is undecided; and the work of the solver.
@@ -70,19 +74,23 @@ struct Ray_traps_2
 namespace internal {
 namespace Curve_features {
 
-// The conditions for the ray that comes from `before` to be reflected towards `after` at the point of a curve, seed 000, equation 6: equal angles with the tangent T and the normal N, which
-// <in,T>/|in| = -<out,T>/|out| says, squared. The normal components have the same sign; they have opposite ones where the ray goes straight on. Where the ray comes back to where it came from, it
-// goes along the normal.
-inline std::vector<Constraint> reflection(const Vector_expression<2>& point, const Vector_expression<2>& tangent, const Vector_expression<2>& before, const Vector_expression<2>& after,
+// The conditions for the ray that comes from `before` to be reflected towards `after` at the point of a curve, seed
+// 000, equation 6: equal angles with the tangent T and the normal N, which
+// <in,T>/|in| = -<out,T>/|out| says, squared. The normal components have the same sign; they have opposite ones where
+// the ray goes straight on. Where the ray comes back to where it came from, it goes along the normal.
+inline std::vector<Constraint> reflection(const Vector_expression<2>& point, const Vector_expression<2>& tangent,
+                                          const Vector_expression<2>& before, const Vector_expression<2>& after,
                                           bool returns)
 {
   const Vector_expression<2> in = before - point, out = after - point, normal = perpendicular(tangent);
   if (returns)
     return {dot(in, tangent) == 0, squared_norm(in) != 0};
-  return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in), dot(in, normal) * dot(out, normal) > 0};
+  return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in),
+          dot(in, normal) * dot(out, normal) > 0};
 }
 
-// A part of a curve that has tangents, without those of its ends that are corners, or that count as the begin of the next part.
+// A part of a curve that has tangents, without those of its ends that are corners, or that count as the begin of the
+// next part.
 struct Mirror
 {
   Differentiated_map curve;
@@ -116,7 +124,8 @@ inline std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirr
 
   std::vector<Constraint> result;
   for (std::size_t i = 0; i < n; ++i) {
-    for (Constraint& constraint : reflection(points[i], mirrors[i]->curve(1, u[i]), points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
+    for (Constraint& constraint :
+         reflection(points[i], mirrors[i]->curve(1, u[i]), points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
       result.push_back(std::move(constraint));
     if (!mirrors[i]->has_begin)
       result.push_back(u[i] > mirrors[i]->curve.begin());
@@ -142,15 +151,18 @@ Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const S
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all ray-traps of length \f$n \ge 2\f$: points \f$P_i = C_i(u_i)\f$, one on each curve, such that a ray from \f$P_{i-1}\f$ to \f$P_i\f$ is reflected there towards \f$P_{i+1}\f$, and after the last one
-towards the first. Curves do not stop rays: those that meet other points of the curves on their way count.
+all ray-traps of length \f$n \ge 2\f$: points \f$P_i = C_i(u_i)\f$, one on each curve, such that a ray from
+\f$P_{i-1}\f$ to \f$P_i\f$ is reflected there towards \f$P_{i+1}\f$, and after the last one towards the first. Curves do
+not stop rays: those that meet other points of the curves on their way count.
 
-These are \f$n\f$ equations in \f$n\f$ unknowns. Since the law of reflection is squared, they are also satisfied where the ray goes straight on; there an inequality is violated, which the solver proves.
-Rays that graze a curve are no traps. Traps of two curves are their common normals.
-A trap at the seam of a closed curve is reported with the first parameter of the seam.
+These are \f$n\f$ equations in \f$n\f$ unknowns. Since the law of reflection is squared, they are also satisfied where
+the ray goes straight on; there an inequality is violated, which the solver proves. Rays that graze a curve are no
+traps. Traps of two curves are their common normals. A trap at the seam of a closed curve is reported with the first
+parameter of the seam.
 
-At a corner there is no law of reflection, so what passes through one is no trap: curves are taken apart there, into parts without that point. A path that would be reflected there according to one of the tangents is excluded by proof, or is
-`UNDECIDED`. The ends of a curve that is not closed belong to it.
+At a corner there is no law of reflection, so what passes through one is no trap: curves are taken apart there, into
+parts without that point. A path that would be reflected there according to one of the tangents is excluded by proof, or
+is `UNDECIDED`. The ends of a curve that is not closed belong to it.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curves the curves, in the order in which they reflect.

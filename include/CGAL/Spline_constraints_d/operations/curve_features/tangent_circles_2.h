@@ -28,7 +28,8 @@ namespace Spline_constraints {
 Whether the open disk of a circle holds a point of the three curves that it touches.
 */
 enum class Emptiness {
-  EMPTY,       ///< it holds none, by proof: the center is at the same distance from the three curves, a point of their skeleton
+  /// it holds none, by proof: the center is at the same distance from the three curves, a point of their skeleton
+  EMPTY,
   NOT_EMPTY,   ///< it holds one, by proof
   UNDECIDED    ///< neither is proved
 };
@@ -62,9 +63,10 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Tangent_circle_2(std::array<Point_on_spline<Kernel, 1, 2>, 3> contacts, const internal::Distances::Enclosed_circle& circle, Emptiness emptiness, Solution_d<double> solution)
-    : m_contacts(std::move(contacts)), m_center{circle.center[0].pair(), circle.center[1].pair()}, m_squared_radius(circle.squared_radius.pair()), m_emptiness(emptiness),
-      m_solution(std::move(solution))
+  Tangent_circle_2(std::array<Point_on_spline<Kernel, 1, 2>, 3> contacts,
+                   const internal::Distances::Enclosed_circle& circle, Emptiness emptiness, Solution_d<double> solution)
+    : m_contacts(std::move(contacts)), m_center{circle.center[0].pair(), circle.center[1].pair()},
+      m_squared_radius(circle.squared_radius.pair()), m_emptiness(emptiness), m_solution(std::move(solution))
   {}
 #endif
 
@@ -86,8 +88,8 @@ public:
   //! what is proved of the disk.
   Emptiness emptiness() const { return m_emptiness; }
 
-  //! the answer of the solver, with its proof: the unknowns are the three parameters, and \f$a\f$ or \f$b\f$ as explained at `tangent_circles()`.
-  //! Nothing is proved of an `UNDECIDED` one.
+  //! the answer of the solver, with its proof: the unknowns are the three parameters, and \f$a\f$ or \f$b\f$ as
+  //! explained at `tangent_circles()`. Nothing is proved of an `UNDECIDED` one.
   const Solution_d<double>& solution() const { return m_solution; }
 };
 
@@ -108,7 +110,8 @@ struct Tangent_circles_2
   //! number of circles with this known of their disks.
   std::size_t count(Emptiness emptiness) const
   {
-    return std::count_if(circles.begin(), circles.end(), [=](const auto& circle) { return circle.emptiness() == emptiness; });
+    return std::count_if(circles.begin(), circles.end(),
+                         [=](const auto& circle) { return circle.emptiness() == emptiness; });
   }
 
   //! @{ the same as `circles`.
@@ -140,21 +143,24 @@ class Tangent_circle_finder
 public:
   template <class C1, class C2, class C3>
   Tangent_circle_finder(const C1& c1, const C2& c2, const C3& c3, const Solver_options& options)
-    : m_curves{Planar_map(c1), Planar_map(c2), Planar_map(c3)},
-      m_pieces{homogeneous_pieces(c1, m_curves[0]), homogeneous_pieces(c2, m_curves[1]), homogeneous_pieces(c3, m_curves[2])},
+    : m_curves{Planar_map(c1), Planar_map(c2), Planar_map(c3)}, m_pieces{homogeneous_pieces(c1, m_curves[0]),
+                                                                         homogeneous_pieces(c2, m_curves[1]),
+                                                                         homogeneous_pieces(c3, m_curves[2])},
       m_scale(m_curves[0].domain(0).second - m_curves[0].domain(0).first), m_solve(options)
   {}
 
   Tangent_circles_2<Kernel> operator()()
   {
-    const std::vector<Smooth_part> first = smooth_parts(m_curves[0]), second = smooth_parts(m_curves[1]), third = smooth_parts(m_curves[2]);
+    const std::vector<Smooth_part> first = smooth_parts(m_curves[0]), second = smooth_parts(m_curves[1]),
+                                   third = smooth_parts(m_curves[2]);
     for (const Smooth_part& a : first)
       for (const Smooth_part& b : second)
         for (const Smooth_part& c : third)
           solve({&a, &b, &c});
     m_result.summary = m_solve.total();
-    m_result.summary.is_complete =   // what the other form decided does not count
-      std::none_of(m_result.circles.begin(), m_result.circles.end(), [](const auto& circle) { return circle.solution().kind() == Solution_kind::UNDECIDED; });
+    m_result.summary.is_complete = // what the other form decided does not count
+        std::none_of(m_result.circles.begin(), m_result.circles.end(),
+                     [](const auto& circle) { return circle.solution().kind() == Solution_kind::UNDECIDED; });
     return std::move(m_result);
   }
 
@@ -165,7 +171,8 @@ private:
   void solve(const Parts& parts)
   {
     std::vector<const Solution_d<double>*> on_the_limit;
-    const Solution_set_d<double> direct = m_solve(constraints(parts, Form::DIRECT)), reciprocal = m_solve(constraints(parts, Form::RECIPROCAL));
+    const Solution_set_d<double> direct = m_solve(constraints(parts, Form::DIRECT)),
+                                 reciprocal = m_solve(constraints(parts, Form::RECIPROCAL));
     for (const Solution_d<double>& solution : direct) {
       const auto [lower, upper] = solution.exact_box()[3];
       if (lower > 1 || upper < -1)
@@ -176,12 +183,15 @@ private:
     }
     for (const Solution_d<double>& solution : reciprocal) {
       const auto [lower, upper] = solution.exact_box()[3];
-      if (!(lower >= 1 || upper <= -1) && std::none_of(on_the_limit.begin(), on_the_limit.end(), [&](const auto* known) { return is_same(*known, solution); }))
+      if (!(lower >= 1 || upper <= -1) &&
+          std::none_of(on_the_limit.begin(), on_the_limit.end(),
+                       [&](const auto* known) { return is_same(*known, solution); }))
         report(solution, parts, Form::RECIPROCAL);
     }
   }
 
-  // |P - Ck|^2 = |P - C1|^2, which is linear in a, and <P - Ck, Ck'> = 0, for the second and third curve; with a = 1/b multiplied by b.
+  // |P - Ck|^2 = |P - C1|^2, which is linear in a, and <P - Ck, Ck'> = 0, for the second and third curve; with a = 1/b
+  // multiplied by b.
   std::vector<Constraint> constraints(const Parts& parts, Form form) const
   {
     std::vector<std::array<Bound, 2>> ranges;
@@ -189,9 +199,11 @@ private:
       ranges.push_back({Bound(part->curve.begin()), Bound(part->curve.end())});
     ranges.push_back({Bound(Exact_rational(-limit())), Bound(limit())});
     const std::vector<Unknown> u = unknowns(ranges);
-    const Expression a = form == Form::DIRECT ? Expression(u[3]) : Expression(1), b = form == Form::DIRECT ? Expression(1) : Expression(u[3]);
+    const Expression a = form == Form::DIRECT ? Expression(u[3]) : Expression(1),
+                     b = form == Form::DIRECT ? Expression(1) : Expression(u[3]);
 
-    const Vector_expression<2> point = parts[0]->curve(0, u[0]), normal = perpendicular(parts[0]->curve(1, u[0])) * Expression(m_scale);
+    const Vector_expression<2> point = parts[0]->curve(0, u[0]),
+                               normal = perpendicular(parts[0]->curve(1, u[0])) * Expression(m_scale);
     std::vector<Constraint> result;
     for (std::size_t k = 1; k < 3; ++k) {
       const Vector_expression<2> chord = parts[k]->curve(0, u[k]) - point;
@@ -224,40 +236,55 @@ private:
     using Contact = Point_on_spline<Kernel, 1, 2>;
     Exact_box box = solution.exact_box();
     for (std::size_t k = 0; k < 3; ++k)
-      box[k] = {std::clamp(box[k].first, parts[k]->curve.begin(), parts[k]->curve.end()), std::clamp(box[k].second, parts[k]->curve.begin(), parts[k]->curve.end())};
-    std::array<Contact, 3> contacts{Contact(m_curves[0], {box[0]}), Contact(m_curves[1], {box[1]}), Contact(m_curves[2], {box[2]})};
+      box[k] = {std::clamp(box[k].first, parts[k]->curve.begin(), parts[k]->curve.end()),
+                std::clamp(box[k].second, parts[k]->curve.begin(), parts[k]->curve.end())};
+    std::array<Contact, 3> contacts{Contact(m_curves[0], {box[0]}), Contact(m_curves[1], {box[1]}),
+                                    Contact(m_curves[2], {box[2]})};
     const Upward_rounding_guard guard;
     const Enclosed_circle circle = enclosed(contacts[0].parameter_range(), box[3], form);
     const bool is_known = solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER;
-    m_result.circles.emplace_back(std::move(contacts), circle, is_known ? emptiness(circle, box, parts) : Emptiness::UNDECIDED, solution);
+    m_result.circles.emplace_back(std::move(contacts), circle,
+                                  is_known ? emptiness(circle, box, parts) : Emptiness::UNDECIDED, solution);
   }
 
   // The circle of a range of parameters on the first curve and a range of a or b.
   Enclosed_circle enclosed(const Parameter_range& u, const Parameter_range& factor, Form form) const
   {
-    const Interval a = (form == Form::DIRECT ? interval_of(factor) : Interval(1) / interval_of(factor)) * interval_of(m_scale);
+    const Interval a =
+        (form == Form::DIRECT ? interval_of(factor) : Interval(1) / interval_of(factor)) * interval_of(m_scale);
     Enclosed_circle result;
     bool is_first = true;
     for (const Homogeneous_piece& piece : m_pieces[0]) {
-      const Exact_rational begin = (std::max)(u.first, piece.domain.first), end = (std::min)(u.second, piece.domain.second);
+      const Exact_rational begin = (std::max)(u.first, piece.domain.first),
+                           end = (std::min)(u.second, piece.domain.second);
       if (begin > end)
         continue;
       const auto [point, tangent] = point_and_tangent(piece, {begin, end});
-      const Interval x = point[0] - a * tangent[1], y = point[1] + a * tangent[0], r = CGAL::square(a) * (CGAL::square(tangent[0]) + CGAL::square(tangent[1]));
-      result = is_first ? Enclosed_circle{{x, y}, r} : Enclosed_circle{{hull(result.center[0], x), hull(result.center[1], y)}, hull(result.squared_radius, r)};
+      const Interval x = point[0] - a * tangent[1], y = point[1] + a * tangent[0],
+                     r = CGAL::square(a) * (CGAL::square(tangent[0]) + CGAL::square(tangent[1]));
+      result = is_first
+          ? Enclosed_circle{{x, y}, r}
+          : Enclosed_circle{{hull(result.center[0], x), hull(result.center[1], y)}, hull(result.squared_radius, r)};
       is_first = false;
     }
     return result;
   }
 
-  static Interval hull(const Interval& a, const Interval& b) { return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())); }
+  static Interval hull(const Interval& a, const Interval& b)
+  {
+    return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup()));
+  }
 
-  static std::pair<std::array<Interval, 2>, std::array<Interval, 2>> point_and_tangent(const Homogeneous_piece& piece, const Parameter_range& range)
+  static std::pair<std::array<Interval, 2>, std::array<Interval, 2>> point_and_tangent(const Homogeneous_piece& piece,
+                                                                                       const Parameter_range& range)
   {
     const Exact_rational begin = piece.local(range.first), end = piece.local(range.second);
-    const auto bounded = [&](const Bernstein_tensor<Exact_rational>& tensor) { return interval_of(tensor.restricted(0, begin, end).bounds()); };
+    const auto bounded = [&](const Bernstein_tensor<Exact_rational>& tensor) {
+      return interval_of(tensor.restricted(0, begin, end).bounds());
+    };
     const auto& w = piece.coordinates[2];
-    const Interval weight = bounded(w), speed = Interval(1) / interval_of(Exact_rational(piece.domain.second - piece.domain.first));
+    const Interval weight = bounded(w),
+                   speed = Interval(1) / interval_of(Exact_rational(piece.domain.second - piece.domain.first));
     std::pair<std::array<Interval, 2>, std::array<Interval, 2>> result;
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& x = piece.coordinates[k];
@@ -269,12 +296,15 @@ private:
 
   Emptiness emptiness(const Enclosed_circle& circle, const Exact_box& box, const Parts& parts) const
   {
-    if (!std::isfinite(circle.center[0].sup() - circle.center[0].inf()) || !std::isfinite(circle.center[1].sup() - circle.center[1].inf()))
+    if (!std::isfinite(circle.center[0].sup() - circle.center[0].inf()) ||
+        !std::isfinite(circle.center[1].sup() - circle.center[1].inf()))
       return Emptiness::UNDECIDED;
     CGAL::Uncertain<bool> is_empty = true;
     for (std::size_t k = 0; k < 3; ++k)
       is_empty = is_empty & Circle_emptiness(m_pieces[k], circle)(box[k], parts[k]->curve.map().domain(0));
-    return !is_empty.is_certain() ? Emptiness::UNDECIDED : is_empty.make_certain() ? Emptiness::EMPTY : Emptiness::NOT_EMPTY;
+    return !is_empty.is_certain() ? Emptiness::UNDECIDED
+        : is_empty.make_certain() ? Emptiness::EMPTY
+                                  : Emptiness::NOT_EMPTY;
   }
 };
 
@@ -286,18 +316,21 @@ private:
 
 all circles that are tangent to three curves in the plane, wherever their centers are.
 
-With the normal \f$N = l\,(-y_1', x_1')\f$ of the first curve, \f$l\f$ being the length of its domain, the center is \f$P = C_1(u) + a N(u)\f$, and the circle touches \f$C_2\f$ at
+With the normal \f$N = l\,(-y_1', x_1')\f$ of the first curve, \f$l\f$ being the length of its domain, the center is
+\f$P = C_1(u) + a N(u)\f$, and the circle touches \f$C_2\f$ at
 \f$v\f$ and \f$C_3\f$ at \f$w\f$ if
-\f[ \|C_k - C_1\|^2 = 2a\,\langle N, C_k - C_1\rangle, \quad \langle a N - (C_k - C_1), C_k'\rangle = 0, \quad k = 2, 3, \f]
-four equations in \f$u, v, w, a\f$ that are linear in \f$a\f$. They are solved for \f$\vert a\vert \le 1\f$, and with \f$b = 1/a\f$ for \f$\vert b\vert < 1\f$, so no circle is too large.
-Lines (\f$b = 0\f$) and points where the three curves meet (\f$a = 0\f$) are excluded. A circle through a point where two of the curves touch is a
-multiple solution, a cluster or undecided.
+\f[ \|C_k - C_1\|^2 = 2a\,\langle N, C_k - C_1\rangle, \quad \langle a N - (C_k - C_1), C_k'\rangle = 0, \quad k = 2, 3,
+\f] four equations in \f$u, v, w, a\f$ that are linear in \f$a\f$. They are solved for \f$\vert a\vert \le 1\f$, and
+with \f$b = 1/a\f$ for \f$\vert b\vert < 1\f$, so no circle is too large. Lines (\f$b = 0\f$) and points where the three
+curves meet (\f$a = 0\f$) are excluded. A circle through a point where two of the curves touch is a multiple solution, a
+cluster or undecided.
 
-Each disk is proved to be empty or not where this is possible in double precision. It is undecided where the circle touches a curve at another point, too, or at a corner, or has the
-curvature of a curve at the contact.
+Each disk is proved to be empty or not where this is possible in double precision. It is undecided where the circle
+touches a curve at another point, too, or at a corner, or has the curvature of a curve at the contact.
 
-A curve is split where its derivative jumps. A contact at the seam of a closed curve that has a tangent there, or at another such break, is reported with one parameter. Ends and corners
-are no contacts, but count when a disk is empty or not. Where the derivative of a curve is zero, families of circles come back that pass through the cusp.
+A curve is split where its derivative jumps. A contact at the seam of a closed curve that has a tangent there, or at
+another such break, is reported with one parameter. Ends and corners are no contacts, but count when a disk is empty or
+not. Where the derivative of a curve is zero, families of circles come back that pass through the cusp.
 
 \tparam C1,C2,C3 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -306,10 +339,12 @@ are no contacts, but count when a disk is empty or not. Where the derivative of 
 \param options those of the solver; limits hold for each system.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: two systems of four equations in four unknowns for each three smooth parts. Source: \cgalCite{ek-gcs-01}, section 3.2.
+Complexity: two systems of four equations in four unknowns for each three smooth parts. Source: \cgalCite{ek-gcs-01},
+section 3.2.
 */
 template <ParametricCurve_2 C1, ParametricCurve_2 C2, ParametricCurve_2 C3>
-Tangent_circles_2<typename C1::Kernel> tangent_circles(const C1& c1, const C2& c2, const C3& c3, const Solver_options& options = {})
+Tangent_circles_2<typename C1::Kernel> tangent_circles(const C1& c1, const C2& c2, const C3& c3,
+                                                       const Solver_options& options = {})
 {
   return internal::Curve_features::Tangent_circle_finder<typename C1::Kernel>(c1, c2, c3, options)();
 }

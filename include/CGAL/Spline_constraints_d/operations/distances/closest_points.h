@@ -44,31 +44,42 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Point_pair(internal::Distances::Critical_distance distance, const internal::Common::Spline_patch<d>& a, const internal::Common::Spline_patch<d>& b)
-    : m_distance(std::move(distance)),
-      m_points{internal::kernel_object<Kernel, Point>(a(m_distance.sample[0])), internal::kernel_object<Kernel, Point>(b(m_distance.sample[1]))}
+  Point_pair(internal::Distances::Critical_distance distance, const internal::Common::Spline_patch<d>& a,
+             const internal::Common::Spline_patch<d>& b)
+    : m_distance(std::move(distance)), m_points{internal::kernel_object<Kernel, Point>(a(m_distance.sample[0])),
+                                                internal::kernel_object<Kernel, Point>(b(m_distance.sample[1]))}
   {}
 #endif
 
-  //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the derivatives of the distance are as they were asked for; in a
-  //! `CONTINUUM` there are infinitely
-  //! many; of `CLUSTER` and `UNDECIDED` see `Solution_kind`.
+  //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the
+  //! derivatives of the distance are as they were asked for; in a `CONTINUUM` there are infinitely many; of `CLUSTER`
+  //! and `UNDECIDED` see `Solution_kind`.
   Solution_kind kind() const { return m_distance.kind; }
 
   //! the range of a parameter of the first (0) or second (1) operand; one number where it is known exactly.
-  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const { return m_distance.ranges[operand][axis]; }
+  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const
+  {
+    return m_distance.ranges[operand][axis];
+  }
 
   //! a number in that range, rounded to double.
-  double parameter(std::size_t operand, std::size_t axis = 0) const { return to_nearest_double(m_distance.sample[operand][axis]); }
+  double parameter(std::size_t operand, std::size_t axis = 0) const
+  {
+    return to_nearest_double(m_distance.sample[operand][axis]);
+  }
 
-  //! the point of an operand with parameters in the middle of the ranges; of a segment of solutions, in its middle. Where the ranges are numbers and the kernel is exact, the
-  //! point itself.
+  //! the point of an operand with parameters in the middle of the ranges; of a segment of solutions, in its middle.
+  //! Where the ranges are numbers and the kernel is exact, the point itself.
   const Point& point(std::size_t operand) const { return m_points[operand]; }
 
   //! the square of the distance lies between these numbers.
-  Range squared_distance_range() const { return {m_distance.squared_distance.lower, m_distance.squared_distance.upper}; }
+  Range squared_distance_range() const
+  {
+    return {m_distance.squared_distance.lower, m_distance.squared_distance.upper};
+  }
 
-  //! the answer of the solver, with its proof; none where all parameters are ends of domains or knots. The unknowns are the parameters that are none of these.
+  //! the answer of the solver, with its proof; none where all parameters are ends of domains or knots. The unknowns are
+  //! the parameters that are none of these.
   const std::optional<Solution_d<double>>& solution() const { return m_distance.solution; }
 };
 
@@ -138,30 +149,35 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all feet of perpendiculars from a point \f$P\f$ to a curve or surface: \f$\langle C(u) - P, C'(u)\rangle = 0\f$, for a surface one equation for each of its two derivatives.
-Every foot is reported, near or far.
+all feet of perpendiculars from a point \f$P\f$ to a curve or surface: \f$\langle C(u) - P, C'(u)\rangle = 0\f$, for a
+surface one equation for each of its two derivatives. Every foot is reported, near or far.
 
-Where the tangent jumps at a knot, or at the seam of a closed curve, a foot is perpendicular to the piece on one of the sides. The seam counts once. Points that see a whole
-piece at the same distance, as the
-center of a circle does, get a `CONTINUUM`. What satisfies the equations because a derivative is zero, as at the poles of a sphere, is reported as well.
+Where the tangent jumps at a knot, or at the seam of a closed curve, a foot is perpendicular to the piece on one of the
+sides. The seam counts once. Points that see a whole piece at the same distance, as the center of a circle does, get a
+`CONTINUUM`. What satisfies the equations because a derivative is zero, as at the poles of a sphere, is reported as
+well.
 
 \tparam Point `CGAL::Point_2` or `CGAL::Point_3`.
-\tparam Object a model of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` with the same kernel as the point, in the same dimension.
+\tparam Object a model of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` with the same kernel as the
+point, in the same dimension.
 \param point the point.
 \param object the curve or surface.
 \param options those of the solver.
-\throws Invalid_input when a coordinate is not finite, the weight of the object is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when a coordinate is not finite, the weight of the object is not proved to have one sign, or an
+option makes no sense.
 
 Complexity: that of a system of one equation in one unknown, or two in two, for each smooth piece.
 */
 template <class Point, class Object>
-  requires internal::Common::Spline_operands<Point, Object> && (internal::Common::Spline_operand<Point>::number_of_parameters == 0)
-auto projections(const Point& point, const Object& object, const Solver_options& options = {})
+requires internal::Common::Spline_operands<Point, Object> &&
+    (internal::Common::Spline_operand<Point>::number_of_parameters ==
+     0) auto projections(const Point& point, const Object& object, const Solver_options& options = {})
 {
   using Operand = internal::Common::Spline_operand<Object>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Common::Spline_patch<d> a = internal::Common::Spline_operand<Point>::patch(point), b = Operand::patch(object);
+  const internal::Common::Spline_patch<d> a = internal::Common::Spline_operand<Point>::patch(point),
+                                          b = Operand::patch(object);
   internal::Distances::Critical_distances<d> search(a, b, internal::Common::perpendicular_before, options);
   Projections<Kernel, d> result;
   for (internal::Distances::Critical_distance& foot : search.all())
@@ -173,28 +189,31 @@ auto projections(const Point& point, const Object& object, const Solver_options&
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-where two of {point, curve, surface} in the plane or in space are closest to each other: the pairs of parameters for which \f$|A - B|^2\f$ is least, and a certified enclosure
-of that number.
+where two of {point, curve, surface} in the plane or in space are closest to each other: the pairs of parameters for
+which \f$|A - B|^2\f$ is least, and a certified enclosure of that number.
 
-A least distance is attained in the interior of smooth pieces, where all derivatives of \f$|A-B|^2\f$ are zero; or with some parameters at an end of the domain, or at a knot
-or seam where the tangent jumps: there, the
-derivatives by these parameters have signs that do not admit shorter distances, and those by the others are zero. Each of these cases is a system that the solver finds all
-solutions of. Their
-distances are enclosed, and a solution is dropped if another pair of points is nearer, for certain. What is left is reported: one pair, or several that have the same distance by
-symmetry or cannot be told apart. An answer of the solver that is undecided is kept, unless all of it is farther away.
+A least distance is attained in the interior of smooth pieces, where all derivatives of \f$|A-B|^2\f$ are zero; or with
+some parameters at an end of the domain, or at a knot or seam where the tangent jumps: there, the derivatives by these
+parameters have signs that do not admit shorter distances, and those by the others are zero. Each of these cases is a
+system that the solver finds all solutions of. Their distances are enclosed, and a solution is dropped if another pair
+of points is nearer, for certain. What is left is reported: one pair, or several that have the same distance by symmetry
+or cannot be told apart. An answer of the solver that is undecided is kept, unless all of it is farther away.
 
-Solutions with rational parameters are recognized and get exact distances. Where the operands cross at a regular solution of \f$A = B\f$, the distance is exactly zero. So it
-is where a pair with rational parameters has it; touching operands in other places get a range from zero on.
-A point on the seam of a closed curve or surface is reported with the first parameter of the seam.
+Solutions with rational parameters are recognized and get exact distances. Where the operands cross at a regular
+solution of \f$A = B\f$, the distance is exactly zero. So it is where a pair with rational parameters has it; touching
+operands in other places get a range from zero on. A point on the seam of a closed curve or surface is reported with the
+first parameter of the seam.
 
-\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, or models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`, of the same kernel in the same dimension.
+\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, or models of `ParametricCurve_2`, `ParametricCurve_3` or
+`ParametricSurface_3`, of the same kernel in the same dimension.
 \param a the first operand.
 \param b the second operand.
 \param options those of the solver. Its limits hold for each of the systems.
-\throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
+sense.
 
-Complexity: that of a system in as many unknowns as the operands have parameters, for each pair of smooth pieces, and of smaller ones for their edges and corners; pairs that
-are too far apart are not looked at.
+Complexity: that of a system in as many unknowns as the operands have parameters, for each pair of smooth pieces, and of
+smaller ones for their edges and corners; pairs that are too far apart are not looked at.
 */
 template <class A, class B>
   requires internal::Common::Spline_operands<A, B>
@@ -203,7 +222,8 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
   using Operand = internal::Common::Spline_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Common::Spline_patch<d> first = Operand::patch(a), second = internal::Common::Spline_operand<B>::patch(b);
+  const internal::Common::Spline_patch<d> first = Operand::patch(a),
+                                          second = internal::Common::Spline_operand<B>::patch(b);
   internal::Distances::Critical_distances<d> search(first, second, internal::Common::least_distance, options);
   std::vector<Point_pair<Kernel, d>> pairs;
   const std::vector<internal::Distances::Critical_distance> nearest = search.nearest();

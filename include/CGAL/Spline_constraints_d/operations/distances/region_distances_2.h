@@ -49,19 +49,24 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Region_distance_2(std::vector<Pair> pairs, Range squared_distance, const Summary& summary) : m_pairs(std::move(pairs)), m_squared_distance(std::move(squared_distance)), m_summary(summary) {}
+  Region_distance_2(std::vector<Pair> pairs, Range squared_distance, const Summary& summary)
+    : m_pairs(std::move(pairs)), m_squared_distance(std::move(squared_distance)), m_summary(summary)
+  {}
 #endif
 
-  //! where the boundaries are nearest to each other: every pair of nearest points is one of these, or belongs to a continuum that is one. None if a boundary of one region is inside of the other.
+  //! where the boundaries are nearest to each other: every pair of nearest points is one of these, or belongs to a
+  //! continuum that is one. None if a boundary of one region is inside of the other.
   const std::vector<Pair>& pairs() const { return m_pairs; }
 
-  //! the square of the distance lies between these numbers; they are equal where it is known exactly. It is zero where the regions have a point in common.
+  //! the square of the distance lies between these numbers; they are equal where it is known exactly. It is zero where
+  //! the regions have a point in common.
   const Range& squared_distance_range() const { return m_squared_distance; }
 
   //! the distance lies between these doubles.
   std::pair<double, double> distance_range() const { return internal::Distances::root_range(m_squared_distance); }
 
-  //! whether the regions, with their boundaries, have a point in common; indeterminate where boundaries that may touch are not proved to, or not to.
+  //! whether the regions, with their boundaries, have a point in common; indeterminate where boundaries that may touch
+  //! are not proved to, or not to.
   CGAL::Uncertain<bool> do_meet() const
   {
     const bool may_meet = !(m_squared_distance.first > 0), do_certainly = m_squared_distance.second == 0;
@@ -78,11 +83,14 @@ public:
 namespace internal {
 namespace Distances {
 
-// Whether a boundary of one region has its first point inside of the other one: they overlap then, whether boundaries meet or not.
+// Whether a boundary of one region has its first point inside of the other one: they overlap then, whether boundaries
+// meet or not.
 template <class Region>
 bool has_boundary_in(const Region& a, const Region& b)
 {
-  return std::any_of(a.loops().begin(), a.loops().end(), [&](const Boundary_loop_2& loop) { return b.bounded_side(loop.pieces().front().at(0)) == CGAL::ON_BOUNDED_SIDE; });
+  return std::any_of(a.loops().begin(), a.loops().end(), [&](const Boundary_loop_2& loop) {
+    return b.bounded_side(loop.pieces().front().at(0)) == CGAL::ON_BOUNDED_SIDE;
+  });
 }
 
 // Parts of the curves of two regions, and the square of the distance of their boxes.
@@ -96,13 +104,16 @@ inline Exact_rational squared_distance_of_boxes(const CGAL::Bbox_2& a, const CGA
 {
   Exact_rational result(0);
   for (int k = 0; k < 2; ++k) {
-    const Exact_rational gap = (std::max)(Exact_rational(to_rational((std::max)(a.min(k), b.min(k))) - to_rational((std::min)(a.max(k), b.max(k)))), Exact_rational(0));
+    const Exact_rational gap = (std::max)(
+        Exact_rational(to_rational((std::max)(a.min(k), b.min(k))) - to_rational((std::min)(a.max(k), b.max(k)))),
+        Exact_rational(0));
     result += gap * gap;
   }
   return result;
 }
 
-// The parts of the curves of a region that belong to its boundaries, with the indices of the curves. Where boundaries only touch they are not cut.
+// The parts of the curves of a region that belong to its boundaries, with the indices of the curves. Where boundaries
+// only touch they are not cut.
 template <SplineKernel Kernel>
 std::vector<std::pair<std::size_t, Bspline_curve_2<Kernel>>> parts_on_boundaries(const Planar_region_2<Kernel>& region)
 {
@@ -112,7 +123,8 @@ std::vector<std::pair<std::size_t, Bspline_curve_2<Kernel>>> parts_on_boundaries
     for (std::size_t i = 0, last = 0; i < arcs.size(); i = last + 1) {
       for (last = i; last + 1 < arcs.size() && arcs[last].parameters[1] == arcs[last + 1].parameters[0];)
         ++last;
-      const auto at = [](const Exact_rational& t) { return converted_number<typename Kernel::FT>(t); };   // exact: a knot
+      // exact: a knot
+      const auto at = [](const Exact_rational& t) { return converted_number<typename Kernel::FT>(t); };
       result.emplace_back(c, region.curves()[c].restricted(at(arcs[i].parameters[0]), at(arcs[last].parameters[1])));
     }
   }
@@ -126,7 +138,10 @@ std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& 
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       result.push_back({squared_distance_of_boxes(a[i].second.bbox(), b[j].second.bbox()), i, j});
-  std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) { return std::tie(p.least_squared_distance, p.first, p.second) < std::tie(q.least_squared_distance, q.first, q.second); });
+  std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) {
+    return std::tie(p.least_squared_distance, p.first, p.second) <
+        std::tie(q.least_squared_distance, q.first, q.second);
+  });
   return result;
 }
 
@@ -138,17 +153,21 @@ std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& 
 
 the distance of two regions, with all pairs of nearest points.
 
-It is zero if a boundary of one region is inside of the other one, which is decided exactly. Else it is the least of the distances of their curves, each of which `closest_points()` encloses. They are looked at in the order of the distances of their boxes, as long as that is not larger than a distance that is known.
+It is zero if a boundary of one region is inside of the other one, which is decided exactly. Else it is the least of the
+distances of their curves, each of which `closest_points()` encloses. They are looked at in the order of the distances
+of their boxes, as long as that is not larger than a distance that is known.
 
 \param a the first region.
 \param b the second region.
 \param options those of the solver.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: \f$O(nm \log nm)\f$ for \f$n\f$ and \f$m\f$ curves, and `closest_points()` for those pairs whose boxes are near.
+Complexity: \f$O(nm \log nm)\f$ for \f$n\f$ and \f$m\f$ curves, and `closest_points()` for those pairs whose boxes are
+near.
 */
 template <SplineKernel Kernel>
-Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b, const Solver_options& options = {})
+Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b,
+                                          const Solver_options& options = {})
 {
   using Result = Region_distance_2<Kernel>;
   options.check();
@@ -164,7 +183,9 @@ Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, cons
       break;
     const auto nearest = closest_points(first[curves.first].second, second[curves.second].second, options);
     const auto& [lower, upper] = nearest.squared_distance_range();
-    distance = distance ? typename Result::Range{(std::min)(distance->first, lower), (std::min)(distance->second, upper)} : nearest.squared_distance_range();
+    distance = distance
+        ? typename Result::Range{(std::min)(distance->first, lower), (std::min)(distance->second, upper)}
+        : nearest.squared_distance_range();
     summary += nearest.summary();
     for (const auto& points : nearest)
       pairs.push_back({{first[curves.first].first, second[curves.second].first}, points});

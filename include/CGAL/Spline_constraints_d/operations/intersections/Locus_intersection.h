@@ -27,7 +27,8 @@ struct Locus_parameter
   std::pair<Exact_rational, Exact_rational> range;
   bool is_at_end;
 
-  Locus_parameter(const std::pair<Exact_rational, Exact_rational>& enclosure, const std::pair<Exact_rational, Exact_rational>& domain)
+  Locus_parameter(const std::pair<Exact_rational, Exact_rational>& enclosure,
+                  const std::pair<Exact_rational, Exact_rational>& domain)
     : range((std::max)(enclosure.first, domain.first), (std::min)(enclosure.second, domain.second)),
       is_at_end(range.first == range.second && (range.first == domain.first || range.first == domain.second))
   {}
@@ -50,7 +51,8 @@ inline Intersection_kind intersection_kind(Solution_kind kind)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A common point, or piece, of several curves and surfaces in `d`-space: its coordinates, and the parameters on those operands that have some, within proved ranges.
+A common point, or piece, of several curves and surfaces in `d`-space: its coordinates, and the parameters on those
+operands that have some, within proved ranges.
 */
 template <int d>
 class Locus_intersection
@@ -69,7 +71,9 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Locus_intersection(Intersection_kind kind, const std::array<Double_range, d>& coordinates, std::vector<std::vector<internal::Intersections::Locus_parameter>> parameters, Solution_d<double> solution)
+  Locus_intersection(Intersection_kind kind, const std::array<Double_range, d>& coordinates,
+                     std::vector<std::vector<internal::Intersections::Locus_parameter>> parameters,
+                     Solution_d<double> solution)
     : m_kind(kind), m_coordinates(coordinates), m_parameters(std::move(parameters)), m_solution(std::move(solution))
   {}
 #endif
@@ -77,14 +81,19 @@ public:
   //! what is proved. `END_POINT`: at an end of some operand.
   Intersection_kind kind() const { return m_kind; }
 
-  //! a coordinate of the common point lies in the range; those of all points of an overlap do. Infinite where nothing is known.
+  //! a coordinate of the common point lies in the range; those of all points of an overlap do. Infinite where nothing
+  //! is known.
   const Double_range& coordinate_range(std::size_t i) const { return m_coordinates[i]; }
 
   //! the middle of that range; not a number where nothing is known.
   double coordinate(std::size_t i) const { return m_coordinates[i].first / 2 + m_coordinates[i].second / 2; }
 
-  //! the range of a parameter of an operand, which are numbered as they were given. \pre The operand has such a parameter: implicit ones have none.
-  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const { return m_parameters[operand][axis].range; }
+  //! the range of a parameter of an operand, which are numbered as they were given. \pre The operand has such a
+  //! parameter: implicit ones have none.
+  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const
+  {
+    return m_parameters[operand][axis].range;
+  }
 
   //! the middle of that range, rounded to double.
   double parameter(std::size_t operand, std::size_t axis = 0) const
@@ -93,19 +102,22 @@ public:
     return to_nearest_double(Exact_rational((range.first + range.second) / 2));
   }
 
-  //! whether the common point is at an end of the domain of a parameter, decided exactly; the seam of a closed curve is one. \pre The operand has such a parameter.
+  //! whether the common point is at an end of the domain of a parameter, decided exactly; the seam of a closed curve is
+  //! one. \pre The operand has such a parameter.
   bool is_at_end(std::size_t operand, std::size_t axis) const { return m_parameters[operand][axis].is_at_end; }
 
   //! whether it is at an end of any parameter of an operand.
   bool is_at_end(std::size_t operand) const
   {
-    return std::any_of(m_parameters[operand].begin(), m_parameters[operand].end(), [](const auto& parameter) { return parameter.is_at_end; });
+    return std::any_of(m_parameters[operand].begin(), m_parameters[operand].end(),
+                       [](const auto& parameter) { return parameter.is_at_end; });
   }
 
   //! how often the common point counts; 1 when the operands cross, 0 when not known.
   int multiplicity() const { return m_solution.multiplicity(); }
 
-  //! the answer of the solver, with its proof: the unknowns are the parameters of the operands one after the other, then auxiliary ones; or the coordinates, when no operand has parameters.
+  //! the answer of the solver, with its proof: the unknowns are the parameters of the operands one after the other,
+  //! then auxiliary ones; or the coordinates, when no operand has parameters.
   const Solution_d<double>& solution() const { return m_solution; }
 };
 
@@ -123,7 +135,8 @@ namespace Intersections {
 template <int d>
 Locus_intersections<d> ordered_by_kind(std::vector<Locus_intersection<d>> intersections, const Summary& summary)
 {
-  std::stable_sort(intersections.begin(), intersections.end(), [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
+  std::stable_sort(intersections.begin(), intersections.end(),
+                   [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
   return Locus_intersections<d>(std::move(intersections), summary);
 }
 

@@ -34,14 +34,16 @@ struct Intersection_sample
   //! the point, next to both surfaces.
   typename Kernel::Point_3 point;
 
-  //! its parameters on both surfaces, zero on one that has none. At a seam, they are those of the side that the arc lies on.
+  //! its parameters on both surfaces, zero on one that has none. At a seam, they are those of the side that the arc
+  //! lies on.
   std::array<std::array<double, 2>, 2> parameters;
 };
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-All that two surfaces have in common: curves, whose number and connections are proved, singular points, single points, and what is undecided.
+All that two surfaces have in common: curves, whose number and connections are proved, singular points, single points,
+and what is undecided.
 
 Surfaces are numbered 0 and 1, their parameters, the axes, too.
 
@@ -68,7 +70,8 @@ private:
 public:
 #ifndef DOXYGEN_RUNNING
   Surface_intersection(internal::Intersections::Surface_equations surfaces, Curve_solution_set_d solutions)
-    : Surface_intersection(std::vector<internal::Intersections::Solved_part>{{std::move(surfaces), std::move(solutions)}})
+    : Surface_intersection(
+          std::vector<internal::Intersections::Solved_part>{{std::move(surfaces), std::move(solutions)}})
   {}
 
   // Of one part at least. If that has no system, the surfaces have nothing in common.
@@ -79,10 +82,13 @@ public:
     const internal::Intersections::Joined_parts joined(m_parts);
     m_curves = joined.curves();
     for (Intersection_curve& curve : m_curves)
-      curve.multiplicity = internal::Common::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) { return m_parts[arc.part].solutions.curves()[arc.index].multiplicity(); });
+      curve.multiplicity = internal::Common::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) {
+        return m_parts[arc.part].solutions.curves()[arc.index].multiplicity();
+      });
     m_pinch_points = joined.equal_pairs();
     m_unmatched = joined.unmatched();
-    const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind, const std::vector<internal::Intersections::Part_vertex>& vertices) {
+    const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind,
+                         const std::vector<internal::Intersections::Part_vertex>& vertices) {
       for (const internal::Intersections::Part_vertex& point : vertices)
         list.push_back(special_point(kind, point));
     };
@@ -99,7 +105,8 @@ public:
   }
 #endif
 
-  //! the curves. A curve that is not closed ends on an edge of a surface, at a singular point or where it is undecided how it goes on.
+  //! the curves. A curve that is not closed ends on an edge of a surface, at a singular point or where it is undecided
+  //! how it goes on.
   const std::vector<Intersection_curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
@@ -108,35 +115,47 @@ public:
   //! number of curves along which the surfaces touch: those whose kind is `TANGENT`.
   std::size_t number_of_contact_curves() const
   {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Intersection_curve& curve) { return curve.kind() == Intersection_kind::TANGENT; }));
+    return static_cast<std::size_t>(
+        std::count_if(m_curves.begin(), m_curves.end(),
+                      [](const Intersection_curve& curve) { return curve.kind() == Intersection_kind::TANGENT; }));
   }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
-  //! singular points: where curves cross, where surfaces touch without having others in common near it, poles that no curve goes on through, and pinch points of one surface, where a curve ends in which it meets itself.
+  //! singular points: where curves cross, where surfaces touch without having others in common near it, poles that no
+  //! curve goes on through, and pinch points of one surface, where a curve ends in which it meets itself.
   const std::vector<Special_point>& singular_points() const { return m_singular_points; }
 
   //! points on an edge of a surface without others near them.
   const std::vector<Special_point>& points() const { return m_points; }
 
-  //! the regions where nothing is proved, and the ends on a seam or break that were not matched with one on the other side: the ranges hold their parameters.
+  //! the regions where nothing is proved, and the ends on a seam or break that were not matched with one on the other
+  //! side: the ranges hold their parameters.
   const std::vector<Special_point>& undecided() const { return m_undecided; }
 
-  //! whether the curves, points and singular points are all that the surfaces have in common, and the curves are connected as they say, by proof.
+  //! whether the curves, points and singular points are all that the surfaces have in common, and the curves are
+  //! connected as they say, by proof.
   bool is_complete() const { return m_summary.is_complete; }
 
-  //! the first (`side` 0) or last (`side` 1) point of a curve; of a closed one, which has the kind of the curve there, the first one.
+  //! the first (`side` 0) or last (`side` 1) point of a curve; of a closed one, which has the kind of the curve there,
+  //! the first one.
   Special_point end(const Intersection_curve& curve, int side) const
   {
     const Intersection_arc& arc = side == 0 || curve.is_closed ? curve.arcs.front() : curve.arcs.back();
     const Curve_solution_set_d& set = m_parts[arc.part].solutions;
     const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
-    const internal::Intersections::Part_vertex end{arc.part, (side == 0 || curve.is_closed) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]};
+    const internal::Intersections::Part_vertex end{
+        arc.part, (side == 0 || curve.is_closed) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]};
     const Curve_vertex& vertex = set.vertices()[end.vertex];
-    const auto has_it = [&](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end(); };
-    const auto is_one_of = [&](const std::vector<internal::Intersections::Part_vertex>& points) { return std::find(points.begin(), points.end(), end) != points.end(); };
-    const bool is_undecided = (vertex.is_on_inequality && !m_parts[arc.part].surfaces.has_edges_on_inequalities()) || is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
+    const auto has_it = [&](const Undecided_region& region) {
+      return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end();
+    };
+    const auto is_one_of = [&](const std::vector<internal::Intersections::Part_vertex>& points) {
+      return std::find(points.begin(), points.end(), end) != points.end();
+    };
+    const bool is_undecided = (vertex.is_on_inequality && !m_parts[arc.part].surfaces.has_edges_on_inequalities()) ||
+        is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
     return special_point(curve.is_closed                                   ? curve.kind()
                          : vertex.is_singular || is_one_of(m_pinch_points) ? Intersection_kind::TANGENT
                          : is_undecided                                    ? Intersection_kind::UNDECIDED
@@ -145,33 +164,38 @@ public:
   }
 
   /*!
-  points along an arc, so many that the arc passes the middles of their chords at no more than a given distance, in space as well as in the parameters. Their parameters solve the equations up to rounding;
-  see `to_polyline()`.
+  points along an arc, so many that the arc passes the middles of their chords at no more than a given distance, in
+  space as well as in the parameters. Their parameters solve the equations up to rounding; see `to_polyline()`.
   \param arc an arc of one of the curves.
   \param error the distance in space; positive.
   \param parameter_error the distance in each of the domains; positive.
   \throws Invalid_input when a distance is not positive.
   */
-  std::vector<Sample> samples(const Intersection_arc& arc, double error, double parameter_error = std::numeric_limits<double>::infinity()) const
+  std::vector<Sample> samples(const Intersection_arc& arc, double error,
+                              double parameter_error = std::numeric_limits<double>::infinity()) const
   {
     if (!(error > 0) || !(parameter_error > 0))
       throw Invalid_input("Surface_intersection: the error must be positive");
     const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
       using internal::distance_from_middle;
-      return distance_from_middle(from.image, sample.image, to.image) <= error && distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
+      return distance_from_middle(from.image, sample.image, to.image) <= error &&
+          distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
     };
     const auto& [surfaces, set, poles] = m_parts[arc.part];
     const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
     std::vector<Sample> result;
-    for (const auto& [unknowns, image] : internal::curve_samples(surfaces.system(), set, set.curves()[arc.index], point, is_chord))
-      result.push_back({internal::kernel_object<Kernel, Point>(image), {parameters(surfaces, 0, unknowns), parameters(surfaces, 1, unknowns)}});
+    for (const auto& [unknowns, image] :
+         internal::curve_samples(surfaces.system(), set, set.curves()[arc.index], point, is_chord))
+      result.push_back({internal::kernel_object<Kernel, Point>(image),
+                        {parameters(surfaces, 0, unknowns), parameters(surfaces, 1, unknowns)}});
     if (arc.is_reversed)
       std::reverse(result.begin(), result.end());
     return result;
   }
 
   /*!
-  points along a curve, so many that the curve passes the middles of their chords at no more than a given distance; a closed curve begins and ends with the same one.
+  points along a curve, so many that the curve passes the middles of their chords at no more than a given distance; a
+  closed curve begins and ends with the same one.
   \param curve one of the curves.
   \param error the distance; positive.
   \throws Invalid_input when the distance is not positive.
@@ -193,10 +217,13 @@ public:
   //! number of systems that were solved: one, but for self-intersections of a surface with several pieces.
   std::size_t number_of_parts() const { return m_parts.size(); }
 
-  //! the curves of a part as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates, and of one only, if the other one is given by its equation; then, if they are needed, the coordinates in space.
+  //! the curves of a part as the solver found them: its unknowns are the parameters of the surfaces that have some, of
+  //! the first one only, if both are height fields over the same coordinates, and of one only, if the other one is
+  //! given by its equation; then, if they are needed, the coordinates in space.
   const Curve_solution_set_d& solutions(std::size_t part = 0) const { return m_parts[part].solutions; }
 
-  //! the equations that were solved, for `curve_differentials()` and `fit_spline()`. \pre The bounds of the surfaces meet, as they do if there is a curve.
+  //! the equations that were solved, for `curve_differentials()` and `fit_spline()`. \pre The bounds of the surfaces
+  //! meet, as they do if there is a curve.
   const Constraint_system_d& system(std::size_t part = 0) const
   {
     CGAL_precondition(m_parts[part].surfaces.has_system());
@@ -222,7 +249,8 @@ private:
     return result;
   }
 
-  static std::array<double, 2> parameters(const internal::Intersections::Surface_equations& surfaces, std::size_t surface, const std::vector<double>& unknowns)
+  static std::array<double, 2> parameters(const internal::Intersections::Surface_equations& surfaces,
+                                          std::size_t surface, const std::vector<double>& unknowns)
   {
     if (!surfaces.is_parametric(surface))
       return {};

@@ -21,7 +21,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A point that two surfaces have in common and that is not just one of many along a curve: where a curve ends, a singular point, or a single point. Its parameters lie in ranges that are proved to hold them.
+A point that two surfaces have in common and that is not just one of many along a curve: where a curve ends, a singular
+point, or a single point. Its parameters lie in ranges that are proved to hold them.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -43,7 +44,9 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Surface_intersection_point(const internal::Intersections::Surface_equations& surfaces, Intersection_kind kind, const Curve_vertex::Exact_box& box) : m_kind(kind)
+  Surface_intersection_point(const internal::Intersections::Surface_equations& surfaces, Intersection_kind kind,
+                             const Curve_vertex::Exact_box& box)
+    : m_kind(kind)
   {
     std::vector<Exact_rational> middle;
     for (const Range& range : box)
@@ -58,26 +61,30 @@ public:
       m_parameters[surface] = surfaces.parameters(surface, unknowns);
       for (const Range& range : surfaces.parameter_ranges(surface, box)) {
         const Range domain = surfaces.parameter_domain(surface, static_cast<int>(m_ranges[surface].size()));
-        m_is_at_end[surface][m_ranges[surface].size()] = range.first == range.second && (range.first == domain.first || range.first == domain.second);
+        m_is_at_end[surface][m_ranges[surface].size()] =
+            range.first == range.second && (range.first == domain.first || range.first == domain.second);
         m_ranges[surface].push_back(range);
       }
     }
   }
 #endif
 
-  //! `END_POINT` on an edge of a surface, or of the box of an implicit one; `TANGENT` where the surfaces have a common tangent plane, or one is singular; `UNDECIDED` where nothing is proved.
+  //! `END_POINT` on an edge of a surface, or of the box of an implicit one; `TANGENT` where the surfaces have a common
+  //! tangent plane, or one is singular; `UNDECIDED` where nothing is proved.
   Intersection_kind kind() const { return m_kind; }
 
   //! whether a surface, 0 or 1, has parameters: planes, spheres and implicit surfaces have none.
   bool has_parameters(std::size_t surface) const { return !m_ranges[surface].empty(); }
 
-  //! the range that the parameter of a surface along an axis, 0 or 1, lies in; near the seam of a surface that is given by its equation the range begins before the seam. \pre It has parameters.
+  //! the range that the parameter of a surface along an axis, 0 or 1, lies in; near the seam of a surface that is given
+  //! by its equation the range begins before the seam. \pre It has parameters.
   const Range& parameter_range(std::size_t surface, std::size_t axis) const { return m_ranges[surface][axis]; }
 
   //! the parameter in the middle of the ranges, rounded to double. \pre It has parameters.
   double parameter(std::size_t surface, std::size_t axis) const { return m_parameters[surface][axis]; }
 
-  //! whether it is at an end of the range of a parameter: on an edge or a seam, by proof. Not known of a surface that is given by its equation.
+  //! whether it is at an end of the range of a parameter: on an edge or a seam, by proof. Not known of a surface that
+  //! is given by its equation.
   bool is_at_end(std::size_t surface, std::size_t axis) const { return m_is_at_end[surface][axis]; }
 
   //! the point in the middle of the ranges.

@@ -34,35 +34,56 @@ Spline_constraints::Intersections<Kernel, d> intersections_of(const Patch_pair<d
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane for points and curves, in space also for a point or curve with a surface. Two
-surfaces have curves in common, see `intersection_curves()`; where they touch in points, `contact_points()` finds these.
+all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane
+for points and curves, in space also for a point or curve with a surface. Two surfaces have curves in common, see
+`intersection_curves()`; where they touch in points, `contact_points()` finds these.
 
-A common point is reported once for each pair of parameters: where an operand crosses itself, there are several. On the seam of a closed operand, where two parameters stand for one point, it is the
-lower one. At a pole of a surface, an edge that is one point, a whole range stands for it, which is one answer. A point on a knot is found once.
+A common point is reported once for each pair of parameters: where an operand crosses itself, there are several. On the
+seam of a closed operand, where two parameters stand for one point, it is the lower one. At a pole of a surface, an edge
+that is one point, a whole range stands for it, which is one answer. A point on a knot is found once.
 
-Operands are taken exactly (doubles are rational numbers), and so are all decisions. Whether a common point is at an end of a parameter is a system with one unknown less; the solver finds all of its
-solutions where the first one has just one. Systems with more equations than unknowns, as of two curves in space, are decided by exact signs: operands that miss each other by however
-little do not meet. If the points of an operand are affine in its parameters, as those of a point, segment or parallelogram, these are eliminated.
+Operands are taken exactly (doubles are rational numbers), and so are all decisions. Whether a common point is at an end
+of a parameter is a system with one unknown less; the solver finds all of its solutions where the first one has just
+one. Systems with more equations than unknowns, as of two curves in space, are decided by exact signs: operands that
+miss each other by however little do not meet. If the points of an operand are affine in its parameters, as those of a
+point, segment or parallelogram, these are eliminated.
 
-An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, for a curve in a planar parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three at most that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same sphere; other
-parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver finds a segment or an interval with rational ends, and for linear \f$q\f$; for others, that on the curve is. Otherwise they are enclosures, those of a surface on a sphere its domain. Other curves in space that lie in a surface are `UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not reported again, unless the operands touch there and are in space or of degree higher than four.
+An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, for a curve in a planar
+parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three at most
+that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same sphere;
+other parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver
+finds a segment or an interval with rational ends, and for linear \f$q\f$; for others, that on the curve is. Otherwise
+they are enclosures, those of a surface on a sphere its domain. Other curves in space that lie in a surface are
+`UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not
+reported again, unless the operands touch there and are in space or of degree higher than four.
 
-Planar curves that are nearly the same, between common points at their breaks, are told apart by elimination: where the pieces have degree four at most, the determinant of a Bezout matrix is a polynomial in one parameter (Sederberg, Anderson, Goldman 1984), whose
-Bernstein coefficients prove that boxes the solver left undecided hold no common point, or only one at breaks of both curves, or at a break of one and an irrational parameter of the other, of which the range is an enclosure. This is a `TANGENT` point without a multiplicity and without a `solution()`. Where the polynomial has a simple zero, the kernel of the matrix tells the other parameter: in such a box, this is a
-crossing, at an angle as small as it may be, or no common point. It is `TRANSVERSAL`, without a `solution()`.
+Planar curves that are nearly the same, between common points at their breaks, are told apart by elimination: where the
+pieces have degree four at most, the determinant of a Bezout matrix is a polynomial in one parameter (Sederberg,
+Anderson, Goldman 1984), whose Bernstein coefficients prove that boxes the solver left undecided hold no common point,
+or only one at breaks of both curves, or at a break of one and an irrational parameter of the other, of which the range
+is an enclosure. This is a `TANGENT` point without a multiplicity and without a `solution()`. Where the polynomial has a
+simple zero, the kernel of the matrix tells the other parameter: in such a box, this is a crossing, at an angle as small
+as it may be, or no common point. It is `TRANSVERSAL`, without a `solution()`.
 
-A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$,
-that of a line for \f$p + t\,d\f$ with \f$d\f$ its `to_vector()` and \f$p\f$ its `point()` in space, the point next to the origin in the plane. Other objects of CGAL have the parameters that `to_bspline_surface()` gives them, or, where
-it does not know them, `to_bspline_curve()`.
+A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray
+stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$, that of a line for \f$p
++ t\,d\f$ with \f$d\f$ its `to_vector()` and \f$p\f$ its `point()` in space, the point next to the origin in the plane.
+Other objects of CGAL have the parameters that `to_bspline_surface()` gives them, or, where it does not know them,
+`to_bspline_curve()`.
 
-\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`, objects of CGAL with a conversion to one of these (segments, circles, triangles, spheres and others), or
-one of them `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3` or `CGAL::Plane_3`. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
+\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, models of `ParametricCurve_2`, `ParametricCurve_3` or
+`ParametricSurface_3`, objects of CGAL with a conversion to one of these (segments, circles, triangles, spheres and
+others), or one of them `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3` or `CGAL::Plane_3`. Both have the
+same kernel and are in the same dimension. Points of the result are those of `A`.
 \param a the first operand.
 \param b the second operand.
-\param options those of the solver; limits hold for the operation as a whole, and a tolerance concerns only what remains undecided.
-\throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, or an option makes no sense.
+\param options those of the solver; limits hold for the operation as a whole, and a tolerance concerns only what remains
+undecided.
+\throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have
+one sign, or an option makes no sense.
 
-Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.
+Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one
+with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.
 */
 template <class A, class B>
   requires internal::Common::Intersection_operands<A, B>
@@ -73,7 +94,8 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
   using Kernel = typename Operand::Kernel;
   options.check();
   const auto pair = internal::Common::patch_pair(a, b);
-  return pair ? internal::Intersections::intersections_of<Kernel, d>(*pair, options) : Spline_constraints::Intersections<Kernel, d>({}, Summary());
+  return pair ? internal::Intersections::intersections_of<Kernel, d>(*pair, options)
+              : Spline_constraints::Intersections<Kernel, d>({}, Summary());
 }
 
 } // namespace Spline_constraints

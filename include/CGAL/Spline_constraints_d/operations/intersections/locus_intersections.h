@@ -24,8 +24,9 @@ namespace internal {
 namespace Intersections {
 
 /*
-The common points of several curves and surfaces: for each choice of a piece of every operand, the solutions of its system, told apart by what is known of the ends of curves. Whether an end
-is a common point is a system with one unknown less.
+The common points of several curves and surfaces: for each choice of a piece of every operand, the solutions of its
+system, told apart by what is known of the ends of curves. Whether an end is a common point is a system with one unknown
+less.
 */
 template <int d>
 class Locus_intersector
@@ -43,7 +44,8 @@ class Locus_intersector
     std::vector<Range> domains;   // of the parameters
   };
 
-  // A common point at an end of an operand, or perhaps none: the unknown with this one as its value, and ranges of all of them.
+  // A common point at an end of an operand, or perhaps none: the unknown with this one as its value, and ranges of all
+  // of them.
   struct Incidence
   {
     std::size_t unknown;
@@ -58,7 +60,8 @@ class Locus_intersector
 
 public:
   template <class... Loci>
-  Locus_intersector(const Solver_options& options, const Loci&... loci) : m_operands{operand(loci)...}, m_solve(options) {}
+  Locus_intersector(const Solver_options& options, const Loci&... loci) : m_operands{operand(loci)...}, m_solve(options)
+  {}
 
   Locus_intersections<d> operator()()
   {
@@ -95,13 +98,16 @@ private:
     if (system.is_void() || (system.unknowns().empty() && !hold(system.constraints())))
       return;
     if (system.unknowns().empty()) {   // a point, decided by signs
-      m_result.emplace_back(Intersection_kind::TRANSVERSAL, system.coordinates({}), std::vector<std::vector<Locus_parameter>>(m_operands.size()),
+      m_result.emplace_back(Intersection_kind::TRANSVERSAL, system.coordinates({}),
+                            std::vector<std::vector<Locus_parameter>>(m_operands.size()),
                             Solution(Solution_kind::CERTIFIED, {}, {}, "exact", Undecided_reason::NONE, 1));
       return;
     }
     const Solution_set_d<double> solutions = m_solve(system.constraints());
     std::vector<Incidence> incidences;
-    if (system.unknowns().size() > 1 && std::any_of(solutions.begin(), solutions.end(), [&](const Solution& s) { return is_near_end(s.exact_box(), system); }))
+    if (system.unknowns().size() > 1 && std::any_of(solutions.begin(), solutions.end(), [&](const Solution& s) {
+          return is_near_end(s.exact_box(), system);
+        }))
       incidences = incidences_of(pieces, system);
     for (const Solution& solution : solutions)
       if (auto intersection = classified(solution, system, incidences))
@@ -149,13 +155,15 @@ private:
     return result;
   }
 
-  // The intersection that a solution stands for; none when it is at the end of a closed curve, which is its begin. A regular solution on the boundary of the domain, or of an inequality, is
-  // undecided until it is known to be an end.
-  std::optional<Intersection> classified(const Solution& solution, const Locus_system<d>& system, const std::vector<Incidence>& incidences) const
+  // The intersection that a solution stands for; none when it is at the end of a closed curve, which is its begin. A
+  // regular solution on the boundary of the domain, or of an inequality, is undecided until it is known to be an end.
+  std::optional<Intersection> classified(const Solution& solution, const Locus_system<d>& system,
+                                         const std::vector<Incidence>& incidences) const
   {
     Box box = solution.exact_box();
     Intersection_kind kind = intersection_kind(solution.kind());
-    const bool is_at_boundary = solution.reason() == Undecided_reason::DOMAIN_BOUNDARY, is_point = is_one_point(solution) || is_at_boundary;
+    const bool is_at_boundary = solution.reason() == Undecided_reason::DOMAIN_BOUNDARY,
+               is_point = is_one_point(solution) || is_at_boundary;
     if (is_point || solution.reason() == Undecided_reason::INEQUALITY) {
       const Box region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
       for (const Incidence& incidence : incidences) {
@@ -177,7 +185,8 @@ private:
       const Range& domain = m_operands[i].domains[axis];
       const Locus_parameter& parameter = parameters[i].emplace_back(box[unknown], domain);
       const bool has_known_ends = !m_operands[i].ends.empty() || system.unknowns().size() == 1;
-      if (is_point && !parameter.is_at_end && !has_known_ends && (has(parameter.range, domain.first) || has(parameter.range, domain.second)))
+      if (is_point && !parameter.is_at_end && !has_known_ends &&
+          (has(parameter.range, domain.first) || has(parameter.range, domain.second)))
         kind = Intersection_kind::UNDECIDED;
       if (is_point && parameter.is_at_end && kind == Intersection_kind::TRANSVERSAL)
         kind = Intersection_kind::END_POINT;
@@ -185,16 +194,21 @@ private:
     return Intersection(kind, system.coordinates(box), std::move(parameters), solution);
   }
 
-  static bool is_one_point(const Solution& solution) { return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER; }
+  static bool is_one_point(const Solution& solution)
+  {
+    return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER;
+  }
 
   static bool meets(const Box& a, const Box& b)
   {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const Range& x, const Range& y) { return x.first <= y.second && y.first <= x.second; });
+    return std::equal(a.begin(), a.end(), b.begin(),
+                      [](const Range& x, const Range& y) { return x.first <= y.second && y.first <= x.second; });
   }
 
   static bool holds(const Box& a, const Box& b)
   {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const Range& x, const Range& y) { return x.first <= y.first && y.second <= x.second; });
+    return std::equal(a.begin(), a.end(), b.begin(),
+                      [](const Range& x, const Range& y) { return x.first <= y.first && y.second <= x.second; });
   }
 };
 
@@ -206,9 +220,9 @@ using Locus_of = decltype(to_locus(std::declval<const T&>()));
 
 // Of the same space, not all of them parametric, with common points that are isolated as a rule.
 template <class First, class... Others>
-concept Locus_operands = Locus_operand<First> && (Locus_operand<Others> && ...) && (Locus<First> || ... || Locus<Others>) &&
-                         ((Locus_of<First>::dimension == Locus_of<Others>::dimension) && ...) &&
-                         (Locus_of<First>::codimension + ... + Locus_of<Others>::codimension) >= Locus_of<First>::dimension;
+concept Locus_operands = Locus_operand<First> &&(Locus_operand<Others>&&...) &&
+    (Locus<First> || ... || Locus<Others>)&&((Locus_of<First>::dimension == Locus_of<Others>::dimension) && ...) &&
+    (Locus_of<First>::codimension + ... + Locus_of<Others>::codimension) >= Locus_of<First>::dimension;
 
 } // namespace Intersections
 } // namespace internal
@@ -216,7 +230,8 @@ concept Locus_operands = Locus_operand<First> && (Locus_operand<Others> && ...) 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all intersections of two curves in the plane, or of a curve and a surface in space, or of a point with one of these, of which one at least is implicit or procedural.
+all intersections of two curves in the plane, or of a curve and a surface in space, or of a point with one of these, of
+which one at least is implicit or procedural.
 
 | operands | unknowns | equations |
 |---|---|---|
@@ -228,24 +243,29 @@ all intersections of two curves in the plane, or of a curve and a surface in spa
 | procedural, implicit | parameter, auxiliary ones | those of the procedural one, and \f$f = 0\f$ |
 | procedural, procedural | parameters of both, auxiliary ones of the first | all conditions |
 
-All operands are taken exactly, and so are all decisions. A point at the seam of a closed curve, or on a knot, is reported once, a seam with the first parameter. Whether a common point is an
-end of a curve is decided by a system with one unknown less. Pieces that curves have in common are reported as `OVERLAP`, with `Solution_d::cover()`; with exact parameters where a parametric curve
-lies on an implicit one, or in an implicit surface.
+All operands are taken exactly, and so are all decisions. A point at the seam of a closed curve, or on a knot, is
+reported once, a seam with the first parameter. Whether a common point is an end of a curve is decided by a system with
+one unknown less. Pieces that curves have in common are reported as `OVERLAP`, with `Solution_d::cover()`; with exact
+parameters where a parametric curve lies on an implicit one, or in an implicit surface.
 
-\tparam A,B models of `Locus`, `CGAL::Point_2`, `CGAL::Point_3`, `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` in the same space; at least one a `Locus`. The codimensions add up to that of a point, or more.
+\tparam A,B models of `Locus`, `CGAL::Point_2`, `CGAL::Point_3`, `ParametricCurve_2`, `ParametricCurve_3` or
+`ParametricSurface_3` in the same space; at least one a `Locus`. The codimensions add up to that of a point, or more.
 \param a the first operand.
 \param b the second operand.
 \param options those of the solver; limits hold for the operation as a whole.
-\throws Invalid_input when an option makes no sense, a coordinate is not finite, or a weight is not proved to have one sign.
+\throws Invalid_input when an option makes no sense, a coordinate is not finite, or a weight is not proved to have one
+sign.
 
-Complexity: that of one system for each pair of smooth pieces; and of smaller ones for ends of curves, if common points are near. Source: the classification of intersections by rational, procedural
-and implicit representations, \cgalCite{p-cgl-03}.
+Complexity: that of one system for each pair of smooth pieces; and of smaller ones for ends of curves, if common points
+are near. Source: the classification of intersections by rational, procedural and implicit representations,
+\cgalCite{p-cgl-03}.
 */
 template <class A, class B>
   requires internal::Intersections::Locus_operands<A, B>
 auto intersections(const A& a, const B& b, const Solver_options& options = {})
 {
-  return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(options, to_locus(a), to_locus(b))();
+  return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(
+      options, to_locus(a), to_locus(b))();
 }
 
 /*!
@@ -264,7 +284,8 @@ template <class A, class B, class C>
   requires internal::Intersections::Locus_operands<A, B, C>
 auto intersections(const A& a, const B& b, const C& c, const Solver_options& options = {})
 {
-  return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(options, to_locus(a), to_locus(b), to_locus(c))();
+  return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(
+      options, to_locus(a), to_locus(b), to_locus(c))();
 }
 
 } // namespace Spline_constraints

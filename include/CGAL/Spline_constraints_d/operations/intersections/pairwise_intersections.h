@@ -36,7 +36,8 @@ Two curves of a collection that meet, or may meet; or a curve and itself.
 template <SplineKernel Kernel, int d>
 struct Intersecting_pair
 {
-  //! the positions of the two curves in the collection; with two collections, each in its own. The same ones where a curve meets itself.
+  //! the positions of the two curves in the collection; with two collections, each in its own. The same ones where a
+  //! curve meets itself.
   std::size_t first, second;
   //! where they meet; never empty.
   Spline_constraints::Intersections<Kernel, d> intersections;
@@ -84,8 +85,9 @@ public:
       std::sort(pairs.begin(), pairs.end());
     }
     return intersected<Concurrency_tag>(pairs, [&](const Index_pair& pair) {
-      return pair.first == pair.second ? self_intersections_of<Kernel, d>(curves[pair.first], m_options)
-                                       : intersections_of<Kernel, d>(Patch_pair<d>(curves[pair.first], curves[pair.second]), m_options);
+      return pair.first == pair.second
+          ? self_intersections_of<Kernel, d>(curves[pair.first], m_options)
+          : intersections_of<Kernel, d>(Patch_pair<d>(curves[pair.first], curves[pair.second]), m_options);
     });
   }
 
@@ -115,7 +117,8 @@ private:
 };
 
 template <class Range>
-using Pairwise_intersector_of = Pairwise_intersector<typename std::ranges::range_value_t<Range>::Kernel, Spline_operand<std::ranges::range_value_t<Range>>::dimension>;
+using Pairwise_intersector_of = Pairwise_intersector<typename std::ranges::range_value_t<Range>::Kernel,
+                                                     Spline_operand<std::ranges::range_value_t<Range>>::dimension>;
 
 template <class Range>
 auto patches_of(const Range& range)
@@ -132,30 +135,36 @@ auto patches_of(const Range& range)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all intersections between each two curves of a collection, such as the paths of a drawing; on request also those of each curve with itself, as pairs of a curve with itself.
+all intersections between each two curves of a collection, such as the paths of a drawing; on request also those of each
+curve with itself, as pairs of a curve with itself.
 
-Only pairs whose bounding boxes meet are solved (`CGAL::box_self_intersection_d()`), and in a pair of splines only pieces whose bounds meet. The answers are those of `intersections()` for each pair,
-and those of `self_intersections()`.
+Only pairs whose bounding boxes meet are solved (`CGAL::box_self_intersection_d()`), and in a pair of splines only
+pieces whose bounds meet. The answers are those of `intersections()` for each pair, and those of `self_intersections()`.
 
-\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand pairs to all cores through TBB. The answers are the same.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
+pairs to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`, or of `ParametricCurve_3`.
 \param curves the curves.
 \param options those of the solver; limits hold for each pair alone.
 \param self_intersections whether those of each curve with itself are found too.
 \throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
 
-Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of boxes that meet, and the systems of these pairs.
+Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of boxes that meet, and the systems of these
+pairs.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range>
-auto pairwise_intersections(const Range& curves, const Solver_options& options = {}, Self_intersections self_intersections = Self_intersections::EXCLUDED)
+auto pairwise_intersections(const Range& curves, const Solver_options& options = {},
+                            Self_intersections self_intersections = Self_intersections::EXCLUDED)
 {
-  return internal::Intersections::Pairwise_intersector_of<Range>(options).template within<Concurrency_tag>(internal::Intersections::patches_of(curves), self_intersections);
+  return internal::Intersections::Pairwise_intersector_of<Range>(options).template within<Concurrency_tag>(
+      internal::Intersections::patches_of(curves), self_intersections);
 }
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all intersections between the curves of one collection and those of another one, as `pairwise_intersections()` of one collection.
+all intersections between the curves of one collection and those of another one, as `pairwise_intersections()` of one
+collection.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`.
 \tparam Range,Other_range ranges of curves of the same type, models of `ParametricCurve_2` or of `ParametricCurve_3`.
@@ -164,11 +173,13 @@ all intersections between the curves of one collection and those of another one,
 \param options those of the solver; limits hold for each pair alone.
 \throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
 */
-template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range, internal::Intersections::Range_of_curves Other_range>
-  requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
+template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range,
+          internal::Intersections::Range_of_curves Other_range>
+requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
 auto pairwise_intersections(const Range& curves, const Other_range& others, const Solver_options& options = {})
 {
-  return internal::Intersections::Pairwise_intersector_of<Range>(options).template between<Concurrency_tag>(internal::Intersections::patches_of(curves), internal::Intersections::patches_of(others));
+  return internal::Intersections::Pairwise_intersector_of<Range>(options).template between<Concurrency_tag>(
+      internal::Intersections::patches_of(curves), internal::Intersections::patches_of(others));
 }
 
 } // namespace Spline_constraints

@@ -19,7 +19,8 @@ namespace internal {
 namespace Intersections {
 
 template <SplineKernel Kernel, int d>
-Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_patch<d>& curve, const Solver_options& options)
+Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_patch<d>& curve,
+                                                                   const Solver_options& options)
 {
   Budgeted_solver solve(options);
   const Patch_pair<d> operands(curve, curve);
@@ -35,17 +36,23 @@ Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-where a curve meets itself: all pairs of parameters \f$u < v\f$ with \f$C(u) = C(v)\f$, in the plane or in space. Both operands of the answers are the curve; the parameter on operand 0 is the lower one.
+where a curve meets itself: all pairs of parameters \f$u < v\f$ with \f$C(u) = C(v)\f$, in the plane or in space. Both
+operands of the answers are the curve; the parameter on operand 0 is the lower one.
 
-Each pair comes once, also on knots. Where the curve passes through a point three times, there are three pairs. The common end of a closed curve is none; if the curve passes through it once more, this is one pair,
-with the lower end of the domain.
+Each pair comes once, also on knots. Where the curve passes through a point three times, there are three pairs. The
+common end of a closed curve is none; if the curve passes through it once more, this is one pair, with the lower end of
+the domain.
 
-The curve is cut into arcs that are proved not to meet themselves, since the curve goes on along some direction, and so that successive arcs are proved to meet only in their common end. All others are intersected as by
-`intersections()`, if their boxes meet, and what is said there of kinds holds here as well. In addition, a common point that is a corner of the curve is `TANGENT`, whether the branches cross there or not. An `OVERLAP` is a piece of the
-curve that another piece runs over, in either direction, in parts between cuts, whose ends may be reported once more; or a piece on which the curve rests in one point, with this piece as both ranges.
+The curve is cut into arcs that are proved not to meet themselves, since the curve goes on along some direction, and so
+that successive arcs are proved to meet only in their common end. All others are intersected as by `intersections()`, if
+their boxes meet, and what is said there of kinds holds here as well. In addition, a common point that is a corner of
+the curve is `TANGENT`, whether the branches cross there or not. An `OVERLAP` is a piece of the curve that another piece
+runs over, in either direction, in parts between cuts, whose ends may be reported once more; or a piece on which the
+curve rests in one point, with this piece as both ranges.
 
-A cusp \f$C'(t) = 0\f$ is no self-intersection. This is proved for ordinary cusps (\f$C''\f$ and \f$C'''\f$ linearly independent) inside of polynomial pieces; others, and a point where the curve turns back,
-are left as a short piece that is `UNDECIDED`, with this piece as both ranges, or, at a break, as a pair of parameters that may be equal.
+A cusp \f$C'(t) = 0\f$ is no self-intersection. This is proved for ordinary cusps (\f$C''\f$ and \f$C'''\f$ linearly
+independent) inside of polynomial pieces; others, and a point where the curve turns back, are left as a short piece that
+is `UNDECIDED`, with this piece as both ranges, or, at a break, as a pair of parameters that may be equal.
 
 \tparam Curve a model of `ParametricCurve_2` or `ParametricCurve_3`.
 \param curve the curve.
@@ -53,14 +60,16 @@ are left as a short piece that is `UNDECIDED`, with this piece as both ranges, o
 \returns an `Intersections` with the kernel and dimension of the curve.
 \throws Invalid_input when the weight of the curve is not proved to have one sign, or an option makes no sense.
 
-Complexity: \f$O(n \log^d n)\f$ for \f$n\f$ arcs, most often not many more than there are polynomial pieces, and a system in two unknowns, or one on lines, for each pair of arcs whose boxes meet, successive ones left out.
+Complexity: \f$O(n \log^d n)\f$ for \f$n\f$ arcs, most often not many more than there are polynomial pieces, and a
+system in two unknowns, or one on lines, for each pair of arcs whose boxes meet, successive ones left out.
 */
 template <internal::Common::Parametric_curve Curve>
 auto self_intersections(const Curve& curve, const Solver_options& options = {})
 {
   using Operand = internal::Common::Spline_operand<Curve>;
   options.check();
-  return internal::Intersections::self_intersections_of<typename Operand::Kernel, Operand::dimension>(Operand::patch(curve), options);
+  return internal::Intersections::self_intersections_of<typename Operand::Kernel, Operand::dimension>(
+      Operand::patch(curve), options);
 }
 
 } // namespace Spline_constraints

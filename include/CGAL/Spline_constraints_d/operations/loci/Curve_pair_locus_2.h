@@ -31,7 +31,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Loci {
 
-// A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to each other there, and to the north pole, which is infinity.
+// A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to
+// each other there, and to the north pole, which is infinity.
 inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 {
   const double x = point[0] / (2 * radius), y = point[1] / (2 * radius), share = 1 / (1 + x * x + y * y);
@@ -46,9 +47,11 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for example. They are solutions of equations in both parameters, with a proved topology.
+Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for
+example. They are solutions of equations in both parameters, with a proved topology.
 
-A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there, and in other parts where an operation says so.
+A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity.
+It goes on across the seam of a closed curve that is smooth there, and in other parts where an operation says so.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -62,7 +65,8 @@ public:
   //! a part of one of the curves without seams or breaks inside.
   struct Arc
   {
-    std::size_t part;    ///< the index of two parts of the operands, all with the first part of the first curve before others
+    /// the index of two parts of the operands, all with the first part of the first curve before others
+    std::size_t part;
     std::size_t index;   ///< that of the curve in `solutions(part)`
     bool is_reversed;    ///< whether it is passed from its end to its begin
   };
@@ -76,7 +80,8 @@ public:
 
 private:
   // The point of the plane that belongs to two points, and to the unknowns of a solution.
-  using Point_of_pair = std::function<internal::Loci::Double_pair(const internal::Loci::Pair_of_points&, const std::vector<double>&)>;
+  using Point_of_pair =
+      std::function<internal::Loci::Double_pair(const internal::Loci::Pair_of_points&, const std::vector<double>&)>;
 
   // The curves of two parts.
   struct Part
@@ -99,7 +104,9 @@ public:
   explicit Curve_pair_locus_2(Point_of_pair point) : m_point(std::move(point)) {}
 
   // The solutions of an equation for two parts, cut where the point is at infinity.
-  void add(const internal::Loci::Pair_of_parts& parts, const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns, const Solver_options& options, const std::vector<Solution_d<double>>& points_at_infinity = {})
+  void add(const internal::Loci::Pair_of_parts& parts, const std::vector<Constraint>& constraints,
+           const std::vector<Unknown>& unknowns, const Solver_options& options,
+           const std::vector<Solution_d<double>>& points_at_infinity = {})
   {
     std::vector<Curve_vertex::Exact_box> poles, rest;
     for (const Solution_d<double>& point : points_at_infinity)
@@ -127,18 +134,23 @@ public:
     m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.unmatched().empty();
   }
 
-  // Joins the curves of different parts. An end that may go on in another part, but not in just one curve there, is undecided.
+  // Joins the curves of different parts. An end that may go on in another part, but not in just one curve there, is
+  // undecided.
   void join_parts()
   {
     std::vector<std::pair<internal::Intersections::Curve_end, internal::Loci::Joint_place>> ends;
     for (std::size_t c = 0; c < m_curves.size(); ++c)
       for (const int side : {0, 1})
-        if (const auto [part, vertex] = vertex_at_end(m_curves[c], side); !m_curves[c].is_closed && m_parts[part].parts.place && vertex->is_on_boundary && !vertex->is_on_inequality)
+        if (const auto [part, vertex] = vertex_at_end(m_curves[c], side);
+            !m_curves[c].is_closed && m_parts[part].parts.place && vertex->is_on_boundary && !vertex->is_on_inequality)
           if (const auto place = m_parts[part].parts.place(vertex->box))
             ends.push_back({{c, side}, *place});
-    const internal::Intersections::Matched_ends matched = internal::Intersections::matched_ends(ends, m_curves.size(), [](const internal::Loci::Joint_place& a, const internal::Loci::Joint_place& b) { return a.may_be(b); });
+    const internal::Intersections::Matched_ends matched = internal::Intersections::matched_ends(
+        ends, m_curves.size(),
+        [](const internal::Loci::Joint_place& a, const internal::Loci::Joint_place& b) { return a.may_be(b); });
     for (const internal::Intersections::Curve_end& end : matched.unmatched) {
-      m_undecided.push_back({{vertex_at_end(m_curves[end.curve], end.side).second->box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+      m_undecided.push_back(
+          {{vertex_at_end(m_curves[end.curve], end.side).second->box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
       m_summary.is_complete = false;
     }
     m_curves = internal::Intersections::joined_curves(m_curves, matched);
@@ -164,7 +176,8 @@ public:
   //! where curves cross in the plane of the parameters, or isolated solutions.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
 
-  //! where nothing is proved, poles that do not find their place on a curve, and ends on a seam that were not matched with one on the other side.
+  //! where nothing is proved, poles that do not find their place on a curve, and ends on a seam that were not matched
+  //! with one on the other side.
   const std::vector<Undecided_region>& undecided() const { return m_undecided; }
 
   //! how often a curve goes to infinity and comes back from the other side: two ends each.
@@ -176,15 +189,20 @@ public:
   //! the work.
   const Summary& summary() const { return m_summary; }
 
-  //! the curves of two parts in the plane of the unknowns, which are their parameters unless an operation says otherwise, as the solver found them, but cut at infinity.
+  //! the curves of two parts in the plane of the unknowns, which are their parameters unless an operation says
+  //! otherwise, as the solver found them, but cut at infinity.
   const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
-  bool ends_at_infinity(const Curve& curve, int side) const { return !curve.is_closed && m_poles > 0 && vertex_at_end(curve, side).second->is_on_inequality; }
+  bool ends_at_infinity(const Curve& curve, int side) const
+  {
+    return !curve.is_closed && m_poles > 0 && vertex_at_end(curve, side).second->is_on_inequality;
+  }
 
   /*!
-  points along a curve, so many that it passes the middles of their chords at no more than a given distance. Far from the origin a larger distance will do: all is seen in the stereographic projection to a sphere
-  of the given radius. Ends at infinity are left out; a point on a seam comes twice, with the parameters on both sides.
+  points along a curve, so many that it passes the middles of their chords at no more than a given distance. Far from
+  the origin a larger distance will do: all is seen in the stereographic projection to a sphere of the given radius.
+  Ends at infinity are left out; a point on a seam comes twice, with the parameters on both sides.
   \param curve one of the curves.
   \param error the distance; positive.
   \param radius the distance from the origin from which on less precision is needed; positive.
@@ -199,15 +217,19 @@ public:
       internal::Loci::Double_pair point;
       std::array<double, 3> on_sphere;
     };
-    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error; };
-    std::vector<std::pair<internal::Loci::Double_pair, std::array<double, 2>>> samples;   // points and parameters; the ends may be at infinity
+    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) {
+      return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error;
+    };
+    // points and parameters; the ends may be at infinity
+    std::vector<std::pair<internal::Loci::Double_pair, std::array<double, 2>>> samples;
     for (const Arc& arc : curve.arcs) {
       const Part& part = m_parts[arc.part];
       const auto image = [&](const std::vector<double>& unknowns) {
         const internal::Loci::Double_pair p = m_point(part.parts.points(unknowns), unknowns);
         return Image{p, internal::Loci::on_sphere(p, radius)};
       };
-      auto more = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
+      auto more =
+          internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
       if (arc.is_reversed)
         std::reverse(more.begin(), more.end());
       for (const auto& [unknowns, place] : more)
@@ -237,7 +259,10 @@ private:
 //! \ingroup PkgSplineConstraintsDOperations
 //! writes one line: the numbers of curves, singular points and undecided regions.
 template <SplineKernel Kernel>
-std::ostream& operator<<(std::ostream& out, const Curve_pair_locus_2<Kernel>& locus) { return internal::write_counts(out, locus); }
+std::ostream& operator<<(std::ostream& out, const Curve_pair_locus_2<Kernel>& locus)
+{
+  return internal::write_counts(out, locus);
+}
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -24,12 +24,16 @@ enum class Tangent_directions {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the envelope of a curve that is moved along another one, untrimmed: all points \f$C_1(u) + C_2(v)\f$ with parallel tangents,
+the envelope of a curve that is moved along another one, untrimmed: all points \f$C_1(u) + C_2(v)\f$ with parallel
+tangents,
 \f[ C_1'(u) \times C_2'(v) = 0, \quad \langle C_1'(u), C_2'(v)\rangle > 0. \f]
-With the inequality it is the convolution of the curves, to which the boundary of the Minkowski sum of two regions with these as boundaries, in the same orientation, belongs. The topology of the curves is proved.
+With the inequality it is the convolution of the curves, to which the boundary of the Minkowski sum of two regions with
+these as boundaries, in the same orientation, belongs. The topology of the curves is proved.
 
-The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own; corners and ends, which have many tangents, add translated pieces of the other curve, which are not part of the
-result. Where a derivative is zero, and where parts of both curves are straight and parallel, the answer is undecided; two inflections with parallel tangents are a singular point.
+The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own; corners and
+ends, which have many tangents, add translated pieces of the other curve, which are not part of the result. Where a
+derivative is zero, and where parts of both curves are straight and parallel, the answer is undecided; two inflections
+with parallel tangents are a singular point.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -38,10 +42,13 @@ result. Where a derivative is zero, and where parts of both curves are straight 
 \param options those of `solve_curves()`; limits hold for each two parts.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: that of `solve_curves()` with one equation in two unknowns, for each two smooth parts. Source: \cgalCite{kes-gcps-05}, section 2, equations (1) to (3).
+Complexity: that of `solve_curves()` with one equation in two unknowns, for each two smooth parts. Source:
+\cgalCite{kes-gcps-05}, section 2, equations (1) to (3).
 */
 template <ParametricCurve_2 C1, ParametricCurve_2 C2>
-Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& c2, Tangent_directions directions = Tangent_directions::SAME, const Solver_options& options = {.tolerance = 1e-8})
+Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& c2,
+                                                        Tangent_directions directions = Tangent_directions::SAME,
+                                                        const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
   using namespace internal::Loci;
@@ -49,13 +56,14 @@ Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& 
     const auto& [first, second] = pair.points;
     return Double_pair{first[0] + second[0], first[1] + second[1]};
   });
-  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
-    const Vector_expression<2> a = parts.first(1, u), b = parts.second(1, v);
-    std::vector<Constraint> constraints{determinant(a, b) == 0};
-    if (directions == Tangent_directions::SAME)
-      constraints.push_back(dot(a, b) > 0);
-    result.add(parts, constraints, {u, v}, options);
-  });
+  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2),
+                              [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
+                                const Vector_expression<2> a = parts.first(1, u), b = parts.second(1, v);
+                                std::vector<Constraint> constraints{determinant(a, b) == 0};
+                                if (directions == Tangent_directions::SAME)
+                                  constraints.push_back(dot(a, b) > 0);
+                                result.add(parts, constraints, {u, v}, options);
+                              });
   return result;
 }
 

@@ -38,7 +38,8 @@ struct Point_curve_bisector_2
   //! the curves, by increasing parameters, which are those of the given curve.
   std::vector<Bspline_curve_2<Kernel>> curves;
 
-  //! ranges of parameters that are proved to hold a pole, where the bisector goes to infinity and comes back from the other side, or a point of the curve that is the given point. Each one alone, unless it is a multiple one.
+  //! ranges of parameters that are proved to hold a pole, where the bisector goes to infinity and comes back from the
+  //! other side, or a point of the curve that is the given point. Each one alone, unless it is a multiple one.
   std::vector<Range> poles;
 
   //! ranges of parameters where nothing is proved.
@@ -76,7 +77,10 @@ public:
   }
 
   // Those of all splines.
-  std::vector<Exact_rational> breaks() const { return united(united(m_coordinates[0].breaks(0), m_coordinates[1].breaks(0)), m_weight.breaks(0)); }
+  std::vector<Exact_rational> breaks() const
+  {
+    return united(united(m_coordinates[0].breaks(0), m_coordinates[1].breaks(0)), m_weight.breaks(0));
+  }
 
   // Between two parameters without a break or a pole between them.
   Curve operator()(const Exact_rational& begin, const Exact_rational& end) const
@@ -88,7 +92,9 @@ public:
     Function slope = w * (x * dx + y * dy);
     if (w.degree(0) > 0)
       slope = slope - w.derivative(0) * (x * x + y * y);
-    return Curve::from_homogeneous_coordinates({denominator * m_point[0] + w * turn * x - slope * y, denominator * m_point[1] + w * turn * y + slope * x}, denominator);
+    return Curve::from_homogeneous_coordinates(
+        {denominator * m_point[0] + w * turn * x - slope * y, denominator * m_point[1] + w * turn * y + slope * x},
+        denominator);
   }
 };
 
@@ -98,11 +104,17 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the bisector of a point \f$Q\f$ and a curve, untrimmed: the centers of all circles through the point that touch the curve. It is a rational curve, of degree \f$3p-1\f$ for a polynomial one of degree \f$p\f$, and \f$4p-1\f$ for a rational one,
+the bisector of a point \f$Q\f$ and a curve, untrimmed: the centers of all circles through the point that touch the
+curve. It is a rational curve, of degree \f$3p-1\f$ for a polynomial one of degree \f$p\f$, and \f$4p-1\f$ for a
+rational one,
 \f[ P = C - \frac{|C-Q|^2}{2\,\langle C-Q, N\rangle}\, N, \f]
-with the parameter and the normal \f$N\f$ of the curve. It has poles where the tangent goes through the point; these are the zeros of the denominator, which are solved for and certified. Between them, and between the breaks of the curve, its coefficients are computed exactly.
+with the parameter and the normal \f$N\f$ of the curve. It has poles where the tangent goes through the point; these are
+the zeros of the denominator, which are solved for and certified. Between them, and between the breaks of the curve, its
+coefficients are computed exactly.
 
-A curve of the answer has to end before a pole: it leaves out a share of the parameters between the two poles or breaks. A segment on a line through the point, for which all points are poles, has no curve. Where the curve passes through the point, the center of curvature is the limit; this is treated as a pole.
+A curve of the answer has to end before a pole: it leaves out a share of the parameters between the two poles or breaks.
+A segment on a line through the point, for which all points are poles, has no curve. Where the curve passes through the
+point, the center of curvature is the limit; this is treated as a pole.
 
 \tparam C a model of `ParametricCurve_2`.
 \param point the point.
@@ -111,10 +123,12 @@ A curve of the answer has to end before a pole: it leaves out a share of the par
 \param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when the margin is not inside of (0, 1/2), or an option makes no sense.
 
-Complexity: one system in one unknown for each polynomial piece, and products of splines of one parameter. Source: \cgalCite{ek-crb-99}.
+Complexity: one system in one unknown for each polynomial piece, and products of splines of one parameter. Source:
+\cgalCite{ek-crb-99}.
 */
 template <ParametricCurve_2 C>
-Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& point, const C& c, double margin = 0x1p-10, const Solver_options& options = {})
+Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& point, const C& c,
+                                            double margin = 0x1p-10, const Solver_options& options = {})
 {
   using namespace internal;
   using namespace internal::Loci;
@@ -144,7 +158,9 @@ Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& p
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const Exact_rational left_out = Exact_rational(margin) * (ranges[i].first - begin);
       if (left_out > 0)
-        result.curves.push_back(bisector(i > 0 ? Exact_rational(begin + left_out) : begin, i + 1 < ranges.size() ? Exact_rational(ranges[i].first - left_out) : piece.end()));
+        result.curves.push_back(
+            bisector(i > 0 ? Exact_rational(begin + left_out) : begin,
+                     i + 1 < ranges.size() ? Exact_rational(ranges[i].first - left_out) : piece.end()));
       begin = ranges[i].second;
     }
   }

@@ -38,40 +38,52 @@ class Smooth_places
   std::vector<Exact_rational> m_corners;
 
 public:
-  Smooth_places(const std::vector<Differentiated_map>& pieces, bool is_closed) : m_ends{pieces.front().begin(), pieces.back().end()}
+  Smooth_places(const std::vector<Differentiated_map>& pieces, bool is_closed)
+    : m_ends{pieces.front().begin(), pieces.back().end()}
   {
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (i + 1 < pieces.size() ? !have_common_tangent(pieces[i], pieces[i + 1]) : !is_closed || !have_common_tangent(pieces[i], pieces[0]))
+      if (i + 1 < pieces.size() ? !have_common_tangent(pieces[i], pieces[i + 1])
+                                : !is_closed || !have_common_tangent(pieces[i], pieces[0]))
         m_corners.push_back(pieces[i].end());
   }
 
-  // What is left of the place of a solution if curves go on there: not on the diagonal. With u at the begin of a closed curve it is in the order (v, end).
+  // What is left of the place of a solution if curves go on there: not on the diagonal. With u at the begin of a closed
+  // curve it is in the order (v, end).
   std::optional<Joint_place> operator()(std::optional<Joint_place> place) const
   {
-    if (!place || place->line[0] == place->line[1] || (place->line[0][0] == place->line[0][1] && place->line[1][0] == place->line[1][1]))
+    if (!place || place->line[0] == place->line[1] ||
+        (place->line[0][0] == place->line[0][1] && place->line[1][0] == place->line[1][1]))
       return std::nullopt;
     if (is_at(*place, 0, m_ends[0])) {
       for (Exact_pair& p : place->line)
         p = {p[1], m_ends[1]};
       place->ranges = {place->ranges[1], {m_ends[1], m_ends[1]}};
     }
-    const auto is_on_corner = [&](const Exact_rational& corner) { return is_at(*place, 0, corner) || is_at(*place, 1, corner); };
+    const auto is_on_corner = [&](const Exact_rational& corner) {
+      return is_at(*place, 0, corner) || is_at(*place, 1, corner);
+    };
     return std::any_of(m_corners.begin(), m_corners.end(), is_on_corner) ? std::nullopt : place;
   }
 
 private:
-  static bool is_at(const Joint_place& place, std::size_t i, const Exact_rational& value) { return place.line[0][i] == value && place.line[1][i] == value; }
+  static bool is_at(const Joint_place& place, std::size_t i, const Exact_rational& value)
+  {
+    return place.line[0][i] == value && place.line[1][i] == value;
+  }
 };
 
 // Adds the curves of a chart.
 template <SplineKernel Kernel>
-void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_map& first, const Differentiated_map& second, const Pair_chart& chart, const Smooth_places& smooth, const Solver_options& options,
-                       Budgeted_solver& solve)
+void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_map& first,
+                       const Differentiated_map& second, const Pair_chart& chart, const Smooth_places& smooth,
+                       const Solver_options& options, Budgeted_solver& solve)
 {
   const auto [u, v] = parameters(first.map(), second.map());
   const Vector_expression<2> d = first(0, u) - second(0, v), a = first(1, u), b = second(1, v);
-  // On the diagonal, the determinants divided by v - u and its square are C' x C'' and -1/2 of it. So the second equation has one factor more than the second determinant, and inflections do not satisfy what is left of it.
-  const std::vector<Constraint> at_infinity{chart(determinant(a, b)) == 0, chart(determinant(a, b) * (v - u) + 2 * determinant(a, d)) == 0};
+  // On the diagonal, the determinants divided by v - u and its square are C' x C'' and -1/2 of it. So the second
+  // equation has one factor more than the second determinant, and inflections do not satisfy what is left of it.
+  const std::vector<Constraint> at_infinity{chart(determinant(a, b)) == 0,
+                                            chart(determinant(a, b) * (v - u) + 2 * determinant(a, d)) == 0};
   if (at_infinity[0].function.is_zero() && at_infinity[1].function.is_zero())
     return;   // both parts lie on one line
   const Constraint equation = chart(dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d)) == 0;
@@ -90,40 +102,54 @@ void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_m
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the bisector of a curve with itself, untrimmed: all centers of circles that touch it at two parameters \f$u < v\f$, which its medial axis is a part of. The topology of the curves is proved.
+the bisector of a curve with itself, untrimmed: all centers of circles that touch it at two parameters \f$u < v\f$,
+which its medial axis is a part of. The topology of the curves is proved.
 
-The equation is that of `bisector_curves()`. On one polynomial piece it has the factor \f$(v-u)^4\f$, which is divided out exactly; what remains of it at \f$u = v\f$ is \f$|C'|^5\f$ times the derivative of the curvature, up to a constant.
-So curves end on the diagonal at the vertices of the curve, certified, and their points there are the centers of curvature. The pair of both ends of a piece, and the common end of two successive pieces, are blown up in the same way, whether the curve is smooth there or not.
+The equation is that of `bisector_curves()`. On one polynomial piece it has the factor \f$(v-u)^4\f$, which is divided
+out exactly; what remains of it at \f$u = v\f$ is \f$|C'|^5\f$ times the derivative of the curvature, up to a constant.
+So curves end on the diagonal at the vertices of the curve, certified, and their points there are the centers of
+curvature. The pair of both ends of a piece, and the common end of two successive pieces, are blown up in the same way,
+whether the curve is smooth there or not.
 
-The curve is taken apart at all of its breaks, and each two of its pieces are solved for alone, those of neighbours in two triangles and a rectangle. The arcs are joined where \f$u\f$ or \f$v\f$ passes a break or the seam of a closed curve, if the curve has no corner there: both sides have the same solutions, all of
-which are known, so if the enclosure of one meets that of just one other, they are the same point; else it is undecided. Where both parameters are at a break, curves end.
-The unknowns of `Curve_pair_locus_2::solutions()` are \f$s, h \in [0,1]\f$; on one piece \f$[a,b]\f$, \f$u = a + (b-a)(1-h)s\f$ and \f$v = u + (b-a)h\f$. Pieces on the same circle satisfy the equation everywhere and are undecided, those on the same line have no circles.
-A vertex at a break, or where another curve of the answer ends, may be undecided.
+The curve is taken apart at all of its breaks, and each two of its pieces are solved for alone, those of neighbours in
+two triangles and a rectangle. The arcs are joined where \f$u\f$ or \f$v\f$ passes a break or the seam of a closed
+curve, if the curve has no corner there: both sides have the same solutions, all of which are known, so if the enclosure
+of one meets that of just one other, they are the same point; else it is undecided. Where both parameters are at a
+break, curves end. The unknowns of `Curve_pair_locus_2::solutions()` are \f$s, h \in [0,1]\f$; on one piece \f$[a,b]\f$,
+\f$u = a + (b-a)(1-h)s\f$ and \f$v = u + (b-a)h\f$. Pieces on the same circle satisfy the equation everywhere and are
+undecided, those on the same line have no circles. A vertex at a break, or where another curve of the answer ends, may
+be undecided.
 
 \tparam C a model of `ParametricCurve_2`; points of the result are those of its kernel.
 \param c the curve.
 \param options those of `solve_curves()`; limits hold for each two pieces.
 \throws Invalid_input when the derivative of the curve vanishes, or nearly so, or an option makes no sense.
 
-Complexity: that of `solve_curves()` with one equation in two unknowns and of `solve()` with two, for each two pieces, three or four times for neighbours. Source: \cgalCite{kes-gcps-05}, section 3 and figure 2b.
+Complexity: that of `solve_curves()` with one equation in two unknowns and of `solve()` with two, for each two pieces,
+three or four times for neighbours. Source: \cgalCite{kes-gcps-05}, section 3 and figure 2b.
 */
 template <ParametricCurve_2 C>
-Curve_pair_locus_2<typename C::Kernel> self_bisector_curves(const C& c, const Solver_options& options = {.tolerance = 1e-8})
+Curve_pair_locus_2<typename C::Kernel> self_bisector_curves(const C& c,
+                                                            const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
   using namespace internal::Loci;
-  Curve_pair_locus_2<typename C::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_or_osculating_circle(pair); });
+  Curve_pair_locus_2<typename C::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) {
+    return center_of_tangent_or_osculating_circle(pair);
+  });
   Budgeted_solver solve(options);
   const Planar_map curve(c);
   const std::vector<Differentiated_map> pieces = polynomial_pieces(curve, 2);
   for (const Differentiated_map& piece : pieces)
-    speed_range(piece, "self_bisector_curves");   // where the derivative is zero, the equation is satisfied by all pairs with this point
+    // where the derivative is zero, the equation is satisfied by all pairs with this point
+    speed_range(piece, "self_bisector_curves");
   const bool is_closed = curve.is_closed();
   const Smooth_places smooth(pieces, is_closed);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     add_self_bisector(result, pieces[i], pieces[i], chart_of_piece(pieces[i]), smooth, options, solve);
     for (std::size_t j = i + 1; j < pieces.size(); ++j)
-      for (const Pair_chart& chart : charts_of_pieces(pieces[i], pieces[j], j == i + 1, is_closed && i == 0 && j + 1 == pieces.size()))
+      for (const Pair_chart& chart :
+           charts_of_pieces(pieces[i], pieces[j], j == i + 1, is_closed && i == 0 && j + 1 == pieces.size()))
         add_self_bisector(result, pieces[i], pieces[j], chart, smooth, options, solve);
   }
   result.join_parts();

@@ -31,7 +31,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The Minkowski sum of two regions, or of a region and a curve: all sums of a point of one and a point of the other. A region, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
+The Minkowski sum of two regions, or of a region and a curve: all sums of a point of one and a point of the other. A
+region, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -42,20 +43,26 @@ public:
   using Point = typename Kernel::Point_2;
   using Sample = Curve_pair_sample<Kernel>;
 
-  //! an arc of a boundary: the sums of points of a part of a curve of the first operand and a part of one of the second operand. One of these may be a point.
+  //! an arc of a boundary: the sums of points of a part of a curve of the first operand and a part of one of the second
+  //! operand. One of these may be a point.
   struct Arc
   {
     std::array<std::size_t, 2> curves;                  ///< the indices of the curves
     std::array<std::array<double, 2>, 2> parameters;    ///< of each curve, where the arc begins and ends
   };
 
-  //! a boundary, with the region on its left. Where parts of the region touch in a point, they are apart: each boundary is one of the region near it, and may pass through a point twice. So a hole that touches the outer boundary is a part of this one, as in an arrangement.
+  //! a boundary, with the region on its left. Where parts of the region touch in a point, they are apart: each boundary
+  //! is one of the region near it, and may pass through a point twice. So a hole that touches the outer boundary is a
+  //! part of this one, as in an arrangement.
   struct Boundary
   {
     std::vector<Arc> arcs;   ///< in order; each begins where the one before ends
-    bool is_closed;          ///< whether the last arc ends where the first one begins; false only where something is not decided
+    /// whether the last arc ends where the first one begins; false only where something is not decided
+    bool is_closed;
     bool is_hole;            ///< whether it is clockwise, as is proved by bounds of the area
-    std::size_t outer;       ///< the index of the outer boundary of the same part of the sum, as is proved by winding numbers; if it is not known, no index
+    /// the index of the outer boundary of the same part of the sum, as is proved by winding numbers; if it is not
+    /// known, no index
+    std::size_t outer;
   };
 
 private:
@@ -69,7 +76,8 @@ private:
     internal::Minkowski_sum::Sum_boundary_2 boundary;
 
     Model(std::vector<internal::Regions::Boundary_loop_2> a, std::vector<internal::Regions::Boundary_loop_2> b)
-      : loops{std::move(a), std::move(b)}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
+      : loops{std::move(a), std::move(b)}, first(loops[0]), second(loops[1]), interior(first, second),
+        convolution(first, second, interior), boundary(convolution, interior)
     {}
   };
 
@@ -102,19 +110,24 @@ public:
   //! whether these are all, by proof.
   bool is_complete() const { return m_undecided.empty(); }
 
-  //! boxes outside of which the boundaries are proved. Within them there may be others, or an arc may be inside of the sum.
+  //! boxes outside of which the boundaries are proved. Within them there may be others, or an arc may be inside of the
+  //! sum.
   const std::vector<CGAL::Bbox_2>& undecided() const { return m_undecided; }
 
-  //! whether a point is inside of the sum; indeterminate on the boundary, and where it is not decided. This does not use the boundaries.
+  //! whether a point is inside of the sum; indeterminate on the boundary, and where it is not decided. This does not
+  //! use the boundaries.
   CGAL::Uncertain<bool> has_in_interior(const Point& point) const
   {
     const Upward_rounding_guard guard;
-    const auto enclosed = [](const auto& x) { return internal::Common::interval_of(internal::converted_number<Exact_rational>(x)); };
+    const auto enclosed = [](const auto& x) {
+      return internal::Common::interval_of(internal::converted_number<Exact_rational>(x));
+    };
     return m_model->interior.contains({enclosed(point.x()), enclosed(point.y())});
   }
 
   /*!
-  points along an arc of a boundary, so many that their chords are proved to be no farther from the arc than a given distance, and the arc from them. An arc is halved at most 20 times.
+  points along an arc of a boundary, so many that their chords are proved to be no farther from the arc than a given
+  distance, and the arc from them. An arc is halved at most 20 times.
   \param boundary the index of the boundary.
   \param arc the index of the arc there.
   \param error the distance; positive.
@@ -136,9 +149,11 @@ public:
   }
 
   /*!
-  polygons next to the sum, one for each part: the boundaries as polylines. Those that are not closed, or whose outer boundary is not known, are left out. Boundaries that touch themselves do so in a point
-  that is a vertex of the polygon twice, up to rounding.
-  \param error the error of the polylines, as of `polyline()`, up to rounding in vertices between arcs; positive. They do not meet otherwise if it is small enough.
+  polygons next to the sum, one for each part: the boundaries as polylines. Those that are not closed, or whose outer
+  boundary is not known, are left out. Boundaries that touch themselves do so in a point that is a vertex of the polygon
+  twice, up to rounding.
+  \param error the error of the polylines, as of `polyline()`, up to rounding in vertices between arcs; positive. They
+  do not meet otherwise if it is small enough.
   \throws Invalid_input when the error is not positive.
   */
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
@@ -162,7 +177,8 @@ private:
   std::pair<std::size_t, double> origin(const Section& section, std::size_t region, double t) const
   {
     const internal::Minkowski_sum::Convolution_piece_2& piece = m_model->boundary.piece(section);
-    return (region == 0 ? m_model->first : m_model->second).origin(piece.element(region).arc, piece.parameters(t)[region]);
+    return (region == 0 ? m_model->first : m_model->second)
+        .origin(piece.element(region).arc, piece.parameters(t)[region]);
   }
 
   Boundary boundary(const Chain& chain) const
@@ -199,7 +215,10 @@ private:
     double parameter;
     internal::Common::Interval_pair point, direction;
 
-    Double_point middle() const { return {point[0].inf() / 2 + point[0].sup() / 2, point[1].inf() / 2 + point[1].sup() / 2}; }
+    Double_point middle() const
+    {
+      return {point[0].inf() / 2 + point[0].sup() / 2, point[1].inf() / 2 + point[1].sup() / 2};
+    }
   };
 
   std::vector<Arc_point> samples_along(const Section& section, double error) const
@@ -207,24 +226,33 @@ private:
     constexpr internal::Common::Halvings halvings{2, 20};
     const internal::Minkowski_sum::Convolution_piece_2& piece = m_model->boundary.piece(section);
     const auto sample = [&](double t) { return Arc_point{t, piece({t, t}).point, piece.direction({t, t})}; };
-    const auto between = [&](const Arc_point& from, const Arc_point& to) { return sample(from.parameter / 2 + to.parameter / 2); };
-    const auto is_chord = [&](const Arc_point& from, const Arc_point&, const Arc_point& to) { return chord_error(piece, from, to) <= error; };
+    const auto between = [&](const Arc_point& from, const Arc_point& to) {
+      return sample(from.parameter / 2 + to.parameter / 2);
+    };
+    const auto is_chord = [&](const Arc_point& from, const Arc_point&, const Arc_point& to) {
+      return chord_error(piece, from, to) <= error;
+    };
     std::vector<Arc_point> result{sample(section.range.begin)};
     internal::Common::append_samples(result, sample(section.range.end), between, is_chord, halvings);
     return result;
   }
 
   /*
-  A bound of the distance between a chord and its part of an arc, either way. This turns to one side, by an angle a, so it is in a triangle of the chord and both tangents, with a height of at most tan(a / 2) times half of the chord.
-  Near an inflection it is a bound of the size of that part.
+  A bound of the distance between a chord and its part of an arc, either way. This turns to one side, by an angle a, so
+  it is in a triangle of the chord and both tangents, with a height of at most tan(a / 2) times half of the chord. Near
+  an inflection it is a bound of the size of that part.
   */
-  static double chord_error(const internal::Minkowski_sum::Convolution_piece_2& piece, const Arc_point& from, const Arc_point& to)
+  static double chord_error(const internal::Minkowski_sum::Convolution_piece_2& piece, const Arc_point& from,
+                            const Arc_point& to)
   {
     using internal::Common::operator-;
     if (!piece.is_convex())
       return internal::Minkowski_sum::diameter(piece({from.parameter, to.parameter}).point).sup();
-    const internal::Common::Interval half_chord = CGAL::sqrt(internal::Common::squared_norm(to.point - from.point)) / internal::Common::Interval(2);
-    return (half_chord * CGAL::abs(internal::Minkowski_sum::tangent_of_half_angle(from.direction, to.direction)) + internal::Minkowski_sum::diameter(from.point) + internal::Minkowski_sum::diameter(to.point)).sup();
+    const internal::Common::Interval half_chord =
+        CGAL::sqrt(internal::Common::squared_norm(to.point - from.point)) / internal::Common::Interval(2);
+    return (half_chord * CGAL::abs(internal::Minkowski_sum::tangent_of_half_angle(from.direction, to.direction)) +
+            internal::Minkowski_sum::diameter(from.point) + internal::Minkowski_sum::diameter(to.point))
+        .sup();
   }
 };
 

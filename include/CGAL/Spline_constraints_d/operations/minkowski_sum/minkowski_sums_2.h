@@ -13,22 +13,34 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the Minkowski sum of two regions, \f$A \oplus B = \{a + b : a \in A,\ b \in B\}\f$; with a disk, all points that are not farther from \f$A\f$ than its radius.
+the Minkowski sum of two regions, \f$A \oplus B = \{a + b : a \in A,\ b \in B\}\f$; with a disk, all points that are not
+farther from \f$A\f$ than its radius.
 
-Its boundary is a part of the convolution of both boundaries: the sums of points with the same outer normal, where a convex corner has all normals between those of the two curves that meet there. Sums in which the curvatures of both
-boundaries add up to less than zero are left out, and those of reflex corners, since there the regions overlap, \f$B\f$ reflected, next to their contact. What is left is cut at all crossings, and one point beside each of the parts, moved by very little from it, is proved to be inside of the sum, or not:
-it is if the boundaries of \f$A\f$ and of \f$B\f$, reflected in that point, cross, or one is inside of the other. Both regions may have holes and several parts.
+Its boundary is a part of the convolution of both boundaries: the sums of points with the same outer normal, where a
+convex corner has all normals between those of the two curves that meet there. Sums in which the curvatures of both
+boundaries add up to less than zero are left out, and those of reflex corners, since there the regions overlap, \f$B\f$
+reflected, next to their contact. What is left is cut at all crossings, and one point beside each of the parts, moved by
+very little from it, is proved to be inside of the sum, or not: it is if the boundaries of \f$A\f$ and of \f$B\f$,
+reflected in that point, cross, or one is inside of the other. Both regions may have holes and several parts.
 
-All is decided by interval arithmetic in double precision and, where this does not tell how pieces cross, where they end, or which sign the sum of both curvatures has, with 128 bits; and exactly for directions at the ends of curves and for rational points in which pieces touch, end in others or coincide; nothing depends on a tolerance. As many arcs of the boundary end in each vertex as begin there, so that some parts tell about others. Where pieces with opposite directions coincide, the sum is on both sides.
-Where that is not enough, `Minkowski_sum_2::is_complete()` is false: where parts of the boundary touch, or three cross, in a point that is not rational.
-What is not decided inside of the sum does not matter.
+All is decided by interval arithmetic in double precision and, where this does not tell how pieces cross, where they
+end, or which sign the sum of both curvatures has, with 128 bits; and exactly for directions at the ends of curves and
+for rational points in which pieces touch, end in others or coincide; nothing depends on a tolerance. As many arcs of
+the boundary end in each vertex as begin there, so that some parts tell about others. Where pieces with opposite
+directions coincide, the sum is on both sides. Where that is not enough, `Minkowski_sum_2::is_complete()` is false:
+where parts of the boundary touch, or three cross, in a point that is not rational. What is not decided inside of the
+sum does not matter.
 
 \tparam Kernel a `SplineKernel`.
 \param a the first region.
 \param b the second region.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, as where the first two control points of a cubic are the same, or a boundary turns back in a cusp; the message names the curve and the parameter.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
+\f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, as where the first two control
+points of a cubic are the same, or a boundary turns back in a cusp; the message names the curve and the parameter.
 
-Complexity: the product of the numbers of arcs for the convolution, crossings of each two of its pieces whose boxes meet, and for each of the parts the product of the numbers of arcs once more. Source: \cgalCite{kes-gcps-05}, equations (1) to (3), for the convolution of curves; \cgalCite{w-eecpms-06} for corners.
+Complexity: the product of the numbers of arcs for the convolution, crossings of each two of its pieces whose boxes
+meet, and for each of the parts the product of the numbers of arcs once more. Source: \cgalCite{kes-gcps-05}, equations
+(1) to (3), for the convolution of curves; \cgalCite{w-eecpms-06} for corners.
 */
 template <SplineKernel Kernel>
 Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)

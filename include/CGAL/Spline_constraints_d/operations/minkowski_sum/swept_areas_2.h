@@ -20,14 +20,16 @@ namespace Spline_constraints {
 namespace internal {
 namespace Minkowski_sum {
 
-// Both sides of a curve, as boundaries without anything between them: one that turns back at both ends, or two if the curve is closed.
+// Both sides of a curve, as boundaries without anything between them: one that turns back at both ends, or two if the
+// curve is closed.
 template <ParametricCurve_2 Curve>
 std::vector<Boundary_loop_2> both_sides(const Curve& curve)
 {
   std::vector<Boundary_piece> pieces = boundary_pieces(curve, 0);
   for (std::size_t i = 1; i < pieces.size(); ++i)
     if (pieces[i - 1].at(1) != pieces[i].at(0))
-      throw Invalid_input("swept_area: the curve has a jump at parameter " + internal::shortest_text(to_nearest_double(pieces[i].parameters[0])));
+      throw Invalid_input("swept_area: the curve has a jump at parameter " +
+                          internal::shortest_text(to_nearest_double(pieces[i].parameters[0])));
   const Boundary_loop_2 forward(pieces);
   Boundary_loop_2 backward(forward);
   backward.reverse();
@@ -43,15 +45,20 @@ std::vector<Boundary_loop_2> both_sides(const Curve& curve)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-what a region covers when it is moved along a curve, without being turned: the Minkowski sum of both, \f$A \oplus C = \{a + C(u)\}\f$. Move the region first if one of its points is to follow the curve.
+what a region covers when it is moved along a curve, without being turned: the Minkowski sum of both, \f$A \oplus C =
+\{a + C(u)\}\f$. Move the region first if one of its points is to follow the curve.
 
-It is computed and proved as `minkowski_sum()`, with the curve as a region without inner points: both of its sides are boundaries. The curve may be open or closed, have corners, and cross itself. For a disk there is `trimmed_offset()`, which decides more.
+It is computed and proved as `minkowski_sum()`, with the curve as a region without inner points: both of its sides are
+boundaries. The curve may be open or closed, have corners, and cross itself. For a disk there is `trimmed_offset()`,
+which decides more.
 
 \tparam Kernel a `SplineKernel`.
 \tparam Curve a model of `ParametricCurve_2` with the same kernel.
 \param region the region.
 \param path the curve. Its index in the arcs of the result is zero.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or has a jump; the message names the parameter.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
+\f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or
+has a jump; the message names the parameter.
 
 Complexity: as that of `minkowski_sum()`, with each arc of the curve counted twice.
 */
@@ -65,7 +72,9 @@ Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of areas.
+what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where
+this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of
+areas.
 
 \param curve the curve.
 \param path the other curve. The index of each is zero in the arcs of the result.

@@ -29,12 +29,19 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A bounded region of the plane, of one or more parts, with or without holes, whose boundaries are made of B-spline curves.
+A bounded region of the plane, of one or more parts, with or without holes, whose boundaries are made of B-spline
+curves.
 
-The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another one, with exactly the same end point. They must not cross; that is proved. A point belongs to the region if an odd number of boundaries go around it.
-Boundaries are simple, and in the direction that has the region on the left: outer ones counterclockwise, those of holes clockwise.
+The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another
+one, with exactly the same end point. They must not cross; that is proved. A point belongs to the region if an odd
+number of boundaries go around it. Boundaries are simple, and in the direction that has the region on the left: outer
+ones counterclockwise, those of holes clockwise.
 
-Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on none. They are no part of the boundaries. So are parts of pieces, as where one room has a part of a wall in common with another one, if they begin and end at rational parameters, and both curves run through them at proportional speeds.
+Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch
+in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that
+are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on
+none. They are no part of the boundaries. So are parts of pieces, as where one room has a part of a wall in common with
+another one, if they begin and end at rational parameters, and both curves run through them at proportional speeds.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -51,7 +58,8 @@ public:
   {
     std::size_t curve;                          ///< its index
     bool is_reversed;                           ///< whether the boundary runs along it backwards
-    std::array<Exact_rational, 2> parameters;   ///< of the curve, where the part begins and ends, in increasing order: its domain, if it is not cut
+    /// of the curve, where the part begins and ends, in increasing order: its domain, if it is not cut
+    std::array<Exact_rational, 2> parameters;
   };
 
   //! a closed boundary.
@@ -74,23 +82,29 @@ public:
   the region between these curves.
   \param curves the curves.
   \param options those of the solver that looks for common points.
-  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide other than as above; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
-  message names the curves and the parameters.
+  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the
+  same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces
+  coincide other than as above; or it is not proved that none of this is so: where curves meet in a point that is not
+  rational, or turn back in a cusp. The message names the curves and the parameters.
   */
   template <std::ranges::input_range Range>
     requires std::convertible_to<std::ranges::range_value_t<Range>, Bspline_curve_2<Kernel_>>
-  explicit Planar_region_2(const Range& curves, const Solver_options& options = {}) : m_curves(std::ranges::begin(curves), std::ranges::end(curves))
-  {
-    if (m_curves.empty())
-      throw Invalid_input("Planar_region_2: there are no curves");
-    std::vector<std::vector<internal::Regions::Boundary_piece>> pieces;
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-      pieces.push_back(internal::Regions::boundary_pieces(m_curves[i], i));
-      for (const internal::Regions::Boundary_piece& piece : pieces.back())
-        internal::Common::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i, "Planar_region_2: ");
-    }
-    make_boundaries(internal::Regions::Simple_rings_2(std::move(pieces), options));
-    internal::Regions::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) { return m_loops[i].winding_number(m_loops[k].inner_point()) != 0; });
+    explicit Planar_region_2(const Range& curves, const Solver_options& options = {})
+      : m_curves(std::ranges::begin(curves), std::ranges::end(curves))
+    {
+      if (m_curves.empty())
+        throw Invalid_input("Planar_region_2: there are no curves");
+      std::vector<std::vector<internal::Regions::Boundary_piece>> pieces;
+      for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        pieces.push_back(internal::Regions::boundary_pieces(m_curves[i], i));
+        for (const internal::Regions::Boundary_piece& piece : pieces.back())
+          internal::Common::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i,
+                                              "Planar_region_2: ");
+      }
+      make_boundaries(internal::Regions::Simple_rings_2(std::move(pieces), options));
+      internal::Regions::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) {
+        return m_loops[i].winding_number(m_loops[k].inner_point()) != 0;
+      });
   }
 
   //! the curves, as they were given.
@@ -103,12 +117,17 @@ public:
   bool has_touching_boundaries() const { return m_has_touching_boundaries; }
 
   //! the number of boundaries of holes.
-  std::size_t number_of_holes() const { return std::count_if(m_boundaries.begin(), m_boundaries.end(), [](const Boundary& boundary) { return boundary.is_hole; }); }
+  std::size_t number_of_holes() const
+  {
+    return std::count_if(m_boundaries.begin(), m_boundaries.end(),
+                         [](const Boundary& boundary) { return boundary.is_hole; });
+  }
 
   //! where a point is; decided exactly.
   CGAL::Bounded_side bounded_side(const Point& point) const
   {
-    return bounded_side(internal::Exact_pair{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+    return bounded_side(internal::Exact_pair{internal::converted_number<Exact_rational>(point.x()),
+                                             internal::converted_number<Exact_rational>(point.y())});
   }
 
 #ifndef DOXYGEN_RUNNING
@@ -117,7 +136,8 @@ public:
     constexpr int halvings = 24;
     int turns = 0;
     for (const internal::Regions::Boundary_loop_2& loop : m_loops) {
-      if (loop.may_contain(p, halvings) && !intersections(internal::Exact_kernel::Point_2(p[0], p[1]), loop.curve()).empty())
+      if (loop.may_contain(p, halvings) &&
+          !intersections(internal::Exact_kernel::Point_2(p[0], p[1]), loop.curve()).empty())
         return CGAL::ON_BOUNDARY;
       turns += loop.winding_number(p);
     }
@@ -141,7 +161,8 @@ public:
   }
 
   /*!
-  the region as polygons, one for each part, with chords of the curves as edges: if the error is small enough for these not to meet elsewhere, the polygons are simple. Ends of polynomial pieces are corners of the polygons.
+  the region as polygons, one for each part, with chords of the curves as edges: if the error is small enough for these
+  not to meet elsewhere, the polygons are simple. Ends of polynomial pieces are corners of the polygons.
   \param error the distance of curves from their chords, at most, up to rounding of the corners; positive.
   \throws Invalid_input when the error is not positive.
   */

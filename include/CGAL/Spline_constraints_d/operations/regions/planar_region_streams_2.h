@@ -19,7 +19,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-writes a region: the number of its curves, and the curves in their order, as `operator<<` of curves does, one in a line; so nothing is rounded.
+writes a region: the number of its curves, and the curves in their order, as `operator<<` of curves does, one in a line;
+so nothing is rounded.
 */
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Planar_region_2<Kernel>& region)
@@ -33,7 +34,8 @@ std::ostream& operator<<(std::ostream& out, const Planar_region_2<Kernel>& regio
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-reads a region that was written in this way: the same curves, with the same boundaries. It is proved again that these are closed and do not cross. If they do, or there is no valid region, the stream fails and the region remains as it was.
+reads a region that was written in this way: the same curves, with the same boundaries. It is proved again that these
+are closed and do not cross. If they do, or there is no valid region, the stream fails and the region remains as it was.
 */
 template <SplineKernel Kernel>
 std::istream& operator>>(std::istream& in, Planar_region_2<Kernel>& region)

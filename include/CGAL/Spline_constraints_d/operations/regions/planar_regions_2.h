@@ -71,10 +71,12 @@ int exact_orientation(const CGAL::Polygon_2<Kernel, Container>& polygon)
 
 // Whether a region is inside of one of its curves, a polygon, or outside, is told by the directions of its arcs.
 template <SplineKernel Kernel, class Container>
-bool is_inside_of(const Planar_region_2<Kernel>& region, std::size_t curve, const CGAL::Polygon_2<Kernel, Container>& polygon)
+bool is_inside_of(const Planar_region_2<Kernel>& region, std::size_t curve,
+                  const CGAL::Polygon_2<Kernel, Container>& polygon)
 {
   const bool is_clockwise = exact_orientation(polygon) < 0;
-  return std::ranges::any_of(region.arcs_of_curves()[curve], [&](const auto& arc) { return arc.is_reversed == is_clockwise; });
+  return std::ranges::any_of(region.arcs_of_curves()[curve],
+                             [&](const auto& arc) { return arc.is_reversed == is_clockwise; });
 }
 
 } // namespace Regions
@@ -82,7 +84,8 @@ bool is_inside_of(const Planar_region_2<Kernel>& region, std::size_t curve, cons
 #endif
 
 //! the region inside a polygon with holes; its curves are the outer boundary and those of the holes.
-//! \throws Invalid_input when the polygon is unbounded, boundaries are empty or cross, or a hole is not inside of the outer boundary, or is inside of another one; the message has its index.
+//! \throws Invalid_input when the polygon is unbounded, boundaries are empty or cross, or a hole is not inside of the
+//! outer boundary, or is inside of another one; the message has its index.
 template <SplineKernel Kernel, class Container>
 Planar_region_2<Kernel> planar_region(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon)
 {
@@ -92,7 +95,8 @@ Planar_region_2<Kernel> planar_region(const CGAL::Polygon_with_holes_2<Kernel, C
   std::size_t hole = 0;
   for (auto boundary = polygon.holes_begin(); boundary != polygon.holes_end(); ++boundary, ++hole)
     if (internal::Regions::is_inside_of(result, hole + 1, *boundary))
-      throw Invalid_input("planar_region: hole " + std::to_string(hole) + " is outside of the outer boundary, or inside of another hole");
+      throw Invalid_input("planar_region: hole " + std::to_string(hole) +
+                          " is outside of the outer boundary, or inside of another hole");
   return result;
 }
 

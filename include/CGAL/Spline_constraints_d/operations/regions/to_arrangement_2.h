@@ -26,7 +26,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, from its point `chord` to the next one. The parameters there are those of the samples that the polyline was made of.
+What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, from its point `chord` to the next one.
+The parameters there are those of the samples that the polyline was made of.
 */
 struct Chord_label
 {
@@ -63,7 +64,8 @@ Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polyline
     for (const Point& p : polylines[c]) {
       const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
       if (!(std::abs(x) <= most_magnitude && std::abs(y) <= most_magnitude))   // sweeps fail with much greater ones
-        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not between -2^250 and 2^250");
+        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) +
+                            " is not between -2^250 and 2^250");
       points.emplace_back(x, y);
     }
     bool is_single = true;
@@ -90,11 +92,14 @@ Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polyline
 
 the arrangement of polylines in the plane: of bisectors, envelopes, contour lines, and others that operations return.
 
-The arrangement of the polylines is exact. That of the curves it resembles as far as the polylines do: curves that pass each other more closely than chords pass the curves may cross there, and two that touch need not.
+The arrangement of the polylines is exact. That of the curves it resembles as far as the polylines do: curves that pass
+each other more closely than chords pass the curves may cross there, and two that touch need not.
 
-\param polylines points in order; a closed curve begins and ends with the same one. Equal points, as in common ends, become one vertex. A polyline of one point becomes an isolated vertex, if no other one passes there.
+\param polylines points in order; a closed curve begins and ends with the same one. Equal points, as in common ends,
+become one vertex. A polyline of one point becomes an isolated vertex, if no other one passes there.
 \tparam Point `CGAL::Point_2` of any kernel whose coordinates convert to double; they are rounded to doubles.
-\throws Invalid_input when the absolute value of a coordinate is not \f$2^{250}\f$ at most (the message names the polyline).
+\throws Invalid_input when the absolute value of a coordinate is not \f$2^{250}\f$ at most (the message names the
+polyline).
 
 Complexity: that of a sweep, \f$O((n+k) \log n)\f$ for \f$n\f$ chords with \f$k\f$ crossings.
 */
@@ -117,7 +122,8 @@ struct Solution_arrangement_2
   //! the polylines, in the order of the curves; behind them isolated solutions, as single points.
   std::vector<std::vector<CGAL::Exact_predicates_exact_constructions_kernel::Point_2>> polylines;
 
-  //! whether chords meet in their ends only: if not, points so close to each other have been rounded that the faces may be wrong.
+  //! whether chords meet in their ends only: if not, points so close to each other have been rounded that the faces may
+  //! be wrong.
   bool is_crossing_free;
 };
 
@@ -148,15 +154,20 @@ the arrangement of all curves of solutions of an equation in two unknowns.
 
 Branches that meet in a singular point end in the same vertex, isolated solutions are isolated vertices.
 
-Faces are those of the curves, however coarse the chords are. For the chords of a piece lie in its box: two pieces in one box belong to different ranges of the parameter, and other boxes have no inner point in common with it. So chords do not cross, and within each box they join the same points of its
-boundary as the curves do. Coordinates are rounded to doubles; whether that has made chords meet is decided exactly. Boxes where nothing is proved, `Curve_solution_set_d::undecided()`, leave gaps.
+Faces are those of the curves, however coarse the chords are. For the chords of a piece lie in its box: two pieces in
+one box belong to different ranges of the parameter, and other boxes have no inner point in common with it. So chords do
+not cross, and within each box they join the same points of its boundary as the curves do. Coordinates are rounded to
+doubles; whether that has made chords meet is decided exactly. Boxes where nothing is proved,
+`Curve_solution_set_d::undecided()`, leave gaps.
 
 \param system the system that was solved.
 \param set its solutions.
 \param error the distance between a curve and its chords, see `to_polyline()`; positive.
-\throws Invalid_input when there are not two unknowns, the error is not positive, or a coordinate is too great, as above.
+\throws Invalid_input when there are not two unknowns, the error is not positive, or a coordinate is too great, as
+above.
 */
-inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set, double error)
+inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set,
+                                             double error)
 {
   if (system.dimension() != 2)
     throw Invalid_input("to_arrangement: " + std::to_string(system.dimension()) + " unknowns instead of two");

@@ -42,7 +42,8 @@ private:
   double m_error;
 
 public:
-  // The first vertex of a run, and one in the middle, if it is an arc; the run ends with the first vertex of the next one.
+  // The first vertex of a run, and one in the middle, if it is an arc; the run ends with the first vertex of the next
+  // one.
   struct Run
   {
     std::size_t begin;
@@ -75,7 +76,9 @@ private:
   std::size_t farthest(std::size_t begin, const Is_possible& is_possible) const
   {
     std::size_t length = 1, step = 1;
-    const auto is_end = [&](std::size_t steps) { return begin + steps <= m_points.size() && is_possible(begin + steps); };
+    const auto is_end = [&](std::size_t steps) {
+      return begin + steps <= m_points.size() && is_possible(begin + steps);
+    };
     while (is_end(length + step)) {
       length += step;
       step *= 2;
@@ -102,12 +105,15 @@ private:
     return length > 0;
   }
 
-  // Whether the edges in between are near the arc of a circle through the ends and the vertex in the middle, which is less than half a circle: their ends are near it, in order, and the rest is not farther than that and the height of the arc over an edge.
+  // Whether the edges in between are near the arc of a circle through the ends and the vertex in the middle, which is
+  // less than half a circle: their ends are near it, in order, and the rest is not farther than that and the height of
+  // the arc over an edge.
   bool is_round(std::size_t begin, std::size_t end) const
   {
     const Point &p = point(begin), &m = point(middle(begin, end)), &q = point(end);
     const Point a{m[0] - p[0], m[1] - p[1]}, b{q[0] - m[0], q[1] - m[1]};
-    const double turn = a[0] * b[1] - a[1] * b[0], a2 = a[0] * a[0] + a[1] * a[1], c2 = (a[0] + b[0]) * (a[0] + b[0]) + (a[1] + b[1]) * (a[1] + b[1]);
+    const double turn = a[0] * b[1] - a[1] * b[0], a2 = a[0] * a[0] + a[1] * a[1],
+                 c2 = (a[0] + b[0]) * (a[0] + b[0]) + (a[1] + b[1]) * (a[1] + b[1]);
     if (turn == 0 || !(a[0] * b[0] + a[1] * b[1] > 0))
       return false;
     const Point c{a[0] + b[0], a[1] + b[1]};
@@ -116,10 +122,12 @@ private:
     const double radius = std::hypot(to_center[0], to_center[1]);
     double off = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const Point r{point(i)[0] - center[0], point(i)[1] - center[1]}, s{point(i + 1)[0] - center[0], point(i + 1)[1] - center[1]};
+      const Point r{point(i)[0] - center[0], point(i)[1] - center[1]},
+          s{point(i + 1)[0] - center[0], point(i + 1)[1] - center[1]};
       const double next = std::abs(std::hypot(s[0], s[1]) - radius), half = distance(r, s) / 2;
       const bool is_in_order = (r[0] * s[1] - r[1] * s[0] > 0) == (turn > 0);
-      if (!(is_in_order && half < radius && (std::max)(off, next) + half * half / radius <= m_error))   // the height is at most that
+      // the height is at most that
+      if (!(is_in_order && half < radius && (std::max)(off, next) + half * half / radius <= m_error))
         return false;
       off = next;
     }
@@ -145,19 +153,24 @@ typename Traits::Polygon_2 circular_polygon(const CGAL::Polygon_2<Kernel>& polyg
     points.pop_back();
   if (points.size() < 2)
     return {};
-  const auto point = [&](std::size_t i) { return Rational_point(points[i % points.size()][0], points[i % points.size()][1]); };
+  const auto point = [&](std::size_t i) {
+    return Rational_point(points[i % points.size()][0], points[i % points.size()][1]);
+  };
   std::vector<Arc> arcs;
   const auto runs = Circular_runs(points, error)();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rational_point begin = point(runs[i].begin), end = point(runs[(i + 1) % runs.size()].begin);
     const Curve curve = runs[i].middle ? Curve(begin, point(*runs[i].middle), end) : Curve(begin, end);
-    traits.make_x_monotone_2_object()(curve, CGAL::dispatch_output<typename Traits::Point_2, Arc>(CGAL::Emptyset_iterator(), std::back_inserter(arcs)));
+    traits.make_x_monotone_2_object()(
+        curve,
+        CGAL::dispatch_output<typename Traits::Point_2, Arc>(CGAL::Emptyset_iterator(), std::back_inserter(arcs)));
   }
   return {arcs.begin(), arcs.end()};
 }
 
 template <class Region, class Traits>
-std::vector<typename Traits::Polygon_with_holes_2> circular_polygons(const Region& region, double error, const Traits& traits)
+std::vector<typename Traits::Polygon_with_holes_2> circular_polygons(const Region& region, double error,
+                                                                     const Traits& traits)
 {
   std::vector<typename Traits::Polygon_with_holes_2> result;
   for (const auto& polygon : region.polygons_with_holes(error / 3)) {
@@ -169,7 +182,8 @@ std::vector<typename Traits::Polygon_with_holes_2> circular_polygons(const Regio
   return result;
 }
 
-// The arcs of general polygons in one arrangement, decided exactly: whether they meet in their ends only, and have a region on the left of all, and none on the right.
+// The arcs of general polygons in one arrangement, decided exactly: whether they meet in their ends only, and have a
+// region on the left of all, and none on the right.
 template <class Traits>
 class Arcs_around_a_region
 {
@@ -182,7 +196,8 @@ class Arcs_around_a_region
   bool m_is_any_boundary_empty = false;
 
 public:
-  Arcs_around_a_region(const std::vector<typename Traits::Polygon_with_holes_2>& polygons, const Traits& traits) : m_traits(traits)
+  Arcs_around_a_region(const std::vector<typename Traits::Polygon_with_holes_2>& polygons, const Traits& traits)
+    : m_traits(traits)
   {
     for (const auto& polygon : polygons) {
       add(polygon.outer_boundary());
@@ -215,7 +230,8 @@ private:
     m_is_any_boundary_empty = m_is_any_boundary_empty || boundary.is_empty();
     for (auto arc = boundary.curves_begin(); arc != boundary.curves_end(); ++arc) {
       m_arcs.emplace_back(*arc, typename Labelled_traits::Data_container(m_directions.size()));
-      m_directions.push_back(m_traits.compare_endpoints_xy_2_object()(*arc) == CGAL::SMALLER ? CGAL::ARR_LEFT_TO_RIGHT : CGAL::ARR_RIGHT_TO_LEFT);
+      m_directions.push_back(m_traits.compare_endpoints_xy_2_object()(*arc) == CGAL::SMALLER ? CGAL::ARR_LEFT_TO_RIGHT
+                                                                                             : CGAL::ARR_RIGHT_TO_LEFT);
     }
   }
 };
@@ -234,22 +250,30 @@ concept Approximable_region_2 = requires(const Region& region) {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-a region, an offset, a Minkowski sum or a swept area as general polygons with holes of CGAL, whose edges are segments and arcs of circles, for its Boolean operations and arrangements.
+a region, an offset, a Minkowski sum or a swept area as general polygons with holes of CGAL, whose edges are segments
+and arcs of circles, for its Boolean operations and arrangements.
 
-The result is that of `polygons_with_holes()` with a third of the error, in which each run of chords is replaced by one segment or arc through its ends, and a point between them, that is as long as the rest of the error allows. So edges that are straight or round are one edge, or a few, and others have less arcs than chords. Edges begin and end in the same points exactly: doubles.
+The result is that of `polygons_with_holes()` with a third of the error, in which each run of chords is replaced by one
+segment or arc through its ends, and a point between them, that is as long as the rest of the error allows. So edges
+that are straight or round are one edge, or a few, and others have less arcs than chords. Edges begin and end in the
+same points exactly: doubles.
 
-Edges meet in common ends only, and the polygons have disjoint interiors. That is decided exactly; if it is not so, the error is halved, up to eight times. Where boundaries touch with a common tangent, as those of a disk and a round hole do, no error may be small enough: then the region is refused.
+Edges meet in common ends only, and the polygons have disjoint interiors. That is decided exactly; if it is not so, the
+error is halved, up to eight times. Where boundaries touch with a common tangent, as those of a disk and a round hole
+do, no error may be small enough: then the region is refused.
 
 \tparam Traits `Gps_circle_segment_traits_2` over a kernel with exact numbers.
 \param region the region; where it is not complete, what has no closed boundary is left out, as from polygons.
 \param error edges are not farther than that from the boundaries, and these from them, up to rounding; positive.
 \param traits the traits class.
-\throws Invalid_input when the error is not positive, the absolute value of a coordinate is greater than \f$2^{250}\f$, or edges meet elsewhere with all of these errors.
+\throws Invalid_input when the error is not positive, the absolute value of a coordinate is greater than \f$2^{250}\f$,
+or edges meet elsewhere with all of these errors.
 
 Complexity: for each error that is tried, \f$O(n \log n)\f$ for \f$n\f$ chords, and a sweep over the arcs.
 */
 template <class Traits, Approximable_region_2 Region>
-std::vector<typename Traits::Polygon_with_holes_2> to_circular_polygons(const Region& region, double error, const Traits& traits = Traits())
+std::vector<typename Traits::Polygon_with_holes_2> to_circular_polygons(const Region& region, double error,
+                                                                        const Traits& traits = Traits())
 {
   internal::check_error(error, "to_circular_polygons");
   constexpr int most_refinements = 8;
@@ -258,7 +282,8 @@ std::vector<typename Traits::Polygon_with_holes_2> to_circular_polygons(const Re
     if (internal::Regions::Arcs_around_a_region<Traits>(result, traits)())
       return result;
   }
-  throw Invalid_input("to_circular_polygons: edges meet elsewhere than in common ends, also if the error is " + std::to_string(1 << most_refinements) + " times less");
+  throw Invalid_input("to_circular_polygons: edges meet elsewhere than in common ends, also if the error is " +
+                      std::to_string(1 << most_refinements) + " times less");
 }
 
 } // namespace Spline_constraints

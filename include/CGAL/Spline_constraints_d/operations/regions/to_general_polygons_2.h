@@ -21,36 +21,46 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-a region as general polygons with holes of CGAL, one for each part, whose arcs are exactly those of the region: for its Boolean operations, and for arrangements.
+a region as general polygons with holes of CGAL, one for each part, whose arcs are exactly those of the region: for its
+Boolean operations, and for arrangements.
 
-Circles and segments are curves of `Gps_circle_segment_traits_2`, polynomial curves those of `Gps_traits_2<Arr_Bezier_curve_traits_2>`:
+Circles and segments are curves of `Gps_circle_segment_traits_2`, polynomial curves those of
+`Gps_traits_2<Arr_Bezier_curve_traits_2>`:
 
 \code
-auto polygons = to_general_polygons<Traits>(region, [](const auto& piece) { return to_circle_segment_traits_curves<Traits::Curve_2>(piece); });
-auto polygons = to_general_polygons<Traits>(region, [](const auto& piece) { return to_bezier_traits_curves<Traits::Curve_2>(piece); });
+auto polygons = to_general_polygons<Traits>(region, [](const auto& piece) { return
+to_circle_segment_traits_curves<Traits::Curve_2>(piece); }); auto polygons = to_general_polygons<Traits>(region,
+[](const auto& piece) { return to_bezier_traits_curves<Traits::Curve_2>(piece); });
 \endcode
 
 \tparam Traits a model of `GeneralPolygonSetTraits_2` whose polygons are made of a range of arcs.
 \param region the region.
-\param curves_of what makes a `std::optional` range of `Traits::Curve_2` of a curve, a model of `ParametricCurve_2` of one polynomial or rational piece, in the direction of that; nothing, if it is no such curve.
+\param curves_of what makes a `std::optional` range of `Traits::Curve_2` of a curve, a model of `ParametricCurve_2` of
+one polynomial or rational piece, in the direction of that; nothing, if it is no such curve.
 \param traits the traits class.
 \throws Invalid_input when a piece is no curve of the traits class; the message names the curve.
 */
 template <class Traits, SplineKernel Kernel, class Curves_of>
-std::vector<typename Traits::Polygon_with_holes_2> to_general_polygons(const Planar_region_2<Kernel>& region, const Curves_of& curves_of, const Traits& traits = Traits())
+std::vector<typename Traits::Polygon_with_holes_2>
+to_general_polygons(const Planar_region_2<Kernel>& region, const Curves_of& curves_of, const Traits& traits = Traits())
 {
   using Arc = typename Traits::X_monotone_curve_2;
-  return internal::Regions::polygons_of_parts<typename Traits::Polygon_with_holes_2>(region.boundaries(), [&](std::size_t boundary) {
-    std::vector<Arc> arcs;
-    for (const internal::Regions::Boundary_piece& piece : region.loops()[boundary].pieces()) {
-      const auto curves = curves_of(internal::Regions::Boundary_loop_2({piece}).curve());
-      if (!curves)
-        throw Invalid_input("to_general_polygons: curve " + std::to_string(piece.curve) + " is no curve of the traits class next to the parameter " + internal::shortest_text(to_nearest_double(piece.parameters[0])));
-      for (const auto& curve : *curves)
-        traits.make_x_monotone_2_object()(curve, CGAL::dispatch_output<typename Traits::Point_2, Arc>(CGAL::Emptyset_iterator(), std::back_inserter(arcs)));
-    }
-    return typename Traits::Polygon_2(arcs.begin(), arcs.end());
-  });
+  return internal::Regions::polygons_of_parts<typename Traits::Polygon_with_holes_2>(
+      region.boundaries(), [&](std::size_t boundary) {
+        std::vector<Arc> arcs;
+        for (const internal::Regions::Boundary_piece& piece : region.loops()[boundary].pieces()) {
+          const auto curves = curves_of(internal::Regions::Boundary_loop_2({piece}).curve());
+          if (!curves)
+            throw Invalid_input("to_general_polygons: curve " + std::to_string(piece.curve) +
+                                " is no curve of the traits class next to the parameter " +
+                                internal::shortest_text(to_nearest_double(piece.parameters[0])));
+          for (const auto& curve : *curves)
+            traits.make_x_monotone_2_object()(curve,
+                                              CGAL::dispatch_output<typename Traits::Point_2, Arc>(
+                                                  CGAL::Emptyset_iterator(), std::back_inserter(arcs)));
+        }
+        return typename Traits::Polygon_2(arcs.begin(), arcs.end());
+      });
 }
 
 } // namespace Spline_constraints

@@ -25,7 +25,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Surface_curves {
 
-// What makes curves go on where the domain of a system ends: unknowns whose two ends are a seam, and faces that are one point in space.
+// What makes curves go on where the domain of a system ends: unknowns whose two ends are a seam, and faces that are one
+// point in space.
 struct Domain_joints
 {
   std::vector<std::size_t> closed_unknowns;
@@ -53,10 +54,12 @@ struct Surface_curve_sample
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-Curves on a surface: its silhouettes, for example. They are the solutions of equations whose first two unknowns are the parameters of the surface, with a proved topology.
+Curves on a surface: its silhouettes, for example. They are the solutions of equations whose first two unknowns are the
+parameters of the surface, with a proved topology.
 
-The domain is cut into parts where an equation jumps: along creases of the surface, as a rule. A curve ends where one of the parameters is at the end of a part, and in singular points. It goes on across the seam of a
-surface that is smooth there, and through a pole, an edge that is one point, if no other curves end in it.
+The domain is cut into parts where an equation jumps: along creases of the surface, as a rule. A curve ends where one of
+the parameters is at the end of a part, and in singular points. It goes on across the seam of a surface that is smooth
+there, and through a pole, an edge that is one point, if no other curves end in it.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -93,14 +96,18 @@ public:
   explicit Surface_curves_3(Point_of_unknowns point) : m_point(std::move(point)) {}
 
   // The curves of a part, and lines where a factor vanishes that the system does not have.
-  void add(Constraint_system_d system, Curve_solution_set_d solutions, const internal::Surface_curves::Domain_joints& joints_of_domain, const std::vector<Surface_curve>& lines = {})
+  void add(Constraint_system_d system, Curve_solution_set_d solutions,
+           const internal::Surface_curves::Domain_joints& joints_of_domain,
+           const std::vector<Surface_curve>& lines = {})
   {
     const std::size_t index = m_parts.size();
     m_parts.push_back({std::move(system), std::move(solutions)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
-    const internal::Intersections::Seam_joints joints(m_parts.back().system, set, joints_of_domain.closed_unknowns, joints_of_domain.poles);
+    const internal::Intersections::Seam_joints joints(m_parts.back().system, set, joints_of_domain.closed_unknowns,
+                                                      joints_of_domain.poles);
     for (Intersection_curve& curve : joints.curves()) {
-      const int multiplicity = internal::Common::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) { return set.curves()[arc.index].multiplicity(); });
+      const int multiplicity = internal::Common::common_multiplicity(
+          curve.arcs, [&](const Intersection_arc& arc) { return set.curves()[arc.index].multiplicity(); });
       m_curves.push_back({index, std::move(curve.arcs), curve.is_closed, {}, multiplicity});
     }
     for (const std::size_t i : joints.points())
@@ -123,12 +130,17 @@ public:
     }
   }
 
-  // A face of the last part that is one point in space and a solution: reported if no curve ends there. It is an isolated solution, unless the face is on the edge of a surface.
+  // A face of the last part that is one point in space and a solution: reported if no curve ends there. It is an
+  // isolated solution, unless the face is on the edge of a surface.
   void add_pole(const Constant_parameter& pole, bool is_on_edge)
   {
     const Part& part = m_parts.back();
-    const auto is_there = [&](std::size_t i) { return part.solutions.vertices()[i].box[static_cast<std::size_t>(pole.axis)] == std::pair(pole.value, pole.value); };
-    const auto ends_there = [&](const Curve& curve) { return curve.part + 1 == m_parts.size() && curve.line && curve.line->axis != pole.axis; };
+    const auto is_there = [&](std::size_t i) {
+      return part.solutions.vertices()[i].box[static_cast<std::size_t>(pole.axis)] == std::pair(pole.value, pole.value);
+    };
+    const auto ends_there = [&](const Curve& curve) {
+      return curve.part + 1 == m_parts.size() && curve.line && curve.line->axis != pole.axis;
+    };
     if (std::any_of(m_curves.begin(), m_curves.end(), ends_there))
       return;
     for (const Solution_curve& curve : part.solutions.curves())
@@ -157,7 +169,8 @@ public:
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
-  //! where curves cross, and isolated solutions, in the domain of the unknowns. Where a curve with a `Surface_curve::line` meets others, none of them ends.
+  //! where curves cross, and isolated solutions, in the domain of the unknowns. Where a curve with a
+  //! `Surface_curve::line` meets others, none of them ends.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
 
   //! solutions on the edge of a part without others near them.
@@ -176,11 +189,15 @@ public:
   const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! the point where the unknowns have these values; values outside of the domain are moved to its boundary.
-  Point point(const std::vector<double>& unknowns) const { return internal::kernel_object<Kernel, Point>(m_point(unknowns)); }
+  Point point(const std::vector<double>& unknowns) const
+  {
+    return internal::kernel_object<Kernel, Point>(m_point(unknowns));
+  }
 
   /*!
-  points along a curve, so many that it passes the middles of their chords at no more than a given distance; a point on a seam comes twice, with the parameters on both sides, and so does a pole. A closed curve begins and
-  ends in the same point.
+  points along a curve, so many that it passes the middles of their chords at no more than a given distance; a point on
+  a seam comes twice, with the parameters on both sides, and so does a pole. A closed curve begins and ends in the same
+  point.
   \param curve one of the curves.
   \param error the distance in space; positive.
   \throws Invalid_input when the distance is not positive.
@@ -189,7 +206,9 @@ public:
   {
     internal::check_error(error, "Surface_curves_3");
     const Part& part = m_parts[curve.part];
-    const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) { return internal::distance_from_middle(from.image, sample.image, to.image) <= error; };
+    const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
+      return internal::distance_from_middle(from.image, sample.image, to.image) <= error;
+    };
     std::vector<Sample> result;
     const auto append = [&](const auto& samples) {
       for (const auto& [unknowns, image] : samples)
@@ -198,7 +217,8 @@ public:
     if (curve.line)
       append(line_samples(part.system, *curve.line, is_chord));
     for (const Intersection_arc& arc : curve.arcs) {
-      auto samples = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], m_point, is_chord);
+      auto samples =
+          internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], m_point, is_chord);
       if (arc.is_reversed)
         std::reverse(samples.begin(), samples.end());
       append(samples);
@@ -210,13 +230,15 @@ public:
 
 private:
   // Each point once, though a seam has two sides.
-  void add_solutions_on(const Constant_parameter& line, const Curve_solution_set_d& set, const internal::Intersections::Seam_joints& joints)
+  void add_solutions_on(const Constant_parameter& line, const Curve_solution_set_d& set,
+                        const internal::Intersections::Seam_joints& joints)
   {
     std::vector<std::size_t> known;
     for (std::size_t i = 0; i < set.vertices().size(); ++i) {
       const Curve_vertex& vertex = set.vertices()[i];
       const auto& [lower, upper] = vertex.box[static_cast<std::size_t>(line.axis)];
-      if (lower != line.value || upper != line.value || std::find(known.begin(), known.end(), joints.representative(i)) != known.end())
+      if (lower != line.value || upper != line.value ||
+          std::find(known.begin(), known.end(), joints.representative(i)) != known.end())
         continue;
       known.push_back(joints.representative(i));
       m_singular_points.push_back(vertex);
@@ -236,13 +258,16 @@ private:
   {
     constexpr int pieces = 16;
     const auto axis = static_cast<std::size_t>(1 - line.axis);
-    const double first = CGAL::to_double(system.domain(1 - line.axis).first), last = CGAL::to_double(system.domain(1 - line.axis).second);
+    const double first = CGAL::to_double(system.domain(1 - line.axis).first),
+                 last = CGAL::to_double(system.domain(1 - line.axis).second);
     const auto at = [&](double t) {
       std::vector<double> unknowns(2, CGAL::to_double(line.value));
       unknowns[axis] = t;
       return internal::Curve_sample<decltype(m_point(unknowns))>{unknowns, m_point(unknowns)};
     };
-    const auto between = [&](const auto& from, const auto& to) { return at(from.unknowns[axis] / 2 + to.unknowns[axis] / 2); };
+    const auto between = [&](const auto& from, const auto& to) {
+      return at(from.unknowns[axis] / 2 + to.unknowns[axis] / 2);
+    };
     std::vector result{at(first)};
     for (int i = 1; i <= pieces; ++i)
       internal::Common::append_samples(result, at(first + (last - first) * i / pieces), between, is_chord, {0, 48});
@@ -253,7 +278,10 @@ private:
 //! \ingroup PkgSplineConstraintsDOperations
 //! writes one line: the numbers of curves, singular points and undecided regions.
 template <SplineKernel Kernel>
-std::ostream& operator<<(std::ostream& out, const Surface_curves_3<Kernel>& curves) { return internal::write_counts(out, curves); }
+std::ostream& operator<<(std::ostream& out, const Surface_curves_3<Kernel>& curves)
+{
+  return internal::write_counts(out, curves);
+}
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -34,7 +34,12 @@ namespace internal {
 namespace Surface_curves {
 
 template <class T>
-concept Surface_locus = requires(const T& operand) { to_locus(operand); } && decltype(to_locus(std::declval<const T&>()))::dimension == 3 && decltype(to_locus(std::declval<const T&>()))::codimension == 1;
+concept Surface_locus = requires(const T& operand)
+{
+  to_locus(operand);
+}
+&&decltype(to_locus(std::declval<const T&>()))::dimension == 3 &&
+    decltype(to_locus(std::declval<const T&>()))::codimension == 1;
 
 template <class T>
 concept Procedural_surface = Surface_locus<T> && Locus<T> && T::number_of_parameters == 2;
@@ -54,8 +59,9 @@ struct Kernel_of_surface<T>
 
 // Of the one that is parametric, if there is one.
 template <class A, class B>
-using Kernel_of_loci = std::conditional_t<ParametricSurface_3<A>, typename Kernel_of_surface<A>::type,
-                                          std::conditional_t<ParametricSurface_3<B>, typename Kernel_of_surface<B>::type, CGAL::Simple_cartesian<double>>>;
+using Kernel_of_loci = std::conditional_t<
+    ParametricSurface_3<A>, typename Kernel_of_surface<A>::type,
+    std::conditional_t<ParametricSurface_3<B>, typename Kernel_of_surface<B>::type, CGAL::Simple_cartesian<double>>>;
 
 // The constraints of a common point of two surfaces, each of one piece, whose closed axes have both of their ends.
 class Locus_pair
@@ -66,7 +72,8 @@ class Locus_pair
 
 public:
   template <class A, class B>
-  Locus_pair(const A& a, const B& b) : m_pieces{only_piece(a), only_piece(b)}, m_closed(opened(m_pieces)), m_system(m_pieces)
+  Locus_pair(const A& a, const B& b)
+    : m_pieces{only_piece(a), only_piece(b)}, m_closed(opened(m_pieces)), m_system(m_pieces)
   {}
 
   const Locus_system<3>& system() const { return m_system; }
@@ -78,7 +85,8 @@ public:
       box.emplace_back(x, x);
     std::array<double, 3> result;
     const Coordinate_ranges<3> ranges = m_system.coordinates(box);
-    std::transform(ranges.begin(), ranges.end(), result.begin(), [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
+    std::transform(ranges.begin(), ranges.end(), result.begin(),
+                   [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
     return result;
   }
 
@@ -126,7 +134,8 @@ std::optional<Surface_shape> rational_shape(const Surface& surface)
     return surface_shape(surface);
 }
 
-// The curves of two surfaces, if both are rational, or implicit without an end within the other one, so that parameters are all unknowns.
+// The curves of two surfaces, if both are rational, or implicit without an end within the other one, so that parameters
+// are all unknowns.
 template <SplineKernel Kernel, class A, class B>
 std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, const Solver_options& options)
 {
@@ -138,7 +147,8 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
     return std::nullopt;
   Equations_of_surfaces equations(surfaces);
   Solved_part part = common_curves(surfaces, equations, options);
-  Surface_curves_3<Kernel> result([surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
+  Surface_curves_3<Kernel> result(
+      [surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
   if (part.surfaces.has_system())
     result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), part.poles});
   return result;
@@ -150,27 +160,40 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all curves that two surfaces have in common, of which one at least is procedural, such as `Offset_surface_3`: no closed curve is lost, however small, and nothing is joined by distance.
+all curves that two surfaces have in common, of which one at least is procedural, such as `Offset_surface_3`: no closed
+curve is lost, however small, and nothing is joined by distance.
 
-The constraints are those of `intersections()` with such operands, one less than there are unknowns: an offset and an implicit surface have three, its parameters and the length of the normal; an offset and another parametric or procedural surface the four parameters, and one auxiliary one if both are procedural.
-The unknowns of the result are the parameters of the first surface, those of the second one, then auxiliary ones. Curves are joined across the seams of closed surfaces.
+The constraints are those of `intersections()` with such operands, one less than there are unknowns: an offset and an
+implicit surface have three, its parameters and the length of the normal; an offset and another parametric or procedural
+surface the four parameters, and one auxiliary one if both are procedural. The unknowns of the result are the parameters
+of the first surface, those of the second one, then auxiliary ones. Curves are joined across the seams of closed
+surfaces.
 
-An offset that has a `rational_offset()` is taken as this rational surface, with the same parameters and no auxiliary unknown, if the other surface is such an offset too, parametric, or implicit with a box that the offset does not leave. Then all is decided as by the function for such surfaces, and contact curves are found where that
-finds them: `Surface_curve::multiplicity` is at least two.
+An offset that has a `rational_offset()` is taken as this rational surface, with the same parameters and no auxiliary
+unknown, if the other surface is such an offset too, parametric, or implicit with a box that the offset does not leave.
+Then all is decided as by the function for such surfaces, and contact curves are found where that finds them:
+`Surface_curve::multiplicity` is at least two.
 
-Otherwise, what touches is a singular point if it is proved to be one, with at most four unknowns; curves of contact are undecided, and curves along an edge or a seam are not supported. Where surfaces coincide the answer is undecided.
+Otherwise, what touches is a singular point if it is proved to be one, with at most four unknowns; curves of contact are
+undecided, and curves along an edge or a seam are not supported. Where surfaces coincide the answer is undecided.
 
-\tparam A,B a model of `Locus` with two parameters, as `Offset_surface_3`; the other one too, or a model of `ParametricSurface_3`, or `Implicit_surface_3`. The result has the kernel of the parametric surface, else `CGAL::Simple_cartesian<double>`.
+\tparam A,B a model of `Locus` with two parameters, as `Offset_surface_3`; the other one too, or a model of
+`ParametricSurface_3`, or `Implicit_surface_3`. The result has the kernel of the parametric surface, else
+`CGAL::Simple_cartesian<double>`.
 \param a the first surface.
 \param b the second surface.
 \param options those of `solve_curves()`.
-\throws Invalid_input when a surface has several pieces, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when a surface has several pieces, a coordinate is not finite, a weight is not proved to have one
+sign, or an option makes no sense.
 
-Complexity: that of `solve_curves()`. Source: the classification of intersections by rational, procedural and implicit representations, \cgalCite{p-cgl-03}.
+Complexity: that of `solve_curves()`. Source: the classification of intersections by rational, procedural and implicit
+representations, \cgalCite{p-cgl-03}.
 */
 template <class A, class B>
-  requires(internal::Surface_curves::Surface_locus<A> && internal::Surface_curves::Surface_locus<B> && (internal::Surface_curves::Procedural_surface<A> || internal::Surface_curves::Procedural_surface<B>))
-Surface_curves_3<internal::Surface_curves::Kernel_of_loci<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
+requires(internal::Surface_curves::Surface_locus<A>&& internal::Surface_curves::Surface_locus<B> &&
+         (internal::Surface_curves::Procedural_surface<A> || internal::Surface_curves::Procedural_surface<B>))
+    Surface_curves_3<internal::Surface_curves::Kernel_of_loci<A, B>> intersection_curves(
+        const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();
   using Kernel = internal::Surface_curves::Kernel_of_loci<A, B>;
@@ -181,7 +204,8 @@ Surface_curves_3<internal::Surface_curves::Kernel_of_loci<A, B>> intersection_cu
   if (pair.system().is_void())
     return result;
   Constraint_system_d system = make_system(pair.system().constraints());
-  if (std::any_of(system.equalities().begin(), system.equalities().end(), [](const Spline_function& f) { return f.terms().empty(); })) {
+  if (std::any_of(system.equalities().begin(), system.equalities().end(),
+                  [](const Spline_function& f) { return f.terms().empty(); })) {
     result.add_undecided(internal::domain_of(system));
     return result;
   }

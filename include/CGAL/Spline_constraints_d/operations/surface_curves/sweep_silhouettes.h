@@ -22,7 +22,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-An affine motion: at the time \f$t\f$ it takes the point \f$(x,y,z)\f$ to \f$C(t) + x\,a_0(t) + y\,a_1(t) + z\,a_2(t)\f$.
+An affine motion: at the time \f$t\f$ it takes the point \f$(x,y,z)\f$ to \f$C(t) + x\,a_0(t) + y\,a_1(t) +
+z\,a_2(t)\f$.
 */
 template <SplineKernel Kernel>
 struct Affine_motion
@@ -30,7 +31,8 @@ struct Affine_motion
   //! the path \f$C\f$ of the origin; its parameter is the time.
   Bspline_curve_3<Kernel> path;
 
-  //! the images \f$a_0, a_1, a_2\f$ of the unit vectors, points standing for the vectors from the origin to them, with the same domain; none for a translation.
+  //! the images \f$a_0, a_1, a_2\f$ of the unit vectors, points standing for the vectors from the origin to them, with
+  //! the same domain; none for a translation.
   std::vector<Bspline_curve_3<Kernel>> axes{};
 };
 
@@ -99,8 +101,11 @@ std::vector<Smooth_motion> smooth_parts(const Affine_motion<Kernel>& motion)
   // The times where a derivative jumps, and both ends.
   std::vector<Exact_rational> cuts{times.front()};
   for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-    const auto velocity = [&](const Space_map& map, std::size_t k) { return derivative(map.restricted(0, times[k], times[k + 1]))(std::array{times[i]}); };
-    if (std::any_of(whole.maps.begin(), whole.maps.end(), [&](const Space_map& map) { return velocity(map, i - 1) != velocity(map, i); }))
+    const auto velocity = [&](const Space_map& map, std::size_t k) {
+      return derivative(map.restricted(0, times[k], times[k + 1]))(std::array{times[i]});
+    };
+    if (std::any_of(whole.maps.begin(), whole.maps.end(),
+                    [&](const Space_map& map) { return velocity(map, i - 1) != velocity(map, i); }))
       cuts.push_back(times[i]);
   }
   cuts.push_back(times.back());
@@ -111,21 +116,30 @@ std::vector<Smooth_motion> smooth_parts(const Affine_motion<Kernel>& motion)
 }
 
 // The equations of both surface and envelope: a tangent plane of the moved surface contains its velocity, and the eye.
-inline std::vector<Constraint> silhouette_of_sweep(const Spline_patch<3>& surface, const Vector_of_functions<3>& normals, const Smooth_motion& motion, const Exact_kernel::Point_3& eye, std::span<const Unknown> u)
+inline std::vector<Constraint> silhouette_of_sweep(const Spline_patch<3>& surface,
+                                                   const Vector_of_functions<3>& normals, const Smooth_motion& motion,
+                                                   const Exact_kernel::Point_3& eye, std::span<const Unknown> u)
 {
-  const Vector_expression<3> x = Parametric_vector<3>(surface)(u.first(2)), normal = motion.moved_normal(Parametric_vector<3>(normals)(u.first(2)), u[2]);
-  const Vector_expression<3> from_eye = motion.moved(x, u[2], false) - vector_of<3>([&](std::size_t i) { return Expression(eye.cartesian(static_cast<int>(i))); });
+  const Vector_expression<3> x = Parametric_vector<3>(surface)(u.first(2)),
+                             normal = motion.moved_normal(Parametric_vector<3>(normals)(u.first(2)), u[2]);
+  const Vector_expression<3> from_eye = motion.moved(x, u[2], false) -
+      vector_of<3>([&](std::size_t i) { return Expression(eye.cartesian(static_cast<int>(i))); });
   return {dot(motion.moved(x, u[2], true), normal) == 0, dot(from_eye, normal) == 0};
 }
 
 template <SplineKernel Kernel>
-Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface, const std::vector<Continuous_part<4>>& planes, const std::vector<Smooth_motion>& motion, const Exact_kernel::Point_3& eye,
+Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface,
+                                           const std::vector<Continuous_part<4>>& planes,
+                                           const std::vector<Smooth_motion>& motion, const Exact_kernel::Point_3& eye,
                                            const Solver_options& options)
 {
-  Surface_curves_3<Kernel> result([on_surface = point_on_surface(surface), motion](const std::vector<double>& unknowns) {
-    const auto part = std::find_if(motion.begin(), motion.end() - 1, [&](const Smooth_motion& m) { return unknowns[2] <= CGAL::to_double(m.maps[0].domain(0).second); });
-    return part->moved(on_surface(unknowns), unknowns[2]);
-  });
+  Surface_curves_3<Kernel> result(
+      [on_surface = point_on_surface(surface), motion](const std::vector<double>& unknowns) {
+        const auto part = std::find_if(motion.begin(), motion.end() - 1, [&](const Smooth_motion& m) {
+          return unknowns[2] <= CGAL::to_double(m.maps[0].domain(0).second);
+        });
+        return part->moved(on_surface(unknowns), unknowns[2]);
+      });
   for (const Continuous_part<4>& part : planes)
     for (const Smooth_motion& moved : motion) {
       const Curve_vertex::Exact_box domain{part.functions.domain(0), part.functions.domain(1), moved.maps[0].domain(0)};
@@ -154,30 +168,37 @@ Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface, const
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the silhouettes of the envelope of a moving surface, seen from points: where a moved surface and the envelope of all of them have the same tangent plane, which contains the eye. With a matrix \f$A(t)\f$, the columns of which are the
-axes, the moved surface is \f$T = C + A S\f$, its normal that of the surface times the matrix of cofactors of \f$A\f$, and
-\f[ \langle C' + A' S,\ \mathrm{cof}(A)\,(S_u \times S_v)\rangle = 0, \qquad \langle T - p,\ \mathrm{cof}(A)\,(S_u \times S_v)\rangle = 0. \f]
-The unknowns are the two parameters of the surface and the time; the topology of the curves is proved. Both are transparent, and neither the surface in its first and last position nor what of the envelope is inside of the swept volume is
-looked at.
+the silhouettes of the envelope of a moving surface, seen from points: where a moved surface and the envelope of all of
+them have the same tangent plane, which contains the eye. With a matrix \f$A(t)\f$, the columns of which are the axes,
+the moved surface is \f$T = C + A S\f$, its normal that of the surface times the matrix of cofactors of \f$A\f$, and
+\f[ \langle C' + A' S,\ \mathrm{cof}(A)\,(S_u \times S_v)\rangle = 0, \qquad \langle T - p,\ \mathrm{cof}(A)\,(S_u
+\times S_v)\rangle = 0. \f] The unknowns are the two parameters of the surface and the time; the topology of the curves
+is proved. Both are transparent, and neither the surface in its first and last position nor what of the envelope is
+inside of the swept volume is looked at.
 
 In the source the normal is multiplied by \f$A\f$ itself, which holds for rotations and uniform scalings only.
 
-Curves end at the first and last time, and where the normal of the surface or a velocity jumps. Where the surface moves along itself, where it
-stands still, and along a break or seam of it the answer is undecided. Curves through poles are not joined.
+Curves end at the first and last time, and where the normal of the surface or a velocity jumps. Where the surface moves
+along itself, where it stands still, and along a break or seam of it the answer is undecided. Curves through poles are
+not joined.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param motion the motion.
 \param viewpoints the eyes.
 \param options those of `solve_curves()`; limits hold for each viewpoint and each two smooth parts.
 \return the curves for each viewpoint, in their order. Points are those of the moved surface.
-\throws Invalid_input when there are axes, but not three, the domains of path and axes differ, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when there are axes, but not three, the domains of path and axes differ, a coordinate is not
+finite, a weight is not proved to have one sign, or an option makes no sense.
 
-Complexity: that of `solve_curves()` with two equations in three unknowns. Source: \cgalCite{kes-gcps-05}, section 5, equation (33).
+Complexity: that of `solve_curves()` with two equations in three unknowns. Source: \cgalCite{kes-gcps-05}, section 5,
+equation (33).
 */
 template <internal::Surface_curves::Surface_operand Surface>
-std::vector<Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>> sweep_silhouettes(const Surface& surface, const Affine_motion<internal::Surface_curves::Operand_kernel<Surface>>& motion,
-                                                                                   const std::vector<CGAL::Point_3<internal::Surface_curves::Operand_kernel<Surface>>>& viewpoints,
-                                                                                   const Solver_options& options = {.tolerance = 1e-8})
+std::vector<Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>>
+sweep_silhouettes(const Surface& surface,
+                  const Affine_motion<internal::Surface_curves::Operand_kernel<Surface>>& motion,
+                  const std::vector<CGAL::Point_3<internal::Surface_curves::Operand_kernel<Surface>>>& viewpoints,
+                  const Solver_options& options = {.tolerance = 1e-8})
 {
   using Kernel = internal::Surface_curves::Operand_kernel<Surface>;
   options.check();
@@ -186,7 +207,8 @@ std::vector<Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>>
   const std::vector<internal::Surface_curves::Smooth_motion> parts = internal::Surface_curves::smooth_parts(motion);
   std::vector<Surface_curves_3<Kernel>> result;
   for (const CGAL::Point_3<Kernel>& eye : viewpoints)
-    result.push_back(internal::Surface_curves::sweep_silhouettes<Kernel>(patch, planes, parts, internal::exact_object(eye), options));
+    result.push_back(internal::Surface_curves::sweep_silhouettes<Kernel>(patch, planes, parts,
+                                                                         internal::exact_object(eye), options));
   return result;
 }
 

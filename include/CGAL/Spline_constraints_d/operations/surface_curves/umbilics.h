@@ -51,14 +51,17 @@ struct Umbilics_3
 namespace internal {
 namespace Surface_curves {
 
-// L F - M E and L G - N E in each piece of a surface S = X/w, times positive factors: the derivatives of S are positive multiples of the tangents, and <p,(X,w)_uu> is one of L for the tangent plane p.
+// L F - M E and L G - N E in each piece of a surface S = X/w, times positive factors: the derivatives of S are positive
+// multiples of the tangents, and <p,(X,w)_uu> is one of L for the tangent plane p.
 inline Cell_functions<2> fundamental_form_minors(const Spline_patch<3>& surface)
 {
   return Cell_functions<2>(surface, [](const Spline_patch<3>& cell) {
     const Vector_function<3> along_u(tangent_direction(cell, 0)), along_v(tangent_direction(cell, 1));
     const std::array<Exact_function, 3> second = second_form(cell);
-    const Exact_function first_uu = dot(along_u, along_u).function(), first_uv = dot(along_u, along_v).function(), first_vv = dot(along_v, along_v).function();
-    return std::array<Exact_function, 2>{second[0] * first_uv - second[1] * first_uu, second[0] * first_vv - second[2] * first_uu};
+    const Exact_function first_uu = dot(along_u, along_u).function(), first_uv = dot(along_u, along_v).function(),
+                         first_vv = dot(along_v, along_v).function();
+    return std::array<Exact_function, 2>{second[0] * first_uv - second[1] * first_uu,
+                                         second[0] * first_vv - second[2] * first_uu};
   });
 }
 
@@ -105,14 +108,16 @@ private:
     const std::vector<Unknown> u = unknowns_in(domain);
     const auto [first, second] = functions.splines();
     const std::array<bool, 2> is_seam{is_seam_of(functions, 0), is_seam_of(functions, 1)};
-    const Solution_set_d<double> zeros = m_solver(std::vector<Constraint>{formula(first, u) == 0, formula(second, u) == 0}, u);
+    const Solution_set_d<double> zeros =
+        m_solver(std::vector<Constraint>{formula(first, u) == 0, formula(second, u) == 0}, u);
     for (const Solution_d<double>& zero : zeros) {
       const Box box = zero.exact_box();
       if (is_again(zeros, box, domain, is_seam))
         continue;
       const bool is_point = zero.kind() == Solution_kind::CERTIFIED || zero.kind() == Solution_kind::CLUSTER;
       if (is_point && is_regular(box))
-        m_found.points.push_back({kernel_object<Kernel, typename Kernel::Point_3>(point_on_surface(m_patch)(zero.point())), zero});
+        m_found.points.push_back(
+            {kernel_object<Kernel, typename Kernel::Point_3>(point_on_surface(m_patch)(zero.point())), zero});
       else
         m_found.undecided.push_back(box);
     }
@@ -120,38 +125,46 @@ private:
 
   bool is_seam_of(const Cell_functions<2>& functions, int axis) const
   {
-    return functions.domain(axis) == m_patch.domain(axis) && m_patch.is_closed(axis) && functions.ratio(axis, functions.size(axis) - 1, 0);
+    return functions.domain(axis) == m_patch.domain(axis) && m_patch.is_closed(axis) &&
+        functions.ratio(axis, functions.size(axis) - 1, 0);
   }
 
   // What is at the upper end of a seam and at its lower end is one point, there once.
-  static bool is_again(const Solution_set_d<double>& zeros, const Box& box, const Box& domain, const std::array<bool, 2>& is_seam)
+  static bool is_again(const Solution_set_d<double>& zeros, const Box& box, const Box& domain,
+                       const std::array<bool, 2>& is_seam)
   {
     for (const std::size_t axis : {0, 1})
       if (is_seam[axis] && domain[axis].second <= box[axis].second) {
         Box other = box;
         other[axis] = {domain[axis].first, domain[axis].first};
-        if (std::any_of(zeros.begin(), zeros.end(), [&](const Solution_d<double>& zero) { return touch(zero.exact_box(), other); }))
+        if (std::any_of(zeros.begin(), zeros.end(),
+                        [&](const Solution_d<double>& zero) { return touch(zero.exact_box(), other); }))
           return true;
       }
     return false;
   }
 
-  // Where E > 0, by proof, the third minor M G - N F vanishes with the others: all coefficients of the square of the normal are positive on a box.
+  // Where E > 0, by proof, the third minor M G - N F vanishes with the others: all coefficients of the square of the
+  // normal are positive on a box.
   bool is_regular(const Box& box) const
   {
     Box wide = box;
     for (std::size_t axis : {0, 1})
-      if (const Parameter_range range = m_patch.domain(static_cast<int>(axis)); !(box[axis].first < box[axis].second) || box[axis].first < range.first || range.second < box[axis].second) {
+      if (const Parameter_range range = m_patch.domain(static_cast<int>(axis));
+          !(box[axis].first < box[axis].second) || box[axis].first < range.first || range.second < box[axis].second) {
         const Exact_rational margin = Exact_rational((range.second - range.first) / (1 << 20));
-        wide[axis] = {(std::max)(Exact_rational(box[axis].first - margin), range.first), (std::min)(Exact_rational(box[axis].second + margin), range.second)};
+        wide[axis] = {(std::max)(Exact_rational(box[axis].first - margin), range.first),
+                      (std::min)(Exact_rational(box[axis].second + margin), range.second)};
       }
     const Spline_patch<3> part = m_patch.part({wide[0], wide[1]});
     for (int i = 0; i + 1 < static_cast<int>(part.breaks(0).size()); ++i)
       for (int j = 0; j + 1 < static_cast<int>(part.breaks(1).size()); ++j) {
-        const Spline_patch<3> cell = part.part({{part.breaks(0)[i], part.breaks(0)[i + 1]}, {part.breaks(1)[j], part.breaks(1)[j + 1]}});
+        const Spline_patch<3> cell =
+            part.part({{part.breaks(0)[i], part.breaks(0)[i + 1]}, {part.breaks(1)[j], part.breaks(1)[j + 1]}});
         const std::array<Exact_function, 4> plane = tangent_plane(cell);
         const Exact_function square = plane[0] * plane[0] + plane[1] * plane[1] + plane[2] * plane[2];
-        if (!std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Exact_rational& x) { return x > 0; }))
+        if (!std::all_of(square.coefficients().begin(), square.coefficients().end(),
+                         [](const Exact_rational& x) { return x > 0; }))
           return false;
       }
     return true;
@@ -164,21 +177,28 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the umbilics of a surface, where its curvature is the same in all directions: points at which the lines of curvature are singular. A flat point is one, too.
+the umbilics of a surface, where its curvature is the same in all directions: points at which the lines of curvature are
+singular. A flat point is one, too.
 
-The coefficients of both fundamental forms are proportional there, \f$LF = ME\f$ and \f$LG = NE\f$; on a regular surface, where \f$E > 0\f$, \f$MG = NF\f$ follows. For \f$S = X/w\f$ all of them are replaced by polynomials that are positive multiples, as for `parabolic_lines()`. That the surface is regular at a
-solution is proved.
+The coefficients of both fundamental forms are proportional there, \f$LF = ME\f$ and \f$LG = NE\f$; on a regular
+surface, where \f$E > 0\f$, \f$MG = NF\f$ follows. For \f$S = X/w\f$ all of them are replaced by polynomials that are
+positive multiples, as for `parabolic_lines()`. That the surface is regular at a solution is proved.
 
-Factors that vanish all along an edge or a break, as at a pole, are divided out, and this line is undecided; so are pieces of spheres and planes, and whole curves of umbilics. Where the curvature jumps at a break, the umbilics of both sides count, each with the curvature of its own side.
+Factors that vanish all along an edge or a break, as at a pole, are divided out, and this line is undecided; so are
+pieces of spheres and planes, and whole curves of umbilics. Where the curvature jumps at a break, the umbilics of both
+sides count, each with the curvature of its own side.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param options those of the solver; limits hold for the operation as a whole.
-\throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
+sense.
 
-Complexity: that of two equations in two unknowns, of degrees \f$5d-2\f$ at most for polynomial surfaces of degrees \f$d\f$, and \f$8d-2\f$ for rational ones. Source: \cgalCite{pm-sicad-02}.
+Complexity: that of two equations in two unknowns, of degrees \f$5d-2\f$ at most for polynomial surfaces of degrees
+\f$d\f$, and \f$8d-2\f$ for rational ones. Source: \cgalCite{pm-sicad-02}.
 */
 template <internal::Surface_curves::Surface_operand Surface>
-Umbilics_3<internal::Surface_curves::Operand_kernel<Surface>> umbilics(const Surface& surface, const Solver_options& options = {})
+Umbilics_3<internal::Surface_curves::Operand_kernel<Surface>> umbilics(const Surface& surface,
+                                                                       const Solver_options& options = {})
 {
   const internal::Common::Spline_patch<3> patch = internal::Common::Intersection_operand<Surface>::patch(surface);
   return internal::Surface_curves::Umbilic_finder<internal::Surface_curves::Operand_kernel<Surface>>(patch, options)();

@@ -30,7 +30,9 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The kernel of a region of the plane: the points from which all of the region is seen. It is convex: what is on the left of all tangents of the boundary. Its own boundary, counterclockwise, consists of arcs of the curves, where these turn left, and of segments of tangents of inflections and at ends.
+The kernel of a region of the plane: the points from which all of the region is seen. It is convex: what is on the left
+of all tangents of the boundary. Its own boundary, counterclockwise, consists of arcs of the curves, where these turn
+left, and of segments of tangents of inflections and at ends.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -84,10 +86,12 @@ public:
     }
   }
 
-  //! whether no point sees all of the region; indeterminate if neither a point that does nor a proof that there is none was found.
+  //! whether no point sees all of the region; indeterminate if neither a point that does nor a proof that there is none
+  //! was found.
   CGAL::Uncertain<bool> is_empty() const
   {
-    const bool is_proved_empty = !m_may_have_interior && m_flat.empty(), is_proved_not_empty = has_interior() || (m_is_straight && !m_flat.empty());
+    const bool is_proved_empty = !m_may_have_interior && m_flat.empty(),
+               is_proved_not_empty = has_interior() || (m_is_straight && !m_flat.empty());
     return {is_proved_empty, !is_proved_not_empty};
   }
 
@@ -95,11 +99,13 @@ public:
   bool has_interior() const { return m_centre.has_value(); }
 
   /*!
-  the boundary: each part begins in the point where the one before ends. Arcs of a closed curve end at its seam. None if the kernel has no interior.
+  the boundary: each part begins in the point where the one before ends. Arcs of a closed curve end at its seam. None if
+  the kernel has no interior.
   */
   const std::vector<Kernel_edge_2>& edges() const { return m_edges; }
 
-  //! corners of a segment, or a point, that the kernel lies in if it has no interior; it is the whole of it if all curves of the region are straight. None if it is empty.
+  //! corners of a segment, or a point, that the kernel lies in if it has no interior; it is the whole of it if all
+  //! curves of the region are straight. None if it is empty.
   std::vector<Point> flat_part() const
   {
     std::vector<Point> result;
@@ -111,7 +117,10 @@ public:
   //! whether all of the boundary is proved, or that the kernel is empty, or what it is if it has no interior.
   bool is_complete() const
   {
-    return has_interior() ? std::none_of(m_edges.begin(), m_edges.end(), [](const Kernel_edge_2& edge) { return edge.kind == Kernel_edge_kind::UNDECIDED; }) : !m_may_have_interior && (m_flat.empty() || m_is_straight);
+    return has_interior()
+        ? std::none_of(m_edges.begin(), m_edges.end(),
+                       [](const Kernel_edge_2& edge) { return edge.kind == Kernel_edge_kind::UNDECIDED; })
+        : !m_may_have_interior && (m_flat.empty() || m_is_straight);
   }
 
   //! a point in the interior. \pre `has_interior()`
@@ -132,11 +141,13 @@ public:
   Point source(std::size_t edge) const
   {
     const auto& [x, y] = m_vertices[edge];
-    return internal::kernel_object<Kernel, Point>(internal::Exact_pair{Exact_rational((x.lower + x.upper) / 2), Exact_rational((y.lower + y.upper) / 2)});
+    return internal::kernel_object<Kernel, Point>(
+        internal::Exact_pair{Exact_rational((x.lower + x.upper) / 2), Exact_rational((y.lower + y.upper) / 2)});
   }
 
   /*!
-  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
+  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords
+  between them than a given distance, but for the rounding of coordinates.
   \param edge the index of the part.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
@@ -146,14 +157,16 @@ public:
     internal::check_error(error, "Region_kernel_2");
     std::vector<Point> result{source(edge)};
     if (m_edges[edge].kind == Kernel_edge_kind::ARC)
-      m_parts.append_samples<Kernel>(m_edges[edge].curve, m_edges[edge].parameter(0), m_edges[edge].parameter(1), to_rational(error), result);
+      m_parts.append_samples<Kernel>(m_edges[edge].curve, m_edges[edge].parameter(0), m_edges[edge].parameter(1),
+                                     to_rational(error), result);
     else
       result.push_back(source(after(edge)));
     return result;
   }
 
   /*!
-  the polygon of these points of all parts, all on the boundary of the kernel but for the widths of ranges and rounding; empty if the kernel has no interior.
+  the polygon of these points of all parts, all on the boundary of the kernel but for the widths of ranges and rounding;
+  empty if the kernel has no interior.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
   */
@@ -169,7 +182,8 @@ public:
   }
 
   /*!
-  bounds of the area; the same number twice where all vertices are known exactly and the curves are polynomial. They are as close as the ranges of vertices.
+  bounds of the area; the same number twice where all vertices are known exactly and the curves are polynomial. They are
+  as close as the ranges of vertices.
   \param error how far from each other the bounds may be in addition; positive.
   \pre `is_complete()`
   \throws Invalid_input when the error is not positive.
@@ -182,9 +196,12 @@ public:
     std::vector<internal::Regions::Boundary_piece> arcs;
     for (std::size_t i = 0; i < m_edges.size(); ++i)
       if (m_edges[i].kind == Kernel_edge_kind::ARC)
-        m_parts.append_sector(m_edges[i].curve, m_edges[i].parameters[0], m_edges[i].parameters[1], *m_centre, arcs, result);
+        m_parts.append_sector(m_edges[i].curve, m_edges[i].parameters[0], m_edges[i].parameters[1], *m_centre, arcs,
+                              result);
       else
-        result = result + twice_triangle(m_vertices[i], m_vertices[after(i)]) * internal::Common::Rational_interval(internal::Convex_hull::one_half());
+        result = result +
+            twice_triangle(m_vertices[i], m_vertices[after(i)]) *
+                internal::Common::Rational_interval(internal::Convex_hull::one_half());
     if (!arcs.empty())
       result = result + internal::Regions::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
     return {result.lower, result.upper};
@@ -202,11 +219,13 @@ private:
     CGAL::Bbox_2 box;
     for (const auto& curve : region.curves())
       box += curve.bbox();
-    const Exact_rational x0 = to_rational(box.xmin()), x1 = to_rational(box.xmax()), y0 = to_rational(box.ymin()), y1 = to_rational(box.ymax());
+    const Exact_rational x0 = to_rational(box.xmin()), x1 = to_rational(box.xmax()), y0 = to_rational(box.ymin()),
+                         y1 = to_rational(box.ymax());
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
   }
 
-  // From each corner to the next one, along one element: on its tangent at the begin, on the arc, and on its tangent at the end.
+  // From each corner to the next one, along one element: on its tangent at the begin, on the arc, and on its tangent at
+  // the end.
   void append_edges(const Boundary& boundary)
   {
     const std::vector<Corner>& corners = boundary.corners();
@@ -215,7 +234,8 @@ private:
       const std::size_t i = corner.elements[1];
       const internal::Visibility::Kernel_element_2& element = boundary.elements()[i];
       const auto begin = element.range_of_end(0), end = element.range_of_end(1);
-      const bool is_decided = corner.is_decided && next.is_decided && next.elements[0] == i && is_one_place(corner.summits[1]) && is_one_place(next.summits[0]);
+      const bool is_decided = corner.is_decided && next.is_decided && next.elements[0] == i &&
+          is_one_place(corner.summits[1]) && is_one_place(next.summits[0]);
       const Bounds source = moved(corner.point);
       if (!is_decided) {
         append(Kernel_edge_kind::UNDECIDED, element, begin, end, source);
@@ -229,7 +249,8 @@ private:
       if (from == Place::BEGIN)
         append(Kernel_edge_kind::SEGMENT, element, begin, begin, source);
       if (from != Place::END && to != Place::BEGIN) {
-        const Parameters first = from == Place::BEGIN ? begin : range(corner.summits[1]), last = to == Place::END ? end : range(next.summits[0]);
+        const Parameters first = from == Place::BEGIN ? begin : range(corner.summits[1]),
+                         last = to == Place::END ? end : range(next.summits[0]);
         append(Kernel_edge_kind::ARC, element, first, last, from == Place::BEGIN ? bounds(element, begin) : source);
       }
       if (to == Place::END)
@@ -241,9 +262,14 @@ private:
   using Summits = std::array<internal::Visibility::Kernel_element_2::Summit, 2>;
 
   static bool is_one_place(const Summits& summits) { return summits[0].place == summits[1].place; }
-  static Parameters range(const Summits& summits) { return {(std::min)(summits[0].range.first, summits[1].range.first), (std::max)(summits[0].range.second, summits[1].range.second)}; }
+  static Parameters range(const Summits& summits)
+  {
+    return {(std::min)(summits[0].range.first, summits[1].range.first),
+            (std::max)(summits[0].range.second, summits[1].range.second)};
+  }
 
-  void append(Kernel_edge_kind kind, const internal::Visibility::Kernel_element_2& element, const Parameters& first, const Parameters& last, const Bounds& source)
+  void append(Kernel_edge_kind kind, const internal::Visibility::Kernel_element_2& element, const Parameters& first,
+              const Parameters& last, const Bounds& source)
   {
     m_edges.push_back({kind, element.curve(), {element.on_curve(first), element.on_curve(last)}});
     m_vertices.push_back(source);
@@ -272,7 +298,9 @@ private:
   // Of the triangle with the centre.
   internal::Common::Rational_interval twice_triangle(const Bounds& p, const Bounds& q) const
   {
-    const auto arm = [&](const Bounds& bounds, std::size_t k) { return bounds[k] - internal::Common::Rational_interval((*m_centre)[k]); };
+    const auto arm = [&](const Bounds& bounds, std::size_t k) {
+      return bounds[k] - internal::Common::Rational_interval((*m_centre)[k]);
+    };
     return arm(p, 0) * arm(q, 1) - arm(p, 1) * arm(q, 0);
   }
 
@@ -282,12 +310,15 @@ private:
     using Edge = std::pair<Kernel_edge_2, Bounds>;   // with its source
     const auto goes_on = [](const Edge& a, const Edge& b) {
       const Kernel_edge_2 &edge = a.first, &next = b.first;
-      return edge.kind == Kernel_edge_kind::ARC && next.kind == Kernel_edge_kind::ARC && edge.curve == next.curve && edge.parameters[1] == next.parameters[0] && edge.is_reversed() == next.is_reversed();
+      return edge.kind == Kernel_edge_kind::ARC && next.kind == Kernel_edge_kind::ARC && edge.curve == next.curve &&
+          edge.parameters[1] == next.parameters[0] && edge.is_reversed() == next.is_reversed();
     };
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < m_edges.size(); ++i)
       edges.emplace_back(m_edges[i], m_vertices[i]);
-    edges = internal::Regions::joined_edges(std::move(edges), goes_on, [](Edge& edge, const Edge& next) { edge.first.parameters[1] = next.first.parameters[1]; });
+    edges = internal::Regions::joined_edges(std::move(edges), goes_on, [](Edge& edge, const Edge& next) {
+      edge.first.parameters[1] = next.first.parameters[1];
+    });
     m_edges.clear();
     m_vertices.clear();
     for (const auto& [edge, source] : edges) {

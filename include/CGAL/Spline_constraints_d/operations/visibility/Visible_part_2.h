@@ -24,7 +24,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-What is seen from a point between curves in the plane: all points that a segment joins to the viewpoint without crossing a curve. Its boundary, counterclockwise, consists of arcs of curves, and of segments of rays.
+What is seen from a point between curves in the plane: all points that a segment joins to the viewpoint without crossing
+a curve. Its boundary, counterclockwise, consists of arcs of curves, and of segments of rays.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -48,10 +49,12 @@ public:
   \param viewpoint the point.
   \param curves the curves.
   \param options those of the solver that looks for crossings of curves.
-  \throws Invalid_input when there are no curves, a coordinate is not finite, an option makes no sense, or the viewpoint is on a curve at a parameter that is not rational.
+  \throws Invalid_input when there are no curves, a coordinate is not finite, an option makes no sense, or the viewpoint
+  is on a curve at a parameter that is not rational.
   */
   Visible_part_2(const Point& viewpoint, const std::vector<Curve>& curves, const Solver_options& options = {})
-    : m_viewpoint{internal::converted_number<Exact_rational>(viewpoint.x()), internal::converted_number<Exact_rational>(viewpoint.y())}
+    : m_viewpoint{internal::converted_number<Exact_rational>(viewpoint.x()),
+                  internal::converted_number<Exact_rational>(viewpoint.y())}
   {
     if (curves.empty())
       throw Invalid_input("Visible_part_2: there are no curves");
@@ -60,7 +63,8 @@ public:
     std::vector<internal::Visibility::Sight_crossing> crossings;
     for (const auto& pair : meetings.pairs)
       for (const auto& meeting : pair.intersections)
-        crossings.push_back({meeting.kind(), {pair.first, pair.second}, {meeting.parameter_range(0), meeting.parameter_range(1)}});
+        crossings.push_back(
+            {meeting.kind(), {pair.first, pair.second}, {meeting.parameter_range(0), meeting.parameter_range(1)}});
     m_parts = internal::Convex_hull::Curve_parts_2(curves);
     const internal::Visibility::Sight_sweep_2 sweep(m_parts, m_viewpoint, std::move(crossings));
     m_edges = sweep.edges();
@@ -69,7 +73,9 @@ public:
   }
 
   /*!
-  the boundary, counterclockwise around the viewpoint: each part begins in the point where the one before ends, which may be on two curves. Arcs of a closed curve end at its seam. There are none if no curve is seen. Where the viewpoint is an end or a point of a curve, arcs end in it.
+  the boundary, counterclockwise around the viewpoint: each part begins in the point where the one before ends, which
+  may be on two curves. Arcs of a closed curve end at its seam. There are none if no curve is seen. Where the viewpoint
+  is an end or a point of a curve, arcs end in it.
   */
   const std::vector<Visible_edge_2>& edges() const { return m_edges; }
 
@@ -79,17 +85,23 @@ public:
   //! whether a curve is seen in all directions.
   bool is_bounded() const
   {
-    return !m_edges.empty() && std::none_of(m_edges.begin(), m_edges.end(), [](const Visible_edge_2& edge) { return edge.kind == Visible_edge_kind::OPEN; });
+    return !m_edges.empty() && std::none_of(m_edges.begin(), m_edges.end(), [](const Visible_edge_2& edge) {
+      return edge.kind == Visible_edge_kind::OPEN;
+    });
   }
 
   //! the work of the solver.
   const Summary& summary() const { return m_summary; }
 
   //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
-  Point point(const Boundary_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(m_parts.point(vertex.curve, vertex.parameter())); }
+  Point point(const Boundary_vertex_2& vertex) const
+  {
+    return internal::kernel_object<Kernel, Point>(m_parts.point(vertex.curve, vertex.parameter()));
+  }
 
   /*!
-  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
+  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords
+  between them than a given distance, but for the rounding of coordinates.
   \param edge the index of the part.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
@@ -107,7 +119,8 @@ public:
   }
 
   /*!
-  the polygon of these points of all parts, and of the viewpoint between rays where no curve is seen: the visibility polygon, within a distance.
+  the polygon of these points of all parts, and of the viewpoint between rays where no curve is seen: the visibility
+  polygon, within a distance.
   \param error the distance; positive.
   \throws Invalid_input when the error is not positive.
   */
@@ -132,7 +145,8 @@ public:
   }
 
   /*!
-  bounds of the area of all that is seen, between the viewpoint and the curves: the same number twice where all vertices are known exactly and the curves are polynomial. They are as close as the ranges of the parameters of vertices.
+  bounds of the area of all that is seen, between the viewpoint and the curves: the same number twice where all vertices
+  are known exactly and the curves are polynomial. They are as close as the ranges of the parameters of vertices.
   \param error how far from each other the bounds may be in addition; positive.
   \pre `is_complete()`
   \throws Invalid_input when the error is not positive.
@@ -145,7 +159,8 @@ public:
     std::vector<internal::Regions::Boundary_piece> arcs;
     for (const Visible_edge_2& edge : m_edges)
       if (edge.kind == Visible_edge_kind::ARC)
-        m_parts.append_sector(edge.source.curve, edge.source.parameters, edge.target.parameters, m_viewpoint, arcs, result);
+        m_parts.append_sector(edge.source.curve, edge.source.parameters, edge.target.parameters, m_viewpoint, arcs,
+                              result);
     if (!arcs.empty())
       result = result + internal::Regions::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
     return {result.lower, result.upper};

@@ -19,12 +19,18 @@ namespace Spline_constraints {
 /*!
 the kernel of a region of the plane: the points from which all of the region is seen.
 
-A point p sees all of a region that one closed curve C bounds, with the region on its left, if C' x (p - C) >= 0 everywhere. Tangents cut a polygon until a point is found in the interior of the kernel, or it is proved that this has none. Seen from there, the boundary of the kernel is that tangent or arc that is the nearest one. It is found in rational
-directions, with exact comparisons, and between them from the convexity of the inverse distances. Corners of the kernel are known exactly where two straight parts meet, and in corners of the region; otherwise to 2^-60 of the directions, about. Where more than two tangents or arcs are not told apart in one corner of the kernel, there is an edge of the kind `Kernel_edge_kind::UNDECIDED`.
+A point p sees all of a region that one closed curve C bounds, with the region on its left, if C' x (p - C) >= 0
+everywhere. Tangents cut a polygon until a point is found in the interior of the kernel, or it is proved that this has
+none. Seen from there, the boundary of the kernel is that tangent or arc that is the nearest one. It is found in
+rational directions, with exact comparisons, and between them from the convexity of the inverse distances. Corners of
+the kernel are known exactly where two straight parts meet, and in corners of the region; otherwise to 2^-60 of the
+directions, about. Where more than two tangents or arcs are not told apart in one corner of the kernel, there is an edge
+of the kind `Kernel_edge_kind::UNDECIDED`.
 
 \param region the region; one with holes, or of several parts, has no kernel, other than a point where parts touch.
 
-Complexity: \f$O(nk)\f$ comparisons for \f$n\f$ parts of curves between inflections, ends and corners, and \f$k\f$ halvings of cones. Source: the definition of \cgalCite{kes-gcps-05}, which names the problem.
+Complexity: \f$O(nk)\f$ comparisons for \f$n\f$ parts of curves between inflections, ends and corners, and \f$k\f$
+halvings of cones. Source: the definition of \cgalCite{kes-gcps-05}, which names the problem.
 */
 template <SplineKernel Kernel>
 Region_kernel_2<Kernel> region_kernel(const Planar_region_2<Kernel>& region)

@@ -25,9 +25,12 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A trimmed \f$\alpha\f$-sector: all points whose distances from two curves or points, each from the nearest of its points, have the ratio \f$\alpha : 1 - \alpha\f$.
+A trimmed \f$\alpha\f$-sector: all points whose distances from two curves or points, each from the nearest of its
+points, have the ratio \f$\alpha : 1 - \alpha\f$.
 
-It consists of closed curves, chains of arcs: on each, the nearest points are on the same piece of each curve, or the same end or corner. Arcs are connected by proof, and where something is not decided, `is_complete()` is false, and `undecided()` tells where that is; chains that are affected are not closed.
+It consists of closed curves, chains of arcs: on each, the nearest points are on the same piece of each curve, or the
+same end or corner. Arcs are connected by proof, and where something is not decided, `is_complete()` is false, and
+`undecided()` tells where that is; chains that are affected are not closed.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -40,8 +43,10 @@ public:
   //! an arc of the sector.
   struct Arc
   {
-    std::array<bool, 2> is_point;                      ///< for each operand, whether the nearest point is an end or a corner, or the operand itself
-    std::array<std::array<double, 2>, 2> parameters;   ///< of each operand, where the nearest points are at the begin and at the end of the arc; of points, no numbers
+    /// for each operand, whether the nearest point is an end or a corner, or the operand itself
+    std::array<bool, 2> is_point;
+    /// of each operand, where the nearest points are at the begin and at the end of the arc; of points, no numbers
+    std::array<std::array<double, 2>, 2> parameters;
   };
 
   //! arcs that go on in each other.
@@ -64,7 +69,8 @@ private:
   bool m_is_exchanged;                                                      // the nearer operand is the second one
   double m_factor;                                                          // of the distances
   std::vector<Arc> m_arcs;
-  std::vector<std::vector<internal::Voronoi::Sector_disks::Arc>> m_parts_of_arc;     // one; or several, where the normals of a vertex come in several normal cones
+  // one; or several, where the normals of a vertex come in several normal cones
+  std::vector<std::vector<internal::Voronoi::Sector_disks::Arc>> m_parts_of_arc;
   std::vector<Chain> m_chains;
   std::vector<Undecided_part_2> m_undecided;
 
@@ -93,7 +99,9 @@ public:
   //! whether all of the sector is proved.
   bool is_complete() const { return m_undecided.empty(); }
 
-  //! the parts of operands, whose indices are 0 and 1, beside which the sector is not proved: it is not known whether their points are nearest to points of the sector, or which chain goes on there. Of an operand that is a point, both numbers are 0. If curves are not proved to be disjoint elsewhere, all of each curve.
+  //! the parts of operands, whose indices are 0 and 1, beside which the sector is not proved: it is not known whether
+  //! their points are nearest to points of the sector, or which chain goes on there. Of an operand that is a point,
+  //! both numbers are 0. If curves are not proved to be disjoint elsewhere, all of each curve.
   const std::vector<Undecided_part_2>& undecided() const { return m_undecided; }
 
   /*!
@@ -111,8 +119,13 @@ public:
     std::vector<Sample> result;
     for (const Part& part : m_parts_of_arc[arc]) {
       const auto located = [&](double u) { return Located(u, sample(part, u)); };
-      const auto between = [&](const Located& from, const Located& to) { return located(from.first / 2 + to.first / 2); };
-      const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return internal::distance_from_middle(coordinates(from.second), coordinates(middle.second), coordinates(to.second)) <= error; };
+      const auto between = [&](const Located& from, const Located& to) {
+        return located(from.first / 2 + to.first / 2);
+      };
+      const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) {
+        return internal::distance_from_middle(coordinates(from.second), coordinates(middle.second),
+                                              coordinates(to.second)) <= error;
+      };
       std::vector<Located> along{located(part.begin)};
       internal::Common::append_samples(along, located(part.end), between, is_chord);
       for (std::size_t i = result.empty() ? 0 : 1; i < along.size(); ++i)   // parts share their ends
@@ -126,10 +139,16 @@ private:
 
   static double middle(const internal::Common::Interval& x) { return x.inf() / 2 + x.sup() / 2; }
 
-  static std::array<double, 2> coordinates(const Sample& sample) { return {CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y())}; }
+  static std::array<double, 2> coordinates(const Sample& sample)
+  {
+    return {CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y())};
+  }
 
   // Of an arc of the graph, or, of vertices, no number.
-  double curve_parameter(bool is_point, std::size_t arc, double u) const { return is_point ? std::numeric_limits<double>::quiet_NaN() : m_disks.graph().curve_parameter(arc, u); }
+  double curve_parameter(bool is_point, std::size_t arc, double u) const
+  {
+    return is_point ? std::numeric_limits<double>::quiet_NaN() : m_disks.graph().curve_parameter(arc, u);
+  }
 
   // In the order of the operands.
   template <class T>
@@ -144,22 +163,29 @@ private:
     const internal::Voronoi::Sector_disks::Disk disk = m_disks.disk(part, u);
     const double radius = middle(disk.radius);
     const bool is_vertex = part.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX;
-    return {internal::kernel_object<Kernel, Point>(std::array<double, 2>{middle(disk.center[0]), middle(disk.center[1])}), in_order(radius, m_factor * radius),
-            in_order(curve_parameter(element.is_normal_cone, element.object, u), curve_parameter(is_vertex, part.footpoint.index, disk.parameter))};
+    return {
+        internal::kernel_object<Kernel, Point>(std::array<double, 2>{middle(disk.center[0]), middle(disk.center[1])}),
+        in_order(radius, m_factor * radius),
+        in_order(curve_parameter(element.is_normal_cone, element.object, u),
+                 curve_parameter(is_vertex, part.footpoint.index, disk.parameter))};
   }
 
   Arc arc_of(const std::vector<Part>& parts) const
   {
     const Part& first = parts.front();
-    const std::array<double, 2> begin = sample(first, first.begin).parameters, end = sample(parts.back(), parts.back().end).parameters;
-    return {in_order(m_disks.element(first).is_normal_cone, first.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX), {{{begin[0], end[0]}, {begin[1], end[1]}}}};
+    const std::array<double, 2> begin = sample(first, first.begin).parameters,
+                                end = sample(parts.back(), parts.back().end).parameters;
+    return {in_order(m_disks.element(first).is_normal_cone,
+                     first.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX),
+            {{{begin[0], end[0]}, {begin[1], end[1]}}}};
   }
 
   // Whether the nearest points go on in the next normal cone of the same vertex.
   bool goes_on(const Part& before, const Part& after) const
   {
     const internal::Voronoi::Oriented_element &a = m_disks.element(before), &b = m_disks.element(after);
-    return before.element != after.element && a.is_normal_cone && b.is_normal_cone && a.object == b.object && before.footpoint == after.footpoint;
+    return before.element != after.element && a.is_normal_cone && b.is_normal_cone && a.object == b.object &&
+        before.footpoint == after.footpoint;
   }
 
   void append_chain(const internal::Voronoi::Free_chains::Chain& chain)

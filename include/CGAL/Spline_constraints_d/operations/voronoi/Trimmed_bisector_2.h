@@ -22,9 +22,11 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-A trimmed bisector: all points that have the same distance from two curves or points, or the same least distance from two points of one curve.
+A trimmed bisector: all points that have the same distance from two curves or points, or the same least distance from
+two points of one curve.
 
-It is a part of a Voronoi diagram: those of its edges that have one of the two on each side, joined to chains. What is not decided is not decided in the diagram either; then `is_complete()` is false, and chains end there.
+It is a part of a Voronoi diagram: those of its edges that have one of the two on each side, joined to chains. What is
+not decided is not decided in the diagram either; then `is_complete()` is false, and chains end there.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -42,7 +44,8 @@ public:
     bool is_reversed;    ///< whether the chain runs along it from its end to its begin
   };
 
-  //! edges that go on in each other. Chains end where the edges of the bisector at a vertex are not two, at infinity, and in vertices that are not resolved.
+  //! edges that go on in each other. Chains end where the edges of the bisector at a vertex are not two, at infinity,
+  //! and in vertices that are not resolved.
   struct Chain
   {
     std::vector<Arc> arcs;                   ///< in order, with the first curve on the right
@@ -56,7 +59,8 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  // Each site belongs to the first curve (-1), the second one (1), or to both (0). Edges between sites of the same number are left out; without numbers, none are.
+  // Each site belongs to the first curve (-1), the second one (1), or to both (0). Edges between sites of the same
+  // number are left out; without numbers, none are.
   Trimmed_bisector_2(Diagram diagram, const std::vector<int>& sides) : m_diagram(std::move(diagram))
   {
     std::vector<int> directions;   // of the edges: negative if the first curve is on the left, 0 if they are left out
@@ -76,8 +80,9 @@ public:
   bool is_complete() const { return m_diagram.is_complete(); }
 
   /*!
-  points along a chain, so many that it passes the middles of their chords at no more than a given distance; in several polylines, where the chain is too far away between them.
-  The parameters of a point are those of the first curve, on the right, and of the second one, on the left.
+  points along a chain, so many that it passes the middles of their chords at no more than a given distance; in several
+  polylines, where the chain is too far away between them. The parameters of a point are those of the first curve, on
+  the right, and of the second one, on the left.
 
   \param chain the chain.
   \param error the distance; positive.
@@ -95,7 +100,8 @@ public:
       if (!goes_on && !samples.empty())
         result.emplace_back();
       if (!samples.empty())
-        result.back().insert(result.back().end(), samples.begin() + goes_on, samples.end());   // the first one ends the arc before
+        // the first one ends the arc before
+        result.back().insert(result.back().end(), samples.begin() + goes_on, samples.end());
       goes_on = m_diagram.vertices()[vertex(arc, 1)].radius <= most_radius;
     }
     return result;
@@ -104,7 +110,10 @@ public:
 private:
   using End = internal::Intersections::Curve_end;
 
-  std::size_t vertex(const Arc& arc, std::size_t end) const { return m_diagram.edges()[arc.edge].vertices[arc.is_reversed ? 1 - end : end]; }
+  std::size_t vertex(const Arc& arc, std::size_t end) const
+  {
+    return m_diagram.edges()[arc.edge].vertices[arc.is_reversed ? 1 - end : end];
+  }
 
   std::vector<Sample> polyline(const Arc& arc, double error, double most_radius) const
   {
@@ -133,11 +142,13 @@ private:
         return std::nullopt;
       return ends_at[v][ends_at[v][0] == end];
     };
-    for (const Intersection_curve& joined : internal::Intersections::chains_of_curves(std::vector<bool>(kept.size(), false), next)) {
+    for (const Intersection_curve& joined :
+         internal::Intersections::chains_of_curves(std::vector<bool>(kept.size(), false), next)) {
       Chain chain{{}, {}, joined.is_closed};
       for (const Intersection_arc& arc : joined.arcs)
         chain.arcs.push_back({kept[arc.index], arc.is_reversed});
-      if ((directions[chain.arcs[0].edge] < 0) != chain.arcs[0].is_reversed)   // then all arcs have the first curve on the left
+      // then all arcs have the first curve on the left
+      if ((directions[chain.arcs[0].edge] < 0) != chain.arcs[0].is_reversed)
         reverse(chain.arcs);
       chain.vertices = {vertex(chain.arcs.front(), 0), vertex(chain.arcs.back(), 1)};
       m_chains.push_back(std::move(chain));

@@ -12,7 +12,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-a part of a curve beside which not everything could be decided: its index and the range of its parameter; a point of the curve, if both ends are equal.
+a part of a curve beside which not everything could be decided: its index and the range of its parameter; a point of the
+curve, if both ends are equal.
 */
 struct Undecided_part_2
 {

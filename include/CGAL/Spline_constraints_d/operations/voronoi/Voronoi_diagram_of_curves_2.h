@@ -36,16 +36,21 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-What cells of a Voronoi diagram belong to: a polynomial piece of a curve, without its ends, or a point: an end of such a piece, or an isolated one.
+What cells of a Voronoi diagram belong to: a polynomial piece of a curve, without its ends, or a point: an end of such a
+piece, or an isolated one.
 */
 template <SplineKernel Kernel>
 struct Voronoi_site_2
 {
   bool is_point;                             ///< whether it is a point
   typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
-  std::size_t curve;                         ///< the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
-  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve; a point has twice its own one
-  std::size_t region;                        ///< the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to that
+  /// the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
+  std::size_t curve;
+  /// the piece begins and ends with these parameters of the curve; a point has twice its own one
+  std::array<double, 2> parameters;
+  /// the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to
+  /// that
+  std::size_t region;
 };
 
 /*!
@@ -63,11 +68,17 @@ struct Voronoi_coincidence_2
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from two sites or more.
+The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from
+two sites or more.
 
-A vertex of degree three or more is such a point of as many footpoints. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
+A vertex of degree three or more is such a point of as many footpoints. Of degree two: an edge goes on there with
+another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a
+center of curvature, in a corner of the curves, or at infinity.
 
-Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of footpoints, in which there may be other vertices and short edges. One that is resolved has bounds of its point, its radius and the parameters of its footpoints, which are proved.
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()`
+tells beside which parts of curves: a vertex that is not resolved stands for a small range of footpoints, in which there
+may be other vertices and short edges. One that is resolved has bounds of its point, its radius and the parameters of
+its footpoints, which are proved.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -93,22 +104,27 @@ public:
     Point point;                        ///< where it is, rounded; if it is at infinity, no point
     double radius;                      ///< the distance from the sites
     std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
-    std::vector<Footpoint> footpoints;      ///< one between each edge and the next one, clockwise; one, if there are no edges
+    /// one between each edge and the next one, clockwise; one, if there are no edges
+    std::vector<Footpoint> footpoints;
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
-    CGAL::Bbox_2 box;                   ///< the exact point is in it, by proof; infinite where nothing is proved, or it is at infinity
+    /// the exact point is in it, by proof; infinite where nothing is proved, or it is at infinity
+    CGAL::Bbox_2 box;
     std::array<double, 2> radius_bounds;   ///< the exact distance is between them
   };
 
   //! an edge.
   struct Edge
   {
-    std::array<std::size_t, 2> sites;                       ///< the site on its right, and that on its left; the same one if both footpoints are on one piece
+    /// the site on its right, and that on its left; the same one if both footpoints are on one piece
+    std::array<std::size_t, 2> sites;
     std::array<std::size_t, 2> vertices;                    ///< where it begins and ends
-    std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
+    /// of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
+    std::array<std::array<double, 2>, 2> parameters;
   };
 
-  //! an edge as the boundary of a cell sees it: with the site of the cell on its left, and the adjacent one on its right.
+  //! an edge as the boundary of a cell sees it: with the site of the cell on its left, and the adjacent one on its
+  //! right.
   struct Boundary_edge : Edge
   {
     std::size_t index;                  ///< that of the edge
@@ -119,13 +135,17 @@ public:
   struct Boundary_chain
   {
     std::vector<Boundary_edge> edges;   ///< in order
-    bool is_closed;                     ///< whether the last one ends where the first one begins; if not, the chain begins and ends at infinity, or where the foot of the perpendicular goes over to another site
+    /// whether the last one ends where the first one begins; if not, the chain begins and ends at infinity, or where
+    /// the foot of the perpendicular goes over to another site
+    bool is_closed;
   };
 
   /*!
   the points that are nearest to a site, or to one of several sites, by the boundary of them, counterclockwise.
 
-  Where the foot of the perpendicular goes over to a site on the same curve there is no edge, but this perpendicular: it joins the ends of two chains, or leads to infinity. A cell without chains is all of the region of the site, or of the plane, up to such perpendiculars.
+  Where the foot of the perpendicular goes over to a site on the same curve there is no edge, but this perpendicular: it
+  joins the ends of two chains, or leads to infinity. A cell without chains is all of the region of the site, or of the
+  plane, up to such perpendiculars.
   */
   struct Cell
   {
@@ -151,7 +171,10 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_of_curves_2(std::shared_ptr<const internal::Voronoi::Site_graph_2> graph, std::shared_ptr<const internal::Voronoi::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph), m_undecided(internal::Voronoi::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
+  Voronoi_diagram_of_curves_2(std::shared_ptr<const internal::Voronoi::Site_graph_2> graph,
+                              std::shared_ptr<const internal::Voronoi::Disk_diagram> diagram)
+    : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph),
+      m_undecided(internal::Voronoi::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
   {
     const Upward_rounding_guard guard;
     make_coincident_parts();
@@ -165,7 +188,8 @@ public:
   //! the sites: the polynomial pieces of all curves, and behind them all their ends and the isolated points.
   const std::vector<Site>& sites() const { return m_sites; }
 
-  //! what curves have in common, for each two of them: pieces of the same points are one site, that of the curve with the lowest index.
+  //! what curves have in common, for each two of them: pieces of the same points are one site, that of the curve with
+  //! the lowest index.
   const std::vector<Voronoi_coincidence_2>& coincident_parts() const { return m_coincident_parts; }
 
   //! the vertices.
@@ -180,24 +204,28 @@ public:
   //! whether all of the diagram is proved.
   bool is_complete() const { return m_diagram->is_complete(); }
 
-  //! the parts of curves beside which disks are not decided, or edges not connected, in order; none if the diagram is complete, and some if it is not. A part that belongs to an isolated point has no curve: the greatest index.
+  //! the parts of curves beside which disks are not decided, or edges not connected, in order; none if the diagram is
+  //! complete, and some if it is not. A part that belongs to an isolated point has no curve: the greatest index.
   const std::vector<Undecided_part_2>& undecided() const { return m_undecided; }
 
-  //! the sites that are on a curve: its pieces, and the points where these end. Of a part that is also on a curve of a lower index, there are only the ends: see `coincident_parts()`.
+  //! the sites that are on a curve: its pieces, and the points where these end. Of a part that is also on a curve of a
+  //! lower index, there are only the ends: see `coincident_parts()`.
   std::vector<std::size_t> sites_of_curve(std::size_t curve) const
   {
     std::vector<std::size_t> result;
     const auto is_on_curve = [&](const auto& end) { return m_graph->curve_of_arc(end.arc) == curve; };
     for (std::size_t i = 0; i < m_sites.size(); ++i) {
       const std::size_t arcs = m_graph->arcs().size();
-      if (i < arcs ? m_graph->curve_of_arc(i) == curve : std::ranges::any_of(m_graph->vertices()[i - arcs].ends, is_on_curve))
+      if (i < arcs ? m_graph->curve_of_arc(i) == curve
+                   : std::ranges::any_of(m_graph->vertices()[i - arcs].ends, is_on_curve))
         result.push_back(i);
     }
     return result;
   }
 
   /*!
-  the cell of some sites: the union of their cells. Edges between two of them, or between two points of one, are inside and left out; of a closed curve, `sites_of_curve()`, there is what is inside of it and what is outside.
+  the cell of some sites: the union of their cells. Edges between two of them, or between two points of one, are inside
+  and left out; of a closed curve, `sites_of_curve()`, there is what is inside of it and what is outside.
 
   Of a medial axis, it is the part that is in the region.
 
@@ -217,7 +245,9 @@ public:
       halfedges.insert(halfedges.end(), m_halfedges_of_site[site].begin(), m_halfedges_of_site[site].end());
       result.is_complete = result.is_complete && !m_is_undecided[site];
     }
-    const auto is_inside = [&](std::size_t h) { return inner.contains(site_of(m_diagram->element(m_diagram->halfedges()[h]))); };
+    const auto is_inside = [&](std::size_t h) {
+      return inner.contains(site_of(m_diagram->element(m_diagram->halfedges()[h])));
+    };
     for (const auto& [chain, is_closed] : internal::Voronoi::Cell_boundaries(*m_diagram, is_inside)(halfedges)) {
       result.chains.push_back({{}, is_closed});
       for (const std::size_t h : chain)
@@ -230,16 +260,19 @@ public:
   Cell cell(std::size_t site) const { return cell(std::vector<std::size_t>{site}); }
 
   /*!
-  points along an edge, so many that it passes the middles of their chords at no more than a given distance, where the bounds of their radii are close together.
+  points along an edge, so many that it passes the middles of their chords at no more than a given distance, where the
+  bounds of their radii are close together.
 
-  An edge with an end at infinity is cut where the radius of the disks is larger than a given one; nothing is left if all are.
+  An edge with an end at infinity is cut where the radius of the disks is larger than a given one; nothing is left if
+  all are.
 
   \param edge the index of the edge.
   \param error the distance; positive.
   \param most_radius the radius.
   \throws Invalid_input when there is no such edge, or the error is not positive.
   */
-  std::vector<Sample> polyline(std::size_t edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
+  std::vector<Sample> polyline(std::size_t edge, double error,
+                               double most_radius = std::numeric_limits<double>::infinity()) const
   {
     internal::check_error(error, "Voronoi_diagram_of_curves_2");
     if (edge >= m_edges.size())
@@ -256,7 +289,8 @@ public:
   }
 
   //! points along an edge of the boundary of a cell, from its begin to its end; otherwise as above.
-  std::vector<Sample> polyline(const Boundary_edge& edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
+  std::vector<Sample> polyline(const Boundary_edge& edge, double error,
+                               double most_radius = std::numeric_limits<double>::infinity()) const
   {
     std::vector<Sample> result = polyline(edge.index, error, most_radius);
     if (edge.is_reversed) {
@@ -268,7 +302,9 @@ public:
   }
 
   /*!
-  the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be. These are equally near, as in points of an edge, up to about 10^-28 of the distances; what doubles do not tell apart is decided with 128 bits.
+  the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be.
+  These are equally near, as in points of an edge, up to about 10^-28 of the distances; what doubles do not tell apart
+  is decided with 128 bits.
 
   \param point the point. The answer does not depend on whether the diagram is complete.
   \throws Invalid_input when a coordinate is not finite, or its absolute value is greater than \f$2^{250}\f$.
@@ -278,7 +314,8 @@ public:
   std::vector<std::size_t> nearest_sites(const Point& point) const
   {
     const Upward_rounding_guard guard;
-    const internal::Exact_pair exact{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())};
+    const internal::Exact_pair exact{internal::converted_number<Exact_rational>(point.x()),
+                                     internal::converted_number<Exact_rational>(point.y())};
     internal::Voronoi::check_magnitude(exact, "Voronoi_diagram_of_curves_2::nearest_sites");
     return internal::Voronoi::nearest_sites(*m_graph, m_tree, *m_diagram->fine_level(), exact);
   }
@@ -286,9 +323,15 @@ public:
 private:
   internal::Voronoi::Edge_samples<Kernel> edge_samples() const { return {*m_graph, *m_diagram}; }
 
-  std::size_t site_of(const internal::Voronoi::Oriented_element& element) const { return element.object + (element.is_normal_cone ? m_graph->arcs().size() : 0); }
+  std::size_t site_of(const internal::Voronoi::Oriented_element& element) const
+  {
+    return element.object + (element.is_normal_cone ? m_graph->arcs().size() : 0);
+  }
 
-  double curve_parameter(std::size_t site, double u) const { return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u); }
+  double curve_parameter(std::size_t site, double u) const
+  {
+    return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u);
+  }
 
   // The parameters of a range of a piece; of one with ends that are not known exactly, with all errors.
   std::array<double, 2> parameter_bounds(std::size_t site, const internal::Common::Range& range) const
@@ -297,9 +340,17 @@ private:
       return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     const internal::Common::Site_arc_2& arc = m_graph->arcs()[site];
     const auto& [first, last] = arc.piece().domain;
-    const auto enclosed = [](const Exact_rational& x) { return internal::Common::interval_of<internal::Common::Interval>(x); };
-    const internal::Common::Interval error = enclosed(arc.error()), begin = enclosed(first), result = begin + (enclosed(last) - begin) * (internal::Common::interval_of<internal::Common::Interval>(range) + internal::Common::Interval(-error.sup(), error.sup()));
-    return ends(error.sup() > 0 ? result : internal::Voronoi::common_part(result, internal::Voronoi::hull(begin, enclosed(last))));
+    const auto enclosed = [](const Exact_rational& x) {
+      return internal::Common::interval_of<internal::Common::Interval>(x);
+    };
+    const internal::Common::Interval error = enclosed(arc.error()), begin = enclosed(first),
+                                     result = begin +
+        (enclosed(last) - begin) *
+            (internal::Common::interval_of<internal::Common::Interval>(range) +
+             internal::Common::Interval(-error.sup(), error.sup()));
+    return ends(error.sup() > 0
+                    ? result
+                    : internal::Voronoi::common_part(result, internal::Voronoi::hull(begin, enclosed(last))));
   }
 
   // The disk in the end of an edge is that of the vertex, which may be known better.
@@ -307,11 +358,15 @@ private:
   {
     const Vertex& vertex = m_vertices[index];
     const auto width = [](const std::array<double, 2>& bounds) { return bounds[1] - bounds[0]; };
-    if (!vertex.is_at_infinity && vertex.radius <= most_radius && width(vertex.radius_bounds) < width(sample.radius_bounds))
+    if (!vertex.is_at_infinity && vertex.radius <= most_radius &&
+        width(vertex.radius_bounds) < width(sample.radius_bounds))
       sample = {vertex.point, vertex.radius, sample.parameters, vertex.radius_bounds};
   }
 
-  static CGAL::Bbox_2 box(const internal::Common::Interval_pair& center) { return {center[0].inf(), center[1].inf(), center[0].sup(), center[1].sup()}; }
+  static CGAL::Bbox_2 box(const internal::Common::Interval_pair& center)
+  {
+    return {center[0].inf(), center[1].inf(), center[0].sup(), center[1].sup()};
+  }
   static std::array<double, 2> ends(const internal::Common::Interval& x) { return {x.inf(), x.sup()}; }
 
   void make_coincident_parts()
@@ -319,7 +374,8 @@ private:
     for (const auto& [curves, overlap] : m_graph->coincident_parts()) {
       m_coincident_parts.push_back({curves, {}, overlap.is_reversed});
       for (std::size_t k = 0; k < 2; ++k)
-        m_coincident_parts.back().parameters[k] = {to_nearest_double(overlap.parameters[k].first), to_nearest_double(overlap.parameters[k].second)};
+        m_coincident_parts.back().parameters[k] = {to_nearest_double(overlap.parameters[k].first),
+                                                   to_nearest_double(overlap.parameters[k].second)};
     }
   }
 
@@ -328,12 +384,21 @@ private:
     const std::vector<std::size_t> regions = internal::Voronoi::components_of_vertices(*m_graph);
     for (std::size_t i = 0; i < m_graph->arcs().size(); ++i) {
       const auto& [begin, end] = m_graph->arcs()[i].piece().domain;
-      m_sites.push_back({false, internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)), m_graph->curve_of_arc(i), {to_nearest_double(begin), to_nearest_double(end)}, regions[m_graph->vertex_of({i, false})]});
+      m_sites.push_back({false,
+                         internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)),
+                         m_graph->curve_of_arc(i),
+                         {to_nearest_double(begin), to_nearest_double(end)},
+                         regions[m_graph->vertex_of({i, false})]});
     }
     for (std::size_t v = 0; v < regions.size(); ++v) {
       const auto& vertex = m_graph->vertices()[v];
-      const auto [curve, parameter] = internal::Voronoi::vertex_origin(*m_graph, v).value_or(std::pair(internal::Voronoi::Disk_diagram::none, 0.));
-      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), curve, {parameter, parameter}, regions[v]});
+      const auto [curve, parameter] =
+          internal::Voronoi::vertex_origin(*m_graph, v).value_or(std::pair(internal::Voronoi::Disk_diagram::none, 0.));
+      m_sites.push_back({true,
+                         internal::kernel_object<Kernel, Point>(vertex.exact_point),
+                         curve,
+                         {parameter, parameter},
+                         regions[v]});
     }
     m_number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
   }
@@ -342,17 +407,36 @@ private:
   {
     for (const auto& vertex : m_diagram->vertices()) {
       const internal::Voronoi::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
-      const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : edge_samples()(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
+      const Sample at = vertex.is_at_infinity
+          ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}}
+          : edge_samples()(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
       const internal::Voronoi::Vertex_bounds bounds = internal::Voronoi::vertex_bounds(*m_graph, *m_diagram, vertex);
-      const auto within = [](const internal::Common::Interval& x, const auto& value) { return std::clamp(CGAL::to_double(value), x.inf(), x.sup()); };
-      const Point center = internal::kernel_object<Kernel, Point>(std::array<double, 2>{within(bounds.center[0], at.point.x()), within(bounds.center[1], at.point.y())});
-      m_vertices.push_back({center, within(bounds.radius, at.radius), {}, {}, vertex.is_at_infinity, vertex.is_resolved, box(bounds.center), ends(bounds.radius)});
+      const auto within = [](const internal::Common::Interval& x, const auto& value) {
+        return std::clamp(CGAL::to_double(value), x.inf(), x.sup());
+      };
+      const Point center = internal::kernel_object<Kernel, Point>(
+          std::array<double, 2>{within(bounds.center[0], at.point.x()), within(bounds.center[1], at.point.y())});
+      m_vertices.push_back({center,
+                            within(bounds.radius, at.radius),
+                            {},
+                            {},
+                            vertex.is_at_infinity,
+                            vertex.is_resolved,
+                            box(bounds.center),
+                            ends(bounds.radius)});
     }
     for (const internal::Voronoi::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = edge_samples()(part, m_diagram->end_parameter(part, false));
       const std::size_t site = site_of(m_diagram->element(part));
       const internal::Common::Site_arc_2& circle = m_graph->arcs()[site];
-      m_vertices.push_back({at.point, at.radius, {}, {{site, at.parameters[0], m_sites[site].parameters}}, false, true, box(circle.center()), ends(CGAL::sqrt(circle.squared_radius()))});
+      m_vertices.push_back({at.point,
+                            at.radius,
+                            {},
+                            {{site, at.parameters[0], m_sites[site].parameters}},
+                            false,
+                            true,
+                            box(circle.center()),
+                            ends(CGAL::sqrt(circle.squared_radius()))});
     }
   }
 
@@ -367,10 +451,13 @@ private:
         continue;
       edge_of[i] = edge_of[twin] = m_edges.size();
       m_halfedge_of_edge.push_back(i);
-      Edge edge{{site_of(m_diagram->element(halfedges[i])), site_of(m_diagram->element(halfedges[twin]))}, {halfedges[i].source, halfedges[twin].source}, {}};
+      Edge edge{{site_of(m_diagram->element(halfedges[i])), site_of(m_diagram->element(halfedges[twin]))},
+                {halfedges[i].source, halfedges[twin].source},
+                {}};
       for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t end = 0; end < 2; ++end)
-          edge.parameters[k][end] = curve_parameter(edge.sites[k], end_parameter(halfedges[k == 0 ? i : twin], (end == 1) == (k == 0)));
+          edge.parameters[k][end] =
+              curve_parameter(edge.sites[k], end_parameter(halfedges[k == 0 ? i : twin], (end == 1) == (k == 0)));
       m_edges.push_back(edge);
     }
     for (std::size_t v = 0; v < m_diagram->vertices().size(); ++v)
@@ -378,7 +465,8 @@ private:
         if (edge_of[h] != internal::Voronoi::Disk_diagram::none) {
           const std::size_t site = site_of(m_diagram->element(halfedges[h]));
           m_vertices[v].edges.push_back(edge_of[h]);
-          m_vertices[v].footpoints.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false)), parameter_bounds(site, m_diagram->range_of_end(h, false).range)});
+          m_vertices[v].footpoints.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false)),
+                                              parameter_bounds(site, m_diagram->range_of_end(h, false).range)});
         }
   }
 
@@ -408,7 +496,10 @@ private:
     return result;
   }
 
-  double end_parameter(const internal::Voronoi::Disk_diagram::Halfedge& h, bool end) const { return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end); }
+  double end_parameter(const internal::Voronoi::Disk_diagram::Halfedge& h, bool end) const
+  {
+    return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end);
+  }
 };
 
 } // namespace Spline_constraints

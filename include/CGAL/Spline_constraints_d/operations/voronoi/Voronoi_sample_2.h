@@ -17,15 +17,18 @@ namespace Spline_constraints {
 
 A point of an edge of a Voronoi diagram: the center of an empty disk that touches both sites.
 
-It is up to rounding, and the bounds of its radius are close together, but for a few places where the sites nearly coincide: where the bounds are not, the disk touches one of the sites and has some radius between them.
+It is up to rounding, and the bounds of its radius are close together, but for a few places where the sites nearly
+coincide: where the bounds are not, the disk touches one of the sites and has some radius between them.
 */
 template <SplineKernel Kernel>
 struct Voronoi_sample_2
 {
   typename Kernel::Point_2 point;            ///< the center of the disk, rounded
   double radius;                             ///< the radius of the disk: the distance from both sites
-  std::array<double, 2> parameters;          ///< where the disk touches the sites of the edge: the parameter of a curve; of a point, no number
-  std::array<double, 2> radius_bounds{0, std::numeric_limits<double>::infinity()};   ///< the exact radius of a disk that touches one of the sites there is between them, by proof
+  /// where the disk touches the sites of the edge: the parameter of a curve; of a point, no number
+  std::array<double, 2> parameters;
+  /// the exact radius of a disk that touches one of the sites there is between them, by proof
+  std::array<double, 2> radius_bounds{0, std::numeric_limits<double>::infinity()};
 };
 
 } // namespace Spline_constraints

@@ -16,13 +16,19 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the medial axis of a region: the centers of all disks inside that touch the boundary in two points or more, and the limits of these, which are centers of curvature and convex corners. With the radii of the disks it describes the region completely.
+the medial axis of a region: the centers of all disks inside that touch the boundary in two points or more, and the
+limits of these, which are centers of curvature and convex corners. With the radii of the disks it describes the region
+completely.
 
-It is the part of the Voronoi diagram of the boundary that is inside, `voronoi_diagram()`, and computed and proved in the same way. Its edges cut the region into as many parts as there are boundaries. A reflex corner is a site of its own. No edge ends there: disks that touch the boundary in that corner only belong to the region of the boundary around it.
+It is the part of the Voronoi diagram of the boundary that is inside, `voronoi_diagram()`, and computed and proved in
+the same way. Its edges cut the region into as many parts as there are boundaries. A reflex corner is a site of its own.
+No edge ends there: disks that touch the boundary in that corner only belong to the region of the boundary around it.
 
-\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the pieces of the boundary to all cores through TBB. The answers are the same.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
+the pieces of the boundary to all cores through TBB. The answers are the same.
 \param region the region. Parameters are those of its curves.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
+\f$2^{250}\f$, or the weight of a curve is not proved to have one sign.
 
 Complexity: about half of that of the Voronoi diagram.
 */
@@ -30,7 +36,9 @@ template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Voronoi_diagram_of_curves_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
 {
   const auto graph = internal::Voronoi::region_graph(region);
-  return {graph, std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(*graph, internal::Voronoi::region_elements(*graph, region, true), "medial_axis"))};
+  return {graph,
+          std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(
+              *graph, internal::Voronoi::region_elements(*graph, region, true), "medial_axis"))};
 }
 
 } // namespace Spline_constraints

@@ -31,7 +31,10 @@ Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
     sides.push_back(operands.is_on(1, *graph, i) - operands.is_on(0, *graph, i));
   for (const Site_graph_2::Vertex& vertex : graph->vertices())
     sides.push_back(operands.is_at(1, *graph, vertex) - operands.is_at(0, *graph, vertex));
-  return {Voronoi_diagram_of_curves_2<Kernel>(graph, std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(*graph, all_elements(*graph), "trimmed_bisector"))), sides};
+  return {Voronoi_diagram_of_curves_2<Kernel>(graph,
+                                              std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(
+                                                  *graph, all_elements(*graph), "trimmed_bisector"))),
+          sides};
 }
 
 } // namespace Voronoi
@@ -41,20 +44,28 @@ Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
 /// @{
 
 /*!
-the trimmed bisector of two curves in the plane: all points that have the same distance from both, as chains with the first curve on the right.
+the trimmed bisector of two curves in the plane: all points that have the same distance from both, as chains with the
+first curve on the right.
 
-The distance is that of the nearest point of a curve, which may be one of its ends. Other than `bisector_curves()`, this has no centers of circles that touch both curves, but have another point of them inside.
+The distance is that of the nearest point of a curve, which may be one of its ends. Other than `bisector_curves()`, this
+has no centers of circles that touch both curves, but have another point of them inside.
 
-Curves may cross or touch each other and themselves: a chain begins in each of the angles at a common point of both. They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
-Where curves touch at parameters that are not rational, or have a zero derivative at one in the inside of a piece, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
+Curves may cross or touch each other and themselves: a chain begins in each of the angles at a common point of both.
+They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only
+nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An
+edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
+Where curves touch at parameters that are not rational, or have a zero derivative at one in the inside of a piece, the
+bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
 
 It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 
-\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides of the curves to all cores through TBB. The answers are the same.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
+the sides of the curves to all cores through TBB. The answers are the same.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.
 \param a the first curve.
 \param b the second curve.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
+\f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of the Voronoi diagram.
 */
@@ -65,7 +76,8 @@ Trimmed_bisector_2<typename C1::Kernel> trimmed_bisector(const C1& a, const C2& 
   return internal::Voronoi::trimmed_bisector_of<Concurrency_tag, typename C1::Kernel>(a, b);
 }
 
-//! the trimmed bisector of a curve and a point, with the curve on the right. Of a point on the curve, edges are between this point and the curve as it goes on.
+//! the trimmed bisector of a curve and a point, with the curve on the right. Of a point on the curve, edges are between
+//! this point and the curve as it goes on.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
 Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const Curve& a, const typename Curve::Kernel::Point_2& b)
@@ -92,7 +104,8 @@ Trimmed_bisector_2<Kernel> trimmed_bisector(const CGAL::Point_2<Kernel>& a, cons
 }
 
 /*!
-the trimmed self-bisector of a curve in the plane: the centers of all disks that touch it in two points or more, ends included, and have no point of it inside. It ends in centers of curvature, in corners, and at infinity.
+the trimmed self-bisector of a curve in the plane: the centers of all disks that touch it in two points or more, ends
+included, and have no point of it inside. It ends in centers of curvature, in corners, and at infinity.
 
 The points inside of a closed curve are its medial axis. That of a circle is a vertex of the diagram without edges.
 

@@ -30,27 +30,35 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The edges of a Voronoi diagram or a medial axis as an arrangement of chords, for point location, overlays and all else that CGAL does with arrangements.
+The edges of a Voronoi diagram or a medial axis as an arrangement of chords, for point location, overlays and all else
+that CGAL does with arrangements.
 */
 template <SplineKernel Kernel>
 struct Voronoi_arrangement_2
 {
   /*!
   an exact arrangement of chords; `edge->curve().data()` lists their labels. What its records know:
-  - `vertex->data()`, the vertex of the diagram that is there, the first one if there are several, as in a crossing; nothing where chords of one edge meet;
+  - `vertex->data()`, the vertex of the diagram that is there, the first one if there are several, as in a crossing;
+    nothing where chords of one edge meet;
   - `halfedge->data()`, the site that is nearest on its left; nothing on the sides of a box;
-  - `face->data()`, in increasing order the regions of the sites along its edges, see `Voronoi_site_2::region`: one, if the diagram is complete and not cut there.
-  CGAL's stream operators (`CGAL/IO/Arr_iostream.h`) write and read its geometry, without labels and records.
+  - `face->data()`, in increasing order the regions of the sites along its edges, see `Voronoi_site_2::region`: one, if
+    the diagram is complete and not cut there. CGAL's stream operators (`CGAL/IO/Arr_iostream.h`) write and read its
+    geometry, without labels and records.
   */
-  using Arrangement = CGAL::Arrangement_2<internal::Regions::Chord_traits_2, CGAL::Arr_extended_dcel<internal::Regions::Chord_traits_2, std::optional<std::size_t>, std::optional<std::size_t>, std::vector<std::size_t>>>;
+  using Arrangement =
+      CGAL::Arrangement_2<internal::Regions::Chord_traits_2,
+                          CGAL::Arr_extended_dcel<internal::Regions::Chord_traits_2, std::optional<std::size_t>,
+                                                  std::optional<std::size_t>, std::vector<std::size_t>>>;
 
-  //! the arrangement. Labels are indices of edges of the diagram, and of chords of the polylines; of the sides of a box, the number of edges, and 0 to 3.
+  //! the arrangement. Labels are indices of edges of the diagram, and of chords of the polylines; of the sides of a
+  //! box, the number of edges, and 0 to 3.
   Arrangement arrangement;
 
   //! the samples of each edge that the chords join: with the parameters of both sites, and the radius.
   std::vector<std::vector<Voronoi_sample_2<Kernel>>> polylines;
 
-  //! whether the arrangement is proved to have the connections of the diagram: chords meet in their ends only, and edges around each vertex have the same order.
+  //! whether the arrangement is proved to have the connections of the diagram: chords meet in their ends only, and
+  //! edges around each vertex have the same order.
   bool has_same_topology;
 };
 
@@ -69,7 +77,9 @@ inline bool has_order_of_edges(std::vector<End_chord> chords, const std::vector<
 {
   if (chords.size() != edges.size())
     return false;
-  std::sort(chords.begin(), chords.end(), [](const End_chord& a, const End_chord& b) { return b.direction < a.direction; });   // directions increase counterclockwise
+  // directions increase counterclockwise
+  std::sort(chords.begin(), chords.end(),
+            [](const End_chord& a, const End_chord& b) { return b.direction < a.direction; });
   for (std::size_t shift = 0; shift < edges.size(); ++shift) {
     bool is_equal = true;
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -81,7 +91,8 @@ inline bool has_order_of_edges(std::vector<End_chord> chords, const std::vector<
 }
 
 template <class Diagram, class Arrangement, class Point>
-bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement, const std::vector<std::vector<Point>>& polylines, double most_radius)
+bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement,
+                     const std::vector<std::vector<Point>>& polylines, double most_radius)
 {
   if (!is_crossing_free(arrangement, polylines))
     return false;
@@ -93,14 +104,16 @@ bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement, con
       chords[last].push_back({e, (p[p.size() - 2] - p.back()).direction()});
     }
   for (std::size_t v = 0; v < chords.size(); ++v)
-    if (const auto& vertex = diagram.vertices()[v]; vertex.radius <= most_radius && !has_order_of_edges(chords[v], vertex.edges))
+    if (const auto& vertex = diagram.vertices()[v];
+        vertex.radius <= most_radius && !has_order_of_edges(chords[v], vertex.edges))
       return false;
   return true;
 }
 
 // The arrangement with errors that are halved until it has the topology of the diagram, up to eight times.
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
+Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
+                                                  double most_radius)
 {
   check_error(error, "to_arrangement");
   constexpr int most_refinements = 8;
@@ -112,7 +125,9 @@ Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curve
     for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
       auto samples = diagram.polyline(e, error, most_radius);
       const auto& [first, last] = diagram.edges()[e].vertices;
-      const auto is_kept = [&](std::size_t v) { return !samples.empty() && !diagram.vertices()[v].is_at_infinity && diagram.vertices()[v].radius <= most_radius; };
+      const auto is_kept = [&](std::size_t v) {
+        return !samples.empty() && !diagram.vertices()[v].is_at_infinity && diagram.vertices()[v].radius <= most_radius;
+      };
       if (is_kept(first))
         samples.front().point = diagram.vertices()[first].point;
       if (is_kept(last))
@@ -130,11 +145,14 @@ Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curve
 
 // Whether edges to infinity have been followed to disks of a radius.
 template <SplineKernel Kernel>
-bool edges_reach(const Voronoi_diagram_of_curves_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement, double radius)
+bool edges_reach(const Voronoi_diagram_of_curves_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement,
+                 double radius)
 {
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const bool is_end : {false, true})
-      if (const auto& samples = arrangement.polylines[e]; !samples.empty() && diagram.vertices()[diagram.edges()[e].vertices[is_end]].is_at_infinity && !((is_end ? samples.back() : samples.front()).radius >= radius))
+      if (const auto& samples = arrangement.polylines[e]; !samples.empty() &&
+          diagram.vertices()[diagram.edges()[e].vertices[is_end]].is_at_infinity &&
+          !((is_end ? samples.back() : samples.front()).radius >= radius))
         return false;
   return true;
 }
@@ -143,12 +161,15 @@ bool edges_reach(const Voronoi_diagram_of_curves_2<Kernel>& diagram, const Voron
 template <class Arrangement>
 void cut_at(const CGAL::Bbox_2& box, std::size_t label, Arrangement& arrangement)
 {
-  const std::array<Chord_traits_2::Point_2, 4> corners{{{box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}}};
+  const std::array<Chord_traits_2::Point_2, 4> corners{
+      {{box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}}};
   std::vector<Chord_traits_2::Curve_2> sides;
   for (std::size_t i = 0; i < 4; ++i)
     sides.emplace_back(Chord_segment_traits_2::Curve_2(corners[i], corners[(i + 1) % 4]), Chord_label{label, i});
   CGAL::insert(arrangement, sides.begin(), sides.end());
-  const auto is_outside = [&](const Chord_traits_2::Point_2& p) { return p.x() < box.xmin() || p.x() > box.xmax() || p.y() < box.ymin() || p.y() > box.ymax(); };
+  const auto is_outside = [&](const Chord_traits_2::Point_2& p) {
+    return p.x() < box.xmin() || p.x() > box.xmax() || p.y() < box.ymin() || p.y() > box.ymax();
+  };
   std::vector<typename Arrangement::Halfedge_handle> outer;
   for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e)
     if (is_outside(e->source()->point()) || is_outside(e->target()->point()))
@@ -175,7 +196,8 @@ void label_halfedges(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi
   for (auto h = result.arrangement.halfedges_begin(); h != result.arrangement.halfedges_end(); ++h)
     for (const Chord_label& label : h->curve().data())
       if (label.curve < diagram.edges().size()) {
-        const auto& [begin, end] = std::array{result.polylines[label.curve][label.chord].point, result.polylines[label.curve][label.chord + 1].point};
+        const auto& [begin, end] = std::array{result.polylines[label.curve][label.chord].point,
+                                              result.polylines[label.curve][label.chord + 1].point};
         const bool is_along_edge = (h->direction() == CGAL::ARR_LEFT_TO_RIGHT) == (begin < end);
         h->set_data(diagram.edges()[label.curve].sites[is_along_edge ? 1 : 0]);
       }
@@ -208,7 +230,9 @@ void label_whole_box(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi
   for (auto face = result.arrangement.faces_begin(); face != result.arrangement.faces_end(); ++face)
     if (!face->is_unbounded() && face->data().empty()) {
       const auto& corner = face->outer_ccb()->source()->point();
-      const std::size_t site = diagram.nearest_sites(typename Kernel::Point_2(CGAL::to_double(corner.x()), CGAL::to_double(corner.y()))).front();
+      const std::size_t site =
+          diagram.nearest_sites(typename Kernel::Point_2(CGAL::to_double(corner.x()), CGAL::to_double(corner.y())))
+              .front();
       face->set_data({diagram.sites()[site].region});
     }
 }
@@ -240,19 +264,24 @@ void label_records(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_a
 
 a Voronoi diagram or a medial axis as an arrangement of chords of its edges.
 
-Edges that have a vertex in common end in the same vertex of the arrangement, the point of the vertex, rounded; so do those that end in the angles between curves that cross, in one point. Edges to infinity are cut.
+Edges that have a vertex in common end in the same vertex of the arrangement, the point of the vertex, rounded; so do
+those that end in the angles between curves that cross, in one point. Edges to infinity are cut.
 
-Whether the arrangement has the connections of the diagram is decided exactly; if not, the error is halved, up to eight times. Then each connected part of it can be deformed to that part of the diagram without a change of the connections.
+Whether the arrangement has the connections of the diagram is decided exactly; if not, the error is halved, up to eight
+times. Then each connected part of it can be deformed to that part of the diagram without a change of the connections.
 
 \param diagram the diagram.
 \param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
-\param most_radius edges to infinity are cut where the radius of the disks is larger, and so are vertices of such radius; positive and finite.
-\throws Invalid_input when the error is not positive, the radius is not positive or not finite, or a coordinate of a chord is greater than \f$2^{250}\f$.
+\param most_radius edges to infinity are cut where the radius of the disks is larger, and so are vertices of such
+radius; positive and finite.
+\throws Invalid_input when the error is not positive, the radius is not positive or not finite, or a coordinate of a
+chord is greater than \f$2^{250}\f$.
 
 Complexity: that of a sweep, \f$O(n \log n)\f$ for \f$n\f$ chords, for each error that is tried.
 */
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
+Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
+                                             double most_radius)
 {
   if (!(most_radius > 0 && std::isfinite(most_radius)))
     throw Invalid_input("to_arrangement: the radius must be positive and finite");
@@ -266,26 +295,35 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<K
 
 a Voronoi diagram or a medial axis in a box, as an arrangement of chords of its edges and the sides of the box.
 
-The regions are faces then, also those that go to infinity: point location tells which of the connected sets of curves and points is the nearest one, for points that are not between an edge and a chord. `Voronoi_diagram_of_curves_2::nearest_sites()` tells it for all points, and which piece it is.
+The regions are faces then, also those that go to infinity: point location tells which of the connected sets of curves
+and points is the nearest one, for points that are not between an edge and a chord.
+`Voronoi_diagram_of_curves_2::nearest_sites()` tells it for all points, and which piece it is.
 
 \param diagram the diagram of one site or more.
 \param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
 \param box what is outside is left out. It is not empty; the sites may be outside.
-\throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not \f$2^{250}\f$ at most; or there are no sites.
+\throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the
+first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not
+\f$2^{250}\f$ at most; or there are no sites.
 
-Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box, and false if an edge to infinity does not reach these.
+Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the
+sides of the box, and false if an edge to infinity does not reach these.
 */
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
+Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
+                                             const CGAL::Bbox_2& box)
 {
   constexpr double least_error = 0x1p-50;   // of the diameter
-  if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() && -internal::most_magnitude <= (std::min)(box.xmin(), box.ymin()) && (std::max)(box.xmax(), box.ymax()) <= internal::most_magnitude))
+  if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() &&
+        -internal::most_magnitude <= (std::min)(box.xmin(), box.ymin()) &&
+        (std::max)(box.xmax(), box.ymax()) <= internal::most_magnitude))
     throw Invalid_input("to_arrangement: the box must have inner points, and coordinates between -2^250 and 2^250");
   if (diagram.sites().empty())
     throw Invalid_input("to_arrangement: the diagram has no sites");
   const auto& site = diagram.sites().front().point;
   const CGAL::Bbox_2 both = box + site.bbox();
-  const double diameter = std::hypot(both.xmax() - both.xmin(), both.ymax() - both.ymin());   // no point of the box has a larger distance from that site
+  // no point of the box has a larger distance from that site
+  const double diameter = std::hypot(both.xmax() - both.xmin(), both.ymax() - both.ymin());
   internal::check_error(error, "to_arrangement");
   if (error < least_error * diameter)
     throw Invalid_input("to_arrangement: the error is less than 2^-50 of the diameter of the box and the first site");
@@ -300,15 +338,18 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<K
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the cell of a connected set of curves and points, `Voronoi_site_2::region`, as polygons with holes that are bounded by chords: the faces of the region, several if a box cuts it, without the edges within them.
+the cell of a connected set of curves and points, `Voronoi_site_2::region`, as polygons with holes that are bounded by
+chords: the faces of the region, several if a box cuts it, without the edges within them.
 
 \param arrangement the diagram as an arrangement; one in a box, or all that is unbounded is left out.
-\param region the index of the region. Where an arrangement of a diagram that is not complete has faces of several regions, these are left out.
+\param region the index of the region. Where an arrangement of a diagram that is not complete has faces of several
+regions, these are left out.
 
 Complexity: that of a copy of the arrangement.
 */
 template <SplineKernel Kernel>
-std::vector<CGAL::Polygon_with_holes_2<CGAL::Exact_predicates_exact_constructions_kernel>> region_polygons(const Voronoi_arrangement_2<Kernel>& arrangement, std::size_t region)
+std::vector<CGAL::Polygon_with_holes_2<CGAL::Exact_predicates_exact_constructions_kernel>>
+region_polygons(const Voronoi_arrangement_2<Kernel>& arrangement, std::size_t region)
 {
   auto faces = arrangement.arrangement;
   std::vector<typename Voronoi_arrangement_2<Kernel>::Arrangement::Halfedge_handle> inner_edges;

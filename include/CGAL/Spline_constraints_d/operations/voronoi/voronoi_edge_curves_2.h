@@ -23,21 +23,26 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the rational curve that an edge between a point and a piece of a curve is a part of, with exact coefficients; see `point_curve_bisector()`. Its parameter is that of the given curve, and increases: it begins where the edge begins or where it ends. Only its ends are rounded, to the parameters of the edge.
+the rational curve that an edge between a point and a piece of a curve is a part of, with exact coefficients; see
+`point_curve_bisector()`. Its parameter is that of the given curve, and increases: it begins where the edge begins or
+where it ends. Only its ends are rounded, to the parameters of the edge.
 
 In a kernel whose numbers are not exact, joints of pieces are rounded, and so is a site that is one.
 
 \param diagram the diagram or medial axis.
 \param edge the index of the edge.
 \param curves what the diagram was made from, or those of the region.
-\param margin the share of the parameters that is left out at an end at infinity, where the curve has a pole; between 0 and 1/2.
+\param margin the share of the parameters that is left out at an end at infinity, where the curve has a pole; between 0
+and 1/2.
 \return nothing if the sites are two points or two pieces, or the parameters at both ends are the same number.
 \throws Invalid_input when the margin is not inside of (0, 1/2).
 
 Complexity: products of polynomials of one parameter.
 */
 template <SplineKernel Kernel, ParametricCurve_2 Curve>
-std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>> exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t edge, const std::vector<Curve>& curves, double margin = 0x1p-10)
+std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>>
+exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t edge, const std::vector<Curve>& curves,
+                 double margin = 0x1p-10)
 {
   if (!(0 < margin && margin < 0.5))
     throw Invalid_input("exact_edge_curve: the margin is not between 0 and 1/2");
@@ -54,7 +59,9 @@ std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>> exact_edge_curve(
     ends[0] += left_out;
   if (diagram.vertices()[vertices[1]].is_at_infinity)
     ends[1] -= left_out;
-  const internal::Loci::Point_curve_bisector bisector({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())}, curves[piece.curve]);
+  const internal::Loci::Point_curve_bisector bisector(
+      {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())},
+      curves[piece.curve]);
   const std::vector<Exact_rational> breaks = bisector.breaks();   // ends of pieces may have been rounded beyond
   const auto last = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, Exact_rational((ends[0] + ends[1]) / 2));
   for (Exact_rational& end : ends)

@@ -51,11 +51,13 @@ struct Conic_equation
 
   Conic_equation opposite() const
   {
-    return {Exact_rational(-r), Exact_rational(-s), Exact_rational(-t), Exact_rational(-u), Exact_rational(-v), Exact_rational(-w)};
+    return {Exact_rational(-r), Exact_rational(-s), Exact_rational(-t),
+            Exact_rational(-u), Exact_rational(-v), Exact_rational(-w)};
   }
 };
 
-// An arc of a conic that is no pair of lines, or a segment, which is collinear; the ends of a whole ellipse are the same point.
+// An arc of a conic that is no pair of lines, or a segment, which is collinear; the ends of a whole ellipse are the
+// same point.
 struct Conic_part
 {
   Exact_kernel::Point_2 source, target;
@@ -68,17 +70,19 @@ struct Conic_part
   bool has_inside(const Exact_kernel::Point_2& p) const { return CGAL::orientation(source, p, target) == orientation; }
 };
 
-// A piece of degree one or two that is on a line runs back on it exactly if it does so at an end: the derivative is a quadratic polynomial over a positive one, and its
-// middle Bernstein coefficient has the direction of the chord.
+// A piece of degree one or two that is on a line runs back on it exactly if it does so at an end: the derivative is a
+// quadratic polynomial over a positive one, and its middle Bernstein coefficient has the direction of the chord.
 template <class Piece>
 bool is_segment(const Piece& piece)
 {
   const Exact_kernel::Vector_2 chord = piece.target() - piece.source();
   const auto [begin, end] = piece.domain();
-  return chord != CGAL::NULL_VECTOR && piece.derivatives(begin, 1)[1] * chord >= 0 && piece.derivatives(end, 1)[1] * chord >= 0;
+  return chord != CGAL::NULL_VECTOR && piece.derivatives(begin, 1)[1] * chord >= 0 &&
+      piece.derivatives(end, 1)[1] * chord >= 0;
 }
 
-// A piece as one of degree two on [0,1], if it is one: in the powers of its parameter, without the common factor of its homogeneous coordinates.
+// A piece as one of degree two on [0,1], if it is one: in the powers of its parameter, without the common factor of its
+// homogeneous coordinates.
 template <class Piece>
 std::optional<Piece> as_quadratic(const Piece& piece)
 {
@@ -96,12 +100,14 @@ std::optional<Piece> as_quadratic(const Piece& piece)
         return std::nullopt;
       powers[monomial.exponent(0)] = coefficient;
     }
-    quadratics.push_back(Bspline_function<Exact_rational>({2}, {{0, 0, 0, 1, 1, 1}}, Bernstein_tensor<Exact_rational>::from_power({2}, powers).coefficients()));
+    quadratics.push_back(Bspline_function<Exact_rational>(
+        {2}, {{0, 0, 0, 1, 1, 1}}, Bernstein_tensor<Exact_rational>::from_power({2}, powers).coefficients()));
   }
   return Piece::from_homogeneous_coordinates({quadratics[0], quadratics[1]}, quadratics[2]);
 }
 
-// What a polynomial or rational piece is, if it is of degree one or two, elevated or not. As a projective image of a parabola it runs along its conic once.
+// What a polynomial or rational piece is, if it is of degree one or two, elevated or not. As a projective image of a
+// parabola it runs along its conic once.
 template <class Piece>
 std::optional<std::pair<Conic_part, std::array<Exact_kernel::Point_2, 5>>> conic_part_of(const Piece& piece)
 {
@@ -123,7 +129,8 @@ std::optional<std::pair<Conic_part, std::array<Exact_kernel::Point_2, 5>>> conic
   return std::pair(part, points);
 }
 
-// The arcs and segments that a curve consists of, if its pieces are of degree one or two, elevated or not, and no point. Pieces that follow each other on one conic, in the same sense and less than once around, are one arc.
+// The arcs and segments that a curve consists of, if its pieces are of degree one or two, elevated or not, and no
+// point. Pieces that follow each other on one conic, in the same sense and less than once around, are one arc.
 template <class Curve>
 std::optional<std::vector<Conic_part>> conic_parts(const Curve& curve)
 {
@@ -133,9 +140,10 @@ std::optional<std::vector<Conic_part>> conic_parts(const Curve& curve)
     if (!next)
       return std::nullopt;
     const auto& [part, points] = *next;
-    const bool goes_on = !result.empty() && part.orientation != CGAL::COLLINEAR && result.back().orientation == part.orientation && !result.back().is_whole() &&
-                         !part.has_inside(result.back().source) &&
-                         std::all_of(points.begin(), points.end(), [&](const auto& p) { return result.back().conic(p) == 0; });
+    const bool goes_on = !result.empty() && part.orientation != CGAL::COLLINEAR &&
+        result.back().orientation == part.orientation && !result.back().is_whole() &&
+        !part.has_inside(result.back().source) &&
+        std::all_of(points.begin(), points.end(), [&](const auto& p) { return result.back().conic(p) == 0; });
     if (goes_on)
       result.back().target = part.target;
     else

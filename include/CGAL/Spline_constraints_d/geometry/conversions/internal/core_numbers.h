@@ -17,8 +17,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The value of an algebraic number if it is found to be rational: the simplest rational number within 400 bits around it is the only candidate, and compared with it exactly.
-So every rational number is found whose numerator and denominator have less than 190 bits.
+The value of an algebraic number if it is found to be rational: the simplest rational number within 400 bits around it
+is the only candidate, and compared with it exactly. So every rational number is found whose numerator and denominator
+have less than 190 bits.
 */
 inline std::optional<Exact_rational> rational_value_of(const CORE::Expr& x)
 {
@@ -27,7 +28,8 @@ inline std::optional<Exact_rational> rational_value_of(const CORE::Expr& x)
   const CORE::BigRat near = x.approx(CORE::extLong(400), CORE::extLong::getPosInfty()).BigRatValue();
   const Exact_rational middle = converted_number<Exact_rational>(near);
   const Exact_rational width = CGAL::abs(middle) * scaled_rational(Big_integer(1), -390);
-  const Exact_rational candidate = simplest_rational_between(Exact_rational(middle - width), Exact_rational(middle + width));
+  const Exact_rational candidate =
+      simplest_rational_between(Exact_rational(middle - width), Exact_rational(middle + width));
   if (CORE::Expr(converted_number<CORE::BigRat>(candidate)) != x)
     return std::nullopt;
   return candidate;

@@ -31,7 +31,8 @@ struct Joint_side
   bool operator==(const Joint_side&) const = default;
 };
 
-// The control points of curves, to be moved. Joints are those that a curve passes through, as all knots they depend on are one: its ends, and others between two pieces.
+// The control points of curves, to be moved. Joints are those that a curve passes through, as all knots they depend on
+// are one: its ends, and others between two pieces.
 template <RationalSplineKernel Kernel>
 class Joint_control_points
 {
@@ -59,7 +60,11 @@ public:
   const std::vector<std::size_t>& joints(std::size_t curve) const { return m_joints[curve]; }
 
   // A curve with the control points where they are now.
-  Curve curve(std::size_t i) const { return Curve(m_curves[i].degree(), m_curves[i].knots(), m_points[i], m_curves[i].is_rational() ? m_curves[i].control_weights() : std::vector<FT>()); }
+  Curve curve(std::size_t i) const
+  {
+    return Curve(m_curves[i].degree(), m_curves[i].knots(), m_points[i],
+                 m_curves[i].is_rational() ? m_curves[i].control_weights() : std::vector<FT>());
+  }
 
   std::vector<Curve> curves() const
   {
@@ -76,11 +81,16 @@ public:
   Curve between(std::size_t curve, std::size_t first, std::size_t last) const
   {
     const auto at = [](const auto& list, std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::vector<FT> all = m_curves[curve].knots(), all_weights = m_curves[curve].is_rational() ? m_curves[curve].control_weights() : std::vector<FT>();
+    const std::vector<FT> all = m_curves[curve].knots(),
+                          all_weights =
+                              m_curves[curve].is_rational() ? m_curves[curve].control_weights() : std::vector<FT>();
     std::vector<FT> knots{all[first + 1]};
-    knots.insert(knots.end(), at(all, first + 1), at(all, last + static_cast<std::size_t>(m_curves[curve].degree()) + 1));
+    knots.insert(knots.end(), at(all, first + 1),
+                 at(all, last + static_cast<std::size_t>(m_curves[curve].degree()) + 1));
     knots.push_back(knots.back());
-    return Curve(m_curves[curve].degree(), knots, std::vector<Point>(at(m_points[curve], first), at(m_points[curve], last + 1)), all_weights.empty() ? all_weights : std::vector<FT>(at(all_weights, first), at(all_weights, last + 1)));
+    return Curve(
+        m_curves[curve].degree(), knots, std::vector<Point>(at(m_points[curve], first), at(m_points[curve], last + 1)),
+        all_weights.empty() ? all_weights : std::vector<FT>(at(all_weights, first), at(all_weights, last + 1)));
   }
 
   // The greatest distance by which a control point has been moved, rounded.
@@ -137,9 +147,12 @@ public:
   bool is_straight(const Joint_side& side) const
   {
     const auto [first, last] = std::minmax(side.joint, opposite(side).joint);
-    const auto is_on_line = [&](const Point& p) { return CGAL::collinear(joint(side), m_points[side.curve][next(side)], p); };
+    const auto is_on_line = [&](const Point& p) {
+      return CGAL::collinear(joint(side), m_points[side.curve][next(side)], p);
+    };
     const auto begin = m_points[side.curve].begin();
-    return std::all_of(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last + 1), is_on_line);
+    return std::all_of(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last + 1),
+                       is_on_line);
   }
 
   // Whether that piece is straight, or the directions at both of its ends depend on the same control points.
@@ -163,7 +176,8 @@ private:
     const std::vector<FT> knots = curve.knots();
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < curve.size(); ++i) {
-      const auto first = knots.begin() + static_cast<std::ptrdiff_t>(i + 1), last = first + static_cast<std::ptrdiff_t>(curve.degree());
+      const auto first = knots.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                 last = first + static_cast<std::ptrdiff_t>(curve.degree());
       if (std::adjacent_find(first, last, std::not_equal_to<>()) == last)
         result.push_back(i);
     }

@@ -32,7 +32,9 @@ inline bool is_near_its_chord(const Rounded_bezier& curve, double error)
   const auto& a = curve.front();
   const auto& b = curve.back();
   return std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
-    return p[2] > 0 && distance_from_segment(p[0] / p[2] - a[0] / a[2], p[1] / p[2] - a[1] / a[2], b[0] / b[2] - a[0] / a[2], b[1] / b[2] - a[1] / a[2]) <= error;
+    return p[2] > 0 &&
+        distance_from_segment(p[0] / p[2] - a[0] / a[2], p[1] / p[2] - a[1] / a[2], b[0] / b[2] - a[0] / a[2],
+                              b[1] / b[2] - a[1] / a[2]) <= error;
   });
 }
 
@@ -61,7 +63,8 @@ Rounded_bezier rounded_bezier(const Bspline_curve_2<Kernel>& piece)
   const auto& map = piece.representation();
   Rounded_bezier result;
   for (std::size_t k = 0; k < piece.size(); ++k)
-    result.push_back({converted_number<double>(map.numerator(0).coefficients()[k]), converted_number<double>(map.numerator(1).coefficients()[k]),
+    result.push_back({converted_number<double>(map.numerator(0).coefficients()[k]),
+                      converted_number<double>(map.numerator(1).coefficients()[k]),
                       converted_number<double>(map.control_weight(k))});
   return result;
 }

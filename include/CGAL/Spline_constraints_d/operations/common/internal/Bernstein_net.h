@@ -26,7 +26,10 @@ using Double_interval = CGAL::Interval_nt<false>;   // within an Upward_rounding
 template <int d>
 using Double_intervals = std::array<Double_interval, d>;
 
-inline Double_interval hull_of(const Double_interval& a, const Double_interval& b) { return {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())}; }
+inline Double_interval hull_of(const Double_interval& a, const Double_interval& b)
+{
+  return {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())};
+}
 
 template <std::size_t d>
 std::array<Double_interval, d> hull_of(std::array<Double_interval, d> a, const std::array<Double_interval, d>& b)
@@ -37,7 +40,8 @@ std::array<Double_interval, d> hull_of(std::array<Double_interval, d> a, const s
 }
 
 /*
-A point, curve or surface on a box of parameters that has no breaks inside, by the Bernstein coefficients of the numerators and of the weight, in intervals.
+A point, curve or surface on a box of parameters that has no breaks inside, by the Bernstein coefficients of the
+numerators and of the weight, in intervals.
 
 Derivatives are those by the place in the box, from 0 to 1 along each axis.
 */
@@ -67,7 +71,8 @@ public:
         m_weights.emplace_back(to_double_interval(w));
   }
 
-  // Whether the coefficients of the weight show that it is positive. Otherwise nothing is known of points and derivatives.
+  // Whether the coefficients of the weight show that it is positive. Otherwise nothing is known of points and
+  // derivatives.
   bool has_bounds() const
   {
     return std::all_of(m_weights.begin(), m_weights.end(), [](const Double_interval& w) { return w.inf() > 0; });

@@ -29,7 +29,8 @@ inline Constraint_system_d system_of(const std::vector<Constraint>& constraints,
   return system;
 }
 
-// Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together, that of time also for what is done between them.
+// Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together,
+// that of time also for what is done between them.
 class Budgeted_solver
 {
   using Clock = std::chrono::steady_clock;
@@ -41,10 +42,16 @@ class Budgeted_solver
 public:
   explicit Budgeted_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
 
-  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
+  {
+    return solve(make_system(constraints));
+  }
 
   // With these unknowns, whether constraints use them or not.
-  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns) { return solve(system_of(constraints, unknowns)); }
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
+  {
+    return solve(system_of(constraints, unknowns));
+  }
 
   const Summary& total() const { return m_total; }
 
@@ -91,7 +98,9 @@ private:
 // Whether constraints without unknowns are satisfied.
 inline bool hold(const std::vector<Constraint>& constraints)
 {
-  return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) { return is_satisfied(c.relation, CGAL::sign(c.function.constant_term())); });
+  return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) {
+    return is_satisfied(c.relation, CGAL::sign(c.function.constant_term()));
+  });
 }
 
 } // namespace Common

@@ -22,8 +22,9 @@ namespace internal {
 namespace Common {
 
 /*
-k polynomials of two parameters on each cell of a grid, of the same degrees on all cells, which count up to a common factor that is not zero: what is asked is where they vanish, or the direction of a
-vector. From one cell to the next they may jump.
+k polynomials of two parameters on each cell of a grid, of the same degrees on all cells, which count up to a common
+factor that is not zero: what is asked is where they vanish, or the direction of a vector. From one cell to the next
+they may jump.
 */
 template <std::size_t k>
 class Cell_functions
@@ -79,11 +80,13 @@ public:
     return std::any_of(cells.begin(), cells.end(), [&](std::size_t c) { return vanish(m_cells[c]); });
   }
 
-  // Divides the functions on a strip by a factor that vanishes on the line at one of its sides only, and is one on the other side, if they vanish on that line.
+  // Divides the functions on a strip by a factor that vanishes on the line at one of its sides only, and is one on the
+  // other side, if they vanish on that line.
   bool divide_out(int axis, std::size_t strip, int side)
   {
     const std::vector<std::size_t> cells = cells_of(axis, strip);
-    if (has_zero_cell(axis, strip) || !std::all_of(cells.begin(), cells.end(), [&](std::size_t c) { return vanish_on(m_cells[c], axis, side); }))
+    if (has_zero_cell(axis, strip) ||
+        !std::all_of(cells.begin(), cells.end(), [&](std::size_t c) { return vanish_on(m_cells[c], axis, side); }))
       return false;
     for (const std::size_t c : cells)
       for (Exact_function& f : m_cells[c])
@@ -91,7 +94,8 @@ public:
     return true;
   }
 
-  // The factor by which the functions at the begin of a strip differ from those at the end of another one all along the line, if there is one.
+  // The factor by which the functions at the begin of a strip differ from those at the end of another one all along the
+  // line, if there is one.
   std::optional<Exact_rational> ratio(int axis, std::size_t before, std::size_t after) const
   {
     std::optional<Exact_rational> result;
@@ -100,7 +104,8 @@ public:
     const std::vector<std::size_t> first = cells_of(axis, before), second = cells_of(axis, after);
     for (std::size_t other = 0; other < first.size(); ++other)
       for (std::size_t f = 0; f < k; ++f) {
-        const std::vector<Exact_rational> end = m_cells[first[other]][f].face(axis, 1).coefficients(), begin = m_cells[second[other]][f].face(axis, 0).coefficients();
+        const std::vector<Exact_rational> end = m_cells[first[other]][f].face(axis, 1).coefficients(),
+                                          begin = m_cells[second[other]][f].face(axis, 0).coefficients();
         for (std::size_t i = 0; i < end.size(); ++i) {
           if (end[i] == 0 && begin[i] == 0)
             continue;
@@ -174,7 +179,8 @@ private:
 
   static bool is_zero(const Exact_function& f)
   {
-    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(),
+                       [](const Exact_rational& x) { return x == 0; });
   }
 
   static bool vanish(const Functions& functions)
@@ -184,7 +190,8 @@ private:
 
   static bool vanish_on(const Functions& functions, int axis, int side)
   {
-    return std::all_of(functions.begin(), functions.end(), [&](const Exact_function& f) { return is_zero(f.face(axis, side)); });
+    return std::all_of(functions.begin(), functions.end(),
+                       [&](const Exact_function& f) { return is_zero(f.face(axis, side)); });
   }
 
   // By the distance from a side, with the width of the cell as the unit: t B_{i-1}^{n-1}(t) = (i/n) B_i^n(t).
@@ -215,8 +222,9 @@ struct Continuous_part
 };
 
 /*
-Divides functions by factors that vanish on a line of the grid, and multiplies them by constants on strips of cells, such that they become continuous. Where constants will not do, the grid is cut, and cells on which all
-functions are zero are parts of their own.
+Divides functions by factors that vanish on a line of the grid, and multiplies them by constants on strips of cells,
+such that they become continuous. Where constants will not do, the grid is cut, and cells on which all functions are
+zero are parts of their own.
 */
 template <std::size_t k>
 std::vector<Continuous_part<k>> continuous_parts(const Cell_functions<k>& functions, bool keeps_sign)
@@ -235,7 +243,9 @@ std::vector<Continuous_part<k>> continuous_parts(const Cell_functions<k>& functi
         own.multiply(axis, strip, *factor);
         continue;
       }
-      std::vector<Continuous_part<k>> result = continuous_parts(functions.part(axis, 0, strip), keeps_sign), others = continuous_parts(functions.part(axis, strip, own.size(axis)), keeps_sign);
+      std::vector<Continuous_part<k>> result = continuous_parts(functions.part(axis, 0, strip), keeps_sign),
+                                      others =
+                                          continuous_parts(functions.part(axis, strip, own.size(axis)), keeps_sign);
       std::move(others.begin(), others.end(), std::back_inserter(result));
       return result;
     }

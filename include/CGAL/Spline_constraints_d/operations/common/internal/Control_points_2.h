@@ -32,10 +32,14 @@ public:
 
   std::size_t size() const { return m_coefficients[2].size(); }
   const Exact_rational& weight(std::size_t i) const { return m_coefficients[2][i]; }
-  Exact_pair point(std::size_t i) const { return {Exact_rational(m_coefficients[0][i] / weight(i)), Exact_rational(m_coefficients[1][i] / weight(i))}; }
+  Exact_pair point(std::size_t i) const
+  {
+    return {Exact_rational(m_coefficients[0][i] / weight(i)), Exact_rational(m_coefficients[1][i] / weight(i))};
+  }
 };
 
-// Whether an affine map takes a piece to another one, or to itself, with the parameter 1 - t or t: it does so with their control points.
+// Whether an affine map takes a piece to another one, or to itself, with the parameter 1 - t or t: it does so with
+// their control points.
 template <class Map>
 bool is_image(const Homogeneous_piece& a, const Map& map, const Homogeneous_piece& b, bool is_reversed)
 {

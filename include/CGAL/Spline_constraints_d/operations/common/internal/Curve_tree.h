@@ -25,7 +25,8 @@ namespace Common {
 
 // a + t b
 template <std::size_t d>
-std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>& a, const Double_interval& t, const std::array<Double_interval, d>& b)
+std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>& a, const Double_interval& t,
+                                           const std::array<Double_interval, d>& b)
 {
   std::array<Double_interval, d> result;
   for (std::size_t i = 0; i < d; ++i)
@@ -33,11 +34,15 @@ std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>&
   return result;
 }
 
-inline Double_interval rounded(const Rational_interval& x) { return {to_double_interval(x.lower).first, to_double_interval(x.upper).second}; }
+inline Double_interval rounded(const Rational_interval& x)
+{
+  return {to_double_interval(x.lower).first, to_double_interval(x.upper).second};
+}
 
 /*
-A part of a curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
-pieces between breaks, with exact bounds; of these their halves, and so on, in intervals.
+A part of a curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made
+when they are asked for: of the whole curve the pieces between breaks, with exact bounds; of these their halves, and so
+on, in intervals.
 */
 template <int d>
 class Curve_tree
@@ -52,7 +57,10 @@ class Curve_tree
   mutable std::vector<Curve_tree> m_children;
 
 public:
-  explicit Curve_tree(const Spline_patch<d>& curve) : Curve_tree(curve, curve.domain(0)) { m_patch = std::make_shared<const Spline_patch<d>>(curve); }
+  explicit Curve_tree(const Spline_patch<d>& curve) : Curve_tree(curve, curve.domain(0))
+  {
+    m_patch = std::make_shared<const Spline_patch<d>>(curve);
+  }
 
   const Spline_patch<d>& patch() const { return *m_patch; }
   const Exact_rational& middle() const { return m_middle; }
@@ -79,14 +87,17 @@ public:
   Double_interval squared_distance_bounds(const Double_intervals<d>& point) const
   {
     const Double_intervals<d> offset = m_values - point;
-    const Double_interval direct = squared_norm(offset), by_slopes = squared_norm(m_middle_point - point) + 2.0 * dot(offset, m_tangents) * steps();
+    const Double_interval direct = squared_norm(offset),
+                          by_slopes = squared_norm(m_middle_point - point) + 2.0 * dot(offset, m_tangents) * steps();
     return {(std::max)(direct.inf(), by_slopes.inf()), (std::min)(direct.sup(), by_slopes.sup())};
   }
 
-  // Bounds of the derivative where the parameter is in a range that meets this part, from parts that are not much longer.
+  // Bounds of the derivative where the parameter is in a range that meets this part, from parts that are not much
+  // longer.
   Double_intervals<d> tangents_over(const Parameter_range& range) const
   {
-    if ((range.first <= m_range.first && m_range.second <= range.second) || m_range.second - m_range.first <= range.second - range.first)
+    if ((range.first <= m_range.first && m_range.second <= range.second) ||
+        m_range.second - m_range.first <= range.second - range.first)
       return m_tangents;
     std::optional<Double_intervals<d>> result;
     for (const Curve_tree& child : children())
@@ -100,7 +111,8 @@ public:
     return *result;
   }
 
-  // About how fast the point of this curve that is nearest to a point of another one moves when that does, <A', B'> / <B', B'>: any number will do.
+  // About how fast the point of this curve that is nearest to a point of another one moves when that does, <A', B'> /
+  // <B', B'>: any number will do.
   double speed_along(const Curve_tree& other) const
   {
     const auto middle = [](const Double_interval& x) { return (x.inf() + x.sup()) / 2; };
@@ -116,7 +128,8 @@ public:
 private:
   // The whole curve, or a piece of it.
   Curve_tree(const Spline_patch<d>& patch, const Parameter_range& range)
-    : m_range(range), m_middle(middle_of(range)), m_width(to_double_interval(Exact_rational(range.second - range.first)))
+    : m_range(range), m_middle(middle_of(range)),
+      m_width(to_double_interval(Exact_rational(range.second - range.first)))
   {
     const std::array<Exact_rational, d> point = patch(patch.middle());
     const Vector_bounds<d> values = patch.values(), tangents = patch.tangents(0);
@@ -168,7 +181,8 @@ private:
   }
 };
 
-// Whether sqrt(upper) - sqrt(lower), which is at most (upper - lower) / sqrt(upper), is proved to be at most a tolerance.
+// Whether sqrt(upper) - sqrt(lower), which is at most (upper - lower) / sqrt(upper), is proved to be at most a
+// tolerance.
 inline bool roots_are_within(double lower, double upper, double tolerance)
 {
   if (upper <= lower)
@@ -177,7 +191,8 @@ inline bool roots_are_within(double lower, double upper, double tolerance)
   return square(difference).sup() <= (square(Double_interval(tolerance)) * Double_interval(upper)).inf();
 }
 
-// A point of a curve that is about as near as any to some point: the middle of a part. And a lower bound of the squared distance of that one from the curve.
+// A point of a curve that is about as near as any to some point: the middle of a part. And a lower bound of the squared
+// distance of that one from the curve.
 template <int d>
 struct Nearest_point
 {

@@ -27,7 +27,8 @@ class Exact_arc_2
   Homogeneous_piece m_piece;
   Exact_rational m_error;
   std::array<int, 2> m_zeros{};                                 // of the derivative in both ends, where these are exact
-  std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;    // the derivative without these zeros, where there are any
+  // the derivative without these zeros, where there are any
+  std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;
   bool m_is_polynomial = true;
   std::array<bool, 2> m_is_curvature_stationary{}, m_is_curvature_zero{};   // in both ends
   bool m_is_straight = true, m_is_segment = false, m_turns_back = false;
@@ -35,18 +36,23 @@ class Exact_arc_2
 
 public:
   // With a bound of the distances of the ends, in the parameter of the piece.
-  explicit Exact_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0) : m_piece(std::move(piece)), m_error(error)
+  explicit Exact_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0)
+    : m_piece(std::move(piece)), m_error(error)
   {
     const std::vector<Exact_rational> weights = m_piece.coordinates[2].coefficients();
-    m_is_polynomial = std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& w) { return w == weights.front(); });
+    m_is_polynomial =
+        std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& w) { return w == weights.front(); });
     if (m_is_polynomial)
       for (Bernstein_tensor<Exact_rational>& tensor : m_piece.coordinates)
         tensor = divided_by(tensor, weights.front());
     if (sign_of(error) == 0)
       divide_derivative();
     const Exact_pair a = at(0), b = at(1);
-    m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
-    m_is_segment = m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
+    m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) {
+                      return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]});
+                    });
+    m_is_segment =
+        m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
     if (!m_is_straight)
       m_circle = circle_through_all_points();
     m_turns_back = is_on_line_or_circle() && !goes_one_way();
@@ -80,7 +86,9 @@ public:
   // Whether a point is on the line of a straight arc, or on the circle of another one.
   bool is_on_line_or_circle(const Exact_pair& p) const
   {
-    const auto from = [&p](const Exact_pair& q) { return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])}; };
+    const auto from = [&p](const Exact_pair& q) {
+      return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])};
+    };
     if (m_is_straight)
       return sign_of(exact_cross(from(at(0)), from(at(1)))) == 0;
     return m_circle && exact_dot(from(m_circle->first), from(m_circle->first)) == m_circle->second;
@@ -117,22 +125,27 @@ public:
   }
 
   /*
-  In drawings, the first two control points of a cubic often coincide, or the last two. There the derivative is zero, but the curve has a tangent: X' = t^i (1-t)^j D / w^2 with the weight w, where D is not zero in the ends. For other arcs D = X'.
+  In drawings, the first two control points of a cubic often coincide, or the last two. There the derivative is zero,
+  but the curve has a tangent: X' = t^i (1-t)^j D / w^2 with the weight w, where D is not zero in the ends. For other
+  arcs D = X'.
   */
   bool has_singular_end() const { return m_zeros[0] + m_zeros[1] > 0; }
 
   // i or j.
   int zeros_of_derivative(bool end) const { return m_zeros[end]; }
 
-  // Whether the arc ends exactly in a vertex of its curve, where the derivative of the curvature is zero, as half a parabola does; not of segments and circular arcs, where it is zero everywhere.
+  // Whether the arc ends exactly in a vertex of its curve, where the derivative of the curvature is zero, as half a
+  // parabola does; not of segments and circular arcs, where it is zero everywhere.
   bool is_curvature_stationary(bool end) const { return m_is_curvature_stationary[end]; }
 
-  // Whether the derivative of the curvature is zero in a point. With X' = D / w^2 the curvature is w^2 (D x D') / |D|^3.
+  // Whether the derivative of the curvature is zero in a point. With X' = D / w^2 the curvature is w^2 (D x D') /
+  // |D|^3.
   bool is_curvature_stationary_at(const Exact_rational& t) const
   {
     const auto& [d0, d1, d2, w0, w1] = numerators_at(t);
     const Exact_rational turn = exact_cross(d0, d1), square = exact_dot(d0, d0);
-    return sign_of(Exact_rational(w0 * exact_cross(d0, d2) * square + 2 * w1 * turn * square - 3 * w0 * exact_dot(d0, d1) * turn)) == 0;
+    return sign_of(Exact_rational(w0 * exact_cross(d0, d2) * square + 2 * w1 * turn * square -
+                                  3 * w0 * exact_dot(d0, d1) * turn)) == 0;
   }
 
   // The square of the curvature in a point, with the sign of that.
@@ -172,7 +185,8 @@ public:
   }
 
 private:
-  static Bernstein_tensor<Exact_rational> divided_by(const Bernstein_tensor<Exact_rational>& tensor, const Exact_rational& number)
+  static Bernstein_tensor<Exact_rational> divided_by(const Bernstein_tensor<Exact_rational>& tensor,
+                                                     const Exact_rational& number)
   {
     std::vector<Exact_rational> coefficients = tensor.coefficients();
     for (Exact_rational& c : coefficients)
@@ -205,7 +219,8 @@ private:
       }
       return Exact_pair{x(u), y(u)};
     };
-    return {at(0), at(1), at(2), m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u), m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u)};
+    return {at(0), at(1), at(2), m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u),
+            m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u)};
   }
 
   bool is_curvature_zero_at(const Exact_rational& t) const
@@ -220,13 +235,17 @@ private:
     const auto d = derivative_numerators();
     const auto& [x, y, w] = m_piece.coordinates;
     const Exact_pair a = at(0), b = at(1);
-    const Bernstein_tensor<Exact_rational> way = m_is_straight ? d[0] * Exact_rational(b[0] - a[0]) + d[1] * Exact_rational(b[1] - a[1])
-                                                              : d[0] * (y - w * m_circle->first[1]) - d[1] * (x - w * m_circle->first[0]);
-    const auto have_sign = [&](int sign) { return std::ranges::all_of(way.coefficients(), [&](const Exact_rational& c) { return sign_of(c) * sign >= 0; }); };
+    const Bernstein_tensor<Exact_rational> way = m_is_straight
+        ? d[0] * Exact_rational(b[0] - a[0]) + d[1] * Exact_rational(b[1] - a[1])
+        : d[0] * (y - w * m_circle->first[1]) - d[1] * (x - w * m_circle->first[0]);
+    const auto have_sign = [&](int sign) {
+      return std::ranges::all_of(way.coefficients(), [&](const Exact_rational& c) { return sign_of(c) * sign >= 0; });
+    };
     return have_sign(1) || have_sign(-1);
   }
 
-  // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).
+  // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by
+  // 1-t, n b_i / (n-i).
   void divide_derivative()
   {
     const auto is_zero = [](const Exact_pair& d) { return sign_of(d[0]) == 0 && sign_of(d[1]) == 0; };
@@ -236,7 +255,9 @@ private:
     const std::vector<int> degree{(std::max)(x.degree(0), y.degree(0))};
     std::array<std::vector<Exact_rational>, 2> b{x.elevated(degree).coefficients(), y.elevated(degree).coefficients()};
     for (const std::size_t end : {0, 1})
-      for (; b[0].size() > 1 && sign_of(end == 0 ? b[0].front() : b[0].back()) == 0 && sign_of(end == 0 ? b[1].front() : b[1].back()) == 0; ++m_zeros[end])
+      for (; b[0].size() > 1 && sign_of(end == 0 ? b[0].front() : b[0].back()) == 0 &&
+           sign_of(end == 0 ? b[1].front() : b[1].back()) == 0;
+           ++m_zeros[end])
         for (std::vector<Exact_rational>& c : b) {
           const int degree = static_cast<int>(c.size()) - 1;
           c.erase(end == 0 ? c.begin() : c.end() - 1);
@@ -262,11 +283,14 @@ private:
   std::optional<std::pair<Exact_pair, Exact_rational>> circle_through_all_points() const
   {
     const Exact_pair a = at(0), b = at(Exact_rational(1) / 2), c = at(1);
-    const Exact_pair p{b[0] - a[0], b[1] - a[1]}, q = a == c ? Exact_pair{at(Exact_rational(1) / 4)[0] - a[0], at(Exact_rational(1) / 4)[1] - a[1]} : Exact_pair{c[0] - a[0], c[1] - a[1]};
+    const Exact_pair p{b[0] - a[0], b[1] - a[1]},
+        q = a == c ? Exact_pair{at(Exact_rational(1) / 4)[0] - a[0], at(Exact_rational(1) / 4)[1] - a[1]}
+                   : Exact_pair{c[0] - a[0], c[1] - a[1]};
     const Exact_rational twice_area = 2 * exact_cross(p, q), pp = exact_dot(p, p), qq = exact_dot(q, q);
     if (CGAL::sign(twice_area) == CGAL::ZERO)
       return std::nullopt;
-    const Exact_pair offset{Exact_rational((q[1] * pp - p[1] * qq) / twice_area), Exact_rational((p[0] * qq - q[0] * pp) / twice_area)};
+    const Exact_pair offset{Exact_rational((q[1] * pp - p[1] * qq) / twice_area),
+                            Exact_rational((p[0] * qq - q[0] * pp) / twice_area)};
     const Exact_pair center{Exact_rational(a[0] + offset[0]), Exact_rational(a[1] + offset[1])};
     const Exact_rational square = exact_dot(offset, offset);
     if (!contains_zero_of([&](const Exact_pair& x) {

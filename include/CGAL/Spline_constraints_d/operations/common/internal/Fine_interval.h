@@ -21,7 +21,9 @@ namespace internal {
 namespace Common {
 
 /*
-Intervals for the level above doubles, where these cannot decide: of 128 bits, whatever the precision of the thread, with the interface of CGAL's intervals. The ends are known as doubles, rounded outward: signs are those of the numbers, as a double is 0 only if they are very small.
+Intervals for the level above doubles, where these cannot decide: of 128 bits, whatever the precision of the thread,
+with the interface of CGAL's intervals. The ends are known as doubles, rounded outward: signs are those of the numbers,
+as a double is 0 only if they are very small.
 */
 class Fine_interval
 {
@@ -35,7 +37,10 @@ public:
   Fine_interval() : Fine_interval(0.0) {}
   Fine_interval(double x) : Fine_interval(x, x) {}
   Fine_interval(int x) : Fine_interval(static_cast<double>(x)) {}
-  Fine_interval(double lower, double upper) : m_value(holds_numbers(lower, upper) ? Mpfr_interval::of_ends(number(lower).get(), number(upper).get()) : Mpfr_interval::entire_line(precision)) {}
+  Fine_interval(double lower, double upper)
+    : m_value(holds_numbers(lower, upper) ? Mpfr_interval::of_ends(number(lower).get(), number(upper).get())
+                                          : Mpfr_interval::entire_line(precision))
+  {}
   Fine_interval(const Interval& x) : Fine_interval(x.inf(), x.sup()) {}
   explicit Fine_interval(const Exact_rational& x) : m_value(x, precision) {}
 
@@ -55,13 +60,15 @@ public:
 
   friend Fine_interval hull(const Fine_interval& a, const Fine_interval& b)
   {
-    return of_ends(mpfr_lessequal_p(a.lower(), b.lower()) ? a.lower() : b.lower(), mpfr_greaterequal_p(a.upper(), b.upper()) ? a.upper() : b.upper());
+    return of_ends(mpfr_lessequal_p(a.lower(), b.lower()) ? a.lower() : b.lower(),
+                   mpfr_greaterequal_p(a.upper(), b.upper()) ? a.upper() : b.upper());
   }
 
   // Of enclosures of one number.
   friend Fine_interval common_part(const Fine_interval& a, const Fine_interval& b)
   {
-    const mpfr_srcptr lower = mpfr_greaterequal_p(a.lower(), b.lower()) ? a.lower() : b.lower(), upper = mpfr_lessequal_p(a.upper(), b.upper()) ? a.upper() : b.upper();
+    const mpfr_srcptr lower = mpfr_greaterequal_p(a.lower(), b.lower()) ? a.lower() : b.lower(),
+                      upper = mpfr_lessequal_p(a.upper(), b.upper()) ? a.upper() : b.upper();
     return mpfr_lessequal_p(lower, upper) ? of_ends(lower, upper) : hull(a, b);
   }
 
@@ -86,9 +93,16 @@ private:
   mpfr_srcptr lower() const { return m_value.lower_mpfr(); }
   mpfr_srcptr upper() const { return m_value.upper_mpfr(); }
 
-  static Fine_interval of_ends(mpfr_srcptr lower, mpfr_srcptr upper) { return Fine_interval(Mpfr_interval::of_ends(lower, upper)); }
+  static Fine_interval of_ends(mpfr_srcptr lower, mpfr_srcptr upper)
+  {
+    return Fine_interval(Mpfr_interval::of_ends(lower, upper));
+  }
 
-  static bool holds_numbers(double lower, double upper) { return lower <= upper && lower < std::numeric_limits<double>::infinity() && upper > -std::numeric_limits<double>::infinity(); }
+  static bool holds_numbers(double lower, double upper)
+  {
+    return lower <= upper && lower < std::numeric_limits<double>::infinity() &&
+        upper > -std::numeric_limits<double>::infinity();
+  }
 
   static Mpfr_number number(double x)
   {

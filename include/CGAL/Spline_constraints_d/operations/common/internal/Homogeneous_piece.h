@@ -44,9 +44,13 @@ std::array<Number, 2> interval_pair_of(const Exact_pair& x)
   return {interval_of<Number>(x[0]), interval_of<Number>(x[1])};
 }
 
-inline Interval interval_of(const Parameter_range& range) { return Interval(to_double_interval(range.first).first, to_double_interval(range.second).second); }
+inline Interval interval_of(const Parameter_range& range)
+{
+  return Interval(to_double_interval(range.first).first, to_double_interval(range.second).second);
+}
 
-// A polynomial piece of a curve in homogeneous coordinates x, y, w on [0,1], and whether the curve has a tangent at its ends.
+// A polynomial piece of a curve in homogeneous coordinates x, y, w on [0,1], and whether the curve has a tangent at its
+// ends.
 struct Homogeneous_piece
 {
   Parameter_range domain;
@@ -54,21 +58,32 @@ struct Homogeneous_piece
   bool is_smooth_at_begin = false, is_smooth_at_end = false;
   std::optional<Parameter_range> whole{};   // of a part, the domain of the piece before it was cut
 
-  int degree() const { return (std::max)({coordinates[0].degree(0), coordinates[1].degree(0), coordinates[2].degree(0)}); }
+  int degree() const
+  {
+    return (std::max)({coordinates[0].degree(0), coordinates[1].degree(0), coordinates[2].degree(0)});
+  }
 
-  Exact_rational local(const Exact_rational& t) const { return Exact_rational((t - domain.first) / (domain.second - domain.first)); }
+  Exact_rational local(const Exact_rational& t) const
+  {
+    return Exact_rational((t - domain.first) / (domain.second - domain.first));
+  }
 
   // Whether the derivative is zero in an end.
   bool stops_at(bool end) const
   {
     const std::array<Exact_rational, 1> t{Exact_rational(end)};
     const auto& [x, y, w] = coordinates;
-    const auto is_stationary = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) { return f.derivative(0)(t) * w(t) == f(t) * w.derivative(0)(t); };
+    const auto is_stationary = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
+      return f.derivative(0)(t) * w(t) == f(t) * w.derivative(0)(t);
+    };
     return is_stationary(x) && is_stationary(y);
   }
 
   // The part within a range of the parameter.
-  Homogeneous_piece within(const Parameter_range& range) const { return between({(std::max)(domain.first, range.first), (std::min)(domain.second, range.second)}); }
+  Homogeneous_piece within(const Parameter_range& range) const
+  {
+    return between({(std::max)(domain.first, range.first), (std::min)(domain.second, range.second)});
+  }
 
   // The piece before it was cut.
   Homogeneous_piece uncut() const { return whole ? between(*whole) : *this; }
@@ -79,7 +94,8 @@ private:
   {
     if (range == domain)
       return *this;
-    Homogeneous_piece result{range, coordinates, is_smooth_at_begin && range.first == domain.first, is_smooth_at_end && range.second == domain.second, whole ? whole : domain};
+    Homogeneous_piece result{range, coordinates, is_smooth_at_begin && range.first == domain.first,
+                             is_smooth_at_end && range.second == domain.second, whole ? whole : domain};
     for (Bernstein_tensor<Exact_rational>& tensor : result.coordinates)
       tensor = tensor.restricted(0, local(range.first), local(range.second));
     return result;
@@ -87,13 +103,19 @@ private:
 };
 
 // Refuses a piece of a curve that is one point: it has no sides, and goes nowhere.
-inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates, const Parameter_range& domain, std::size_t curve, const std::string& prefix)
+inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates,
+                              const Parameter_range& domain, std::size_t curve, const std::string& prefix)
 {
   const auto& [x, y, w] = coordinates;
   const std::array<Exact_rational, 1> begin{Exact_rational(0)};
-  const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) { return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(), [](const Exact_rational& c) { return sign_of(c) == 0; }); };
+  const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
+    return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(),
+                               [](const Exact_rational& c) { return sign_of(c) == 0; });
+  };
   if (is_constant(x) && is_constant(y))
-    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " + shortest_text(to_nearest_double(domain.first)) + " and " + shortest_text(to_nearest_double(domain.second)) + " is a point");
+    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " +
+                        shortest_text(to_nearest_double(domain.first)) + " and " +
+                        shortest_text(to_nearest_double(domain.second)) + " is a point");
 }
 
 template <class Curve>
@@ -111,7 +133,9 @@ std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Plan
     for (std::size_t k = 0; k < 3; ++k)
       piece.coordinates[k] = functions[k].restricted(0, breaks[i - 1], breaks[i]).bezier_pieces().front();
   }
-  const auto part = [&](const Homogeneous_piece& piece) { return Differentiated_map(map.restricted(0, piece.domain.first, piece.domain.second), 1); };
+  const auto part = [&](const Homogeneous_piece& piece) {
+    return Differentiated_map(map.restricted(0, piece.domain.first, piece.domain.second), 1);
+  };
   for (std::size_t i = map.is_closed() ? 0 : 1; i < result.size(); ++i) {
     Homogeneous_piece& before = result[(i + result.size() - 1) % result.size()];
     before.is_smooth_at_end = result[i].is_smooth_at_begin = have_common_tangent(part(before), part(result[i]));

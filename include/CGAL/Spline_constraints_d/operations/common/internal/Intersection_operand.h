@@ -29,13 +29,17 @@ auto to_bspline(const Object& object)
 }
 
 template <class Object>
-  requires (!requires(const Object& object) { to_bspline_surface(object); }) && requires(const Object& object) { to_bspline_curve(object); }
+requires(!requires(const Object& object) { to_bspline_surface(object); }) && requires(const Object& object)
+{
+  to_bspline_curve(object);
+}
 auto to_bspline(const Object& object)
 {
   return to_bspline_curve(object);
 }
 
-// What `intersections()` takes: points, curves, surfaces, and objects of CGAL that are converted to these. The patch of an unbounded object is its part near a box; none if it is not near.
+// What `intersections()` takes: points, curves, surfaces, and objects of CGAL that are converted to these. The patch of
+// an unbounded object is its part near a box; none if it is not near.
 template <class Object>
 struct Intersection_operand;
 
@@ -52,7 +56,10 @@ struct Intersection_operand<Object> : Spline_operand<decltype(to_bspline(std::de
 {
   static constexpr bool is_bounded = true;
 
-  static auto patch(const Object& object) { return Spline_operand<decltype(to_bspline(object))>::patch(to_bspline(object)); }
+  static auto patch(const Object& object)
+  {
+    return Spline_operand<decltype(to_bspline(object))>::patch(to_bspline(object));
+  }
 };
 
 // The corners of a box that has all points of another one inside.
@@ -79,7 +86,8 @@ std::optional<Spline_patch<d>> line_patch(const auto& line, const Vector_bounds<
   if (!range || range->first == range->second)
     return std::nullopt;
   const auto& [begin, end] = *range;
-  return Spline_patch<d>(Bspline_curve<Exact_kernel, d>(1, {begin, begin, end, end}, {line.origin + line.direction * begin, line.origin + line.direction * end}));
+  return Spline_patch<d>(Bspline_curve<Exact_kernel, d>(
+      1, {begin, begin, end, end}, {line.origin + line.direction * begin, line.origin + line.direction * end}));
 }
 
 template <SplineKernel K, int number_of_parameters_, int dimension_>
@@ -93,25 +101,37 @@ struct Unbounded_operand
 template <SplineKernel K>
 struct Intersection_operand<CGAL::Line_2<K>> : Unbounded_operand<K, 1, 2>
 {
-  static auto patch(const CGAL::Line_2<K>& line, const Vector_bounds<2>& box) { return line_patch<2>(exact_line(line), box); }
+  static auto patch(const CGAL::Line_2<K>& line, const Vector_bounds<2>& box)
+  {
+    return line_patch<2>(exact_line(line), box);
+  }
 };
 
 template <SplineKernel K>
 struct Intersection_operand<CGAL::Line_3<K>> : Unbounded_operand<K, 1, 3>
 {
-  static auto patch(const CGAL::Line_3<K>& line, const Vector_bounds<3>& box) { return line_patch<3>(exact_line(line), box); }
+  static auto patch(const CGAL::Line_3<K>& line, const Vector_bounds<3>& box)
+  {
+    return line_patch<3>(exact_line(line), box);
+  }
 };
 
 template <SplineKernel K>
 struct Intersection_operand<CGAL::Ray_2<K>> : Unbounded_operand<K, 1, 2>
 {
-  static auto patch(const CGAL::Ray_2<K>& ray, const Vector_bounds<2>& box) { return line_patch<2>(exact_ray(ray), box); }
+  static auto patch(const CGAL::Ray_2<K>& ray, const Vector_bounds<2>& box)
+  {
+    return line_patch<2>(exact_ray(ray), box);
+  }
 };
 
 template <SplineKernel K>
 struct Intersection_operand<CGAL::Ray_3<K>> : Unbounded_operand<K, 1, 3>
 {
-  static auto patch(const CGAL::Ray_3<K>& ray, const Vector_bounds<3>& box) { return line_patch<3>(exact_ray(ray), box); }
+  static auto patch(const CGAL::Ray_3<K>& ray, const Vector_bounds<3>& box)
+  {
+    return line_patch<3>(exact_ray(ray), box);
+  }
 };
 
 template <SplineKernel K>
@@ -128,17 +148,20 @@ struct Intersection_operand<CGAL::Plane_3<K>> : Unbounded_operand<K, 2, 3>
 
 // Two of them in the same space and kernel, not both unbounded.
 template <class A, class B>
-concept Operand_pair =
-  Intersection_operand<A>::dimension == Intersection_operand<B>::dimension && std::same_as<typename Intersection_operand<A>::Kernel, typename Intersection_operand<B>::Kernel> &&
-  (Intersection_operand<A>::is_bounded || Intersection_operand<B>::is_bounded);
+concept Operand_pair = Intersection_operand<A>::dimension ==
+        Intersection_operand<B>::dimension&&
+            std::same_as<typename Intersection_operand<A>::Kernel, typename Intersection_operand<B>::Kernel> &&
+    (Intersection_operand<A>::is_bounded || Intersection_operand<B>::is_bounded);
 
 template <class A, class B>
-concept Surface_operands = Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters == 2 && Intersection_operand<B>::number_of_parameters == 2;
+concept Surface_operands = Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters == 2 &&
+    Intersection_operand<B>::number_of_parameters == 2;
 
 // With few enough parameters for points to be isolated.
 template <class A, class B>
-concept Intersection_operands =
-  Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters + Intersection_operand<B>::number_of_parameters <= Intersection_operand<A>::dimension;
+concept Intersection_operands = Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters +
+        Intersection_operand<B>::number_of_parameters <=
+    Intersection_operand<A>::dimension;
 
 // Both as patches; none if an unbounded one is nowhere near the other one.
 template <class A, class B>

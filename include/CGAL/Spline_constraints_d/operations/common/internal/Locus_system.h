@@ -26,9 +26,11 @@ namespace Common {
 template <int d>
 using Coordinate_ranges = std::array<std::pair<double, double>, d>;
 
-// Bounds of the coordinates of a point with unknowns in a box, which may reach over their ranges; rounded outwards, infinite where there are none.
+// Bounds of the coordinates of a point with unknowns in a box, which may reach over their ranges; rounded outwards,
+// infinite where there are none.
 template <int d>
-Coordinate_ranges<d> coordinate_ranges(const Vector_expression<d>& point, const std::vector<Unknown>& unknowns, Unknown_domains box)
+Coordinate_ranges<d> coordinate_ranges(const Vector_expression<d>& point, const std::vector<Unknown>& unknowns,
+                                       Unknown_domains box)
 {
   for (std::size_t k = 0; k < box.size(); ++k) {
     const auto& [lower, upper] = unknowns[k].domain();
@@ -38,14 +40,16 @@ Coordinate_ranges<d> coordinate_ranges(const Vector_expression<d>& point, const 
   for (int i = 0; i < d; ++i) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto range = bounds(point[i], box);
-    result[i] = range ? std::pair(to_double_interval(range->first).first, to_double_interval(range->second).second) : std::pair(-infinity, infinity);
+    result[i] = range ? std::pair(to_double_interval(range->first).first, to_double_interval(range->second).second)
+                      : std::pair(-infinity, infinity);
   }
   return result;
 }
 
 /*
-The constraints of a common point of pieces. It is written as the formula of one of them, the carrier, and incident with the others; where none has a formula, its coordinates are unknowns. So
-auxiliary unknowns are needed for the carrier only.
+The constraints of a common point of pieces. It is written as the formula of one of them, the carrier, and incident with
+the others; where none has a formula, its coordinates are unknowns. So auxiliary unknowns are needed for the carrier
+only.
 */
 template <int d>
 class Locus_system
@@ -104,7 +108,10 @@ public:
   std::size_t first_unknown(std::size_t piece) const { return m_first_unknown[piece]; }
 
   // Bounds of the coordinates of the points with unknowns in a box.
-  Coordinate_ranges<d> coordinates(const Unknown_domains& box) const { return coordinate_ranges<d>(*m_point, m_unknowns, box); }
+  Coordinate_ranges<d> coordinates(const Unknown_domains& box) const
+  {
+    return coordinate_ranges<d>(*m_point, m_unknowns, box);
+  }
 
 private:
   // The one with fewest auxiliary unknowns; the number of pieces when none has a formula.
@@ -112,7 +119,8 @@ private:
   {
     std::size_t result = pieces.size();
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (pieces[i].point && (result == pieces.size() || pieces[i].auxiliaries.size() < pieces[result].auxiliaries.size()))
+      if (pieces[i].point &&
+          (result == pieces.size() || pieces[i].auxiliaries.size() < pieces[result].auxiliaries.size()))
         result = i;
     return result;
   }
@@ -125,16 +133,21 @@ private:
         if (result.size() <= i)
           result.push_back(piece.box[i]);
         else
-          result[i] = {(std::max)(result[i].first, piece.box[i].first), (std::min)(result[i].second, piece.box[i].second)};
+          result[i] = {(std::max)(result[i].first, piece.box[i].first),
+                       (std::min)(result[i].second, piece.box[i].second)};
     return result;
   }
 
   std::vector<Unknown> parameters_of(const std::vector<Locus_piece<d>>& pieces, std::size_t i) const
   {
-    return {m_unknowns.begin() + m_first_unknown[i], m_unknowns.begin() + m_first_unknown[i] + pieces[i].parameters.size()};
+    return {m_unknowns.begin() + m_first_unknown[i],
+            m_unknowns.begin() + m_first_unknown[i] + pieces[i].parameters.size()};
   }
 
-  void add(const std::vector<Constraint>& constraints) { m_constraints.insert(m_constraints.end(), constraints.begin(), constraints.end()); }
+  void add(const std::vector<Constraint>& constraints)
+  {
+    m_constraints.insert(m_constraints.end(), constraints.begin(), constraints.end());
+  }
 
   // That the point is in the box, unless it always is.
   void add_box(const Unknown_domains& box)
@@ -154,8 +167,11 @@ private:
   // Those that are satisfied anyway, unless there would be too few equations then.
   void remove_trivial_equations()
   {
-    std::size_t count = std::count_if(m_constraints.begin(), m_constraints.end(), [](const Constraint& c) { return c.relation == Relation::EQUAL; });
-    const auto is_removed = [&](const Constraint& c) { return c.relation == Relation::EQUAL && c.function.is_zero() && count > m_unknowns.size() && count-- > 0; };
+    std::size_t count = std::count_if(m_constraints.begin(), m_constraints.end(),
+                                      [](const Constraint& c) { return c.relation == Relation::EQUAL; });
+    const auto is_removed = [&](const Constraint& c) {
+      return c.relation == Relation::EQUAL && c.function.is_zero() && count > m_unknowns.size() && count-- > 0;
+    };
     std::erase_if(m_constraints, is_removed);
   }
 };

@@ -41,14 +41,22 @@ class Patch_pair
 
 public:
   // An open operand is a part of a curve whose end belongs to the next part.
-  Patch_pair(Spline_patch<d> first, Spline_patch<d> second, const std::array<bool, 2>& is_open = {}) : m_patches{std::move(first), std::move(second)}, m_is_open(is_open) {}
+  Patch_pair(Spline_patch<d> first, Spline_patch<d> second, const std::array<bool, 2>& is_open = {})
+    : m_patches{std::move(first), std::move(second)}, m_is_open(is_open)
+  {}
 
   const Spline_patch<d>& operator[](std::size_t operand) const { return m_patches[operand]; }
 
-  std::size_t number_of_parameters() const { return static_cast<std::size_t>(m_patches[0].number_of_parameters() + m_patches[1].number_of_parameters()); }
+  std::size_t number_of_parameters() const
+  {
+    return static_cast<std::size_t>(m_patches[0].number_of_parameters() + m_patches[1].number_of_parameters());
+  }
 
   // The number of the first parameter of an operand.
-  std::size_t first_parameter(std::size_t operand) const { return operand == 0 ? 0 : static_cast<std::size_t>(m_patches[0].number_of_parameters()); }
+  std::size_t first_parameter(std::size_t operand) const
+  {
+    return operand == 0 ? 0 : static_cast<std::size_t>(m_patches[0].number_of_parameters());
+  }
 
   Parameter_box domain() const
   {
@@ -74,9 +82,13 @@ public:
   std::size_t operand_of(std::size_t parameter) const { return parameter < first_parameter(1) ? 0 : 1; }
 
   // The number of a parameter on its operand.
-  int axis_of(std::size_t parameter) const { return static_cast<int>(parameter - first_parameter(operand_of(parameter))); }
+  int axis_of(std::size_t parameter) const
+  {
+    return static_cast<int>(parameter - first_parameter(operand_of(parameter)));
+  }
 
-  // Whether the points at the upper end of a parameter are found elsewhere: at the lower end of a closed operand, or on the next part of a curve.
+  // Whether the points at the upper end of a parameter are found elsewhere: at the lower end of a closed operand, or on
+  // the next part of a curve.
   bool is_repeated_at_end(std::size_t parameter) const
   {
     const std::size_t operand = operand_of(parameter);
@@ -125,7 +137,8 @@ inline Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
   return box;
 }
 
-// A box that holds another one and has ends of about 256 digits: those around irrational roots may have thousands, which enclosures of points do not need.
+// A box that holds another one and has ends of about 256 digits: those around irrational roots may have thousands,
+// which enclosures of points do not need.
 inline Parameter_box with_short_ends(Parameter_box box)
 {
   constexpr int digits = 256;

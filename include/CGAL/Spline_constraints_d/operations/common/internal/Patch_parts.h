@@ -23,7 +23,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Common {
 
-// A range of the cells between breaks along an axis; of a single cell also a part of it, as a fraction, which may be one of its ends.
+// A range of the cells between breaks along an axis; of a single cell also a part of it, as a fraction, which may be
+// one of its ends.
 struct Axis_range
 {
   int first = 0, last = 1;
@@ -35,7 +36,8 @@ struct Axis_range
   bool has_last() const { return end == 1; }
 };
 
-// A part of a patch, with bounds of its points; in a single cell also with bounds of the derivatives, by the place in the part.
+// A part of a patch, with bounds of its points; in a single cell also with bounds of the derivatives, by the place in
+// the part.
 template <int d>
 struct Patch_part
 {
@@ -47,7 +49,8 @@ struct Patch_part
 };
 
 /*
-The parts of a point, curve or surface: ranges of cells are bounded by the control points, single cells and their halves by Bernstein coefficients.
+The parts of a point, curve or surface: ranges of cells are bounded by the control points, single cells and their halves
+by Bernstein coefficients.
 */
 template <int d>
 class Patch_parts
@@ -109,7 +112,9 @@ public:
   {
     const Axis_range& range = part.ranges[axis];
     const Exact_rational &first = m_breaks[axis][range.first], &last = m_breaks[axis][range.last];
-    const auto at = [&](double x) { return x == 0 ? first : x == 1 ? last : Exact_rational(first + (last - first) * to_rational(x)); };
+    const auto at = [&](double x) {
+      return x == 0 ? first : x == 1 ? last : Exact_rational(first + (last - first) * to_rational(x));
+    };
     return {at(range.begin), at(range.end)};
   }
 
@@ -128,7 +133,8 @@ private:
     const Upward_rounding_guard rounding;
     const Exact_function& first = m_patch.numerators()[0];
     const auto has_same_axes = [&](const Exact_function& f) { return f.axes() == first.axes(); };
-    if (!std::all_of(m_patch.numerators().begin(), m_patch.numerators().end(), has_same_axes) || (m_patch.is_rational() && !has_same_axes(m_patch.weight())))
+    if (!std::all_of(m_patch.numerators().begin(), m_patch.numerators().end(), has_same_axes) ||
+        (m_patch.is_rational() && !has_same_axes(m_patch.weight())))
       return;
     m_control_points.resize(first.coefficients().size());
     for (int i = 0; i < d; ++i)

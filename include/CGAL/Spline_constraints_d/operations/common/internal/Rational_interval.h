@@ -23,12 +23,20 @@ struct Rational_interval
   Exact_rational lower, upper;
 
   Rational_interval(Exact_rational a, Exact_rational b) : lower(std::move(a)), upper(std::move(b)) {}
-  explicit Rational_interval(const std::pair<Exact_rational, Exact_rational>& range) : Rational_interval(range.first, range.second) {}
+  explicit Rational_interval(const std::pair<Exact_rational, Exact_rational>& range)
+    : Rational_interval(range.first, range.second)
+  {}
   explicit Rational_interval(const Exact_rational& value) : Rational_interval(value, value) {}
   Rational_interval() = default;
 
-  friend Rational_interval operator+(const Rational_interval& a, const Rational_interval& b) { return {Exact_rational(a.lower + b.lower), Exact_rational(a.upper + b.upper)}; }
-  friend Rational_interval operator-(const Rational_interval& a, const Rational_interval& b) { return {Exact_rational(a.lower - b.upper), Exact_rational(a.upper - b.lower)}; }
+  friend Rational_interval operator+(const Rational_interval& a, const Rational_interval& b)
+  {
+    return {Exact_rational(a.lower + b.lower), Exact_rational(a.upper + b.upper)};
+  }
+  friend Rational_interval operator-(const Rational_interval& a, const Rational_interval& b)
+  {
+    return {Exact_rational(a.lower - b.upper), Exact_rational(a.upper - b.lower)};
+  }
 
   friend Rational_interval operator*(const Rational_interval& a, const Rational_interval& b)
   {
@@ -48,13 +56,20 @@ struct Rational_interval
   {
     const Exact_rational low(a.lower * a.lower), high(a.upper * a.upper);
     const bool has_zero = a.lower <= 0 && a.upper >= 0;
-    return {has_zero ? Exact_rational(0) : Exact_rational((std::min)(low, high)), Exact_rational((std::max)(low, high))};
+    return {has_zero ? Exact_rational(0) : Exact_rational((std::min)(low, high)),
+            Exact_rational((std::max)(low, high))};
   }
 
-  friend Rational_interval hull(const Rational_interval& a, const Rational_interval& b) { return {(std::min)(a.lower, b.lower), (std::max)(a.upper, b.upper)}; }
+  friend Rational_interval hull(const Rational_interval& a, const Rational_interval& b)
+  {
+    return {(std::min)(a.lower, b.lower), (std::max)(a.upper, b.upper)};
+  }
 
   //! \pre they meet
-  friend Rational_interval intersection(const Rational_interval& a, const Rational_interval& b) { return {(std::max)(a.lower, b.lower), (std::min)(a.upper, b.upper)}; }
+  friend Rational_interval intersection(const Rational_interval& a, const Rational_interval& b)
+  {
+    return {(std::max)(a.lower, b.lower), (std::min)(a.upper, b.upper)};
+  }
 };
 
 // Bounds of the coordinates of a vector.

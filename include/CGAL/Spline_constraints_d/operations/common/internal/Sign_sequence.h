@@ -30,17 +30,19 @@ struct Sign_event
 
   bool is_family() const
   {
-    return std::any_of(zeros.begin(), zeros.end(), [](const auto& zero) { return zero.kind() == Solution_kind::CONTINUUM; });
+    return std::any_of(zeros.begin(), zeros.end(),
+                       [](const auto& zero) { return zero.kind() == Solution_kind::CONTINUUM; });
   }
   bool is_undecided() const
   {
-    return std::any_of(zeros.begin(), zeros.end(), [](const auto& zero) { return zero.kind() == Solution_kind::UNDECIDED; });
+    return std::any_of(zeros.begin(), zeros.end(),
+                       [](const auto& zero) { return zero.kind() == Solution_kind::UNDECIDED; });
   }
 };
 
 /*
-The signs of a formula along a curve: events, and the sign in each gap between them, zero in gaps that are empty. A system in one unknown gives all zeros on a piece, so that one
-value between two of them is the sign of the gap.
+The signs of a formula along a curve: events, and the sign in each gap between them, zero in gaps that are empty. A
+system in one unknown gives all zeros on a piece, so that one value between two of them is the sign of the gap.
 */
 class Sign_sequence
 {
@@ -50,7 +52,8 @@ class Sign_sequence
 public:
   // `formula(piece, u)`, continuous between successive pieces where `joins(piece, next)`.
   template <class Formula, class Joins>
-  Sign_sequence(const std::vector<Differentiated_map>& pieces, bool is_closed, const Formula& formula, const Joins& joins, Budgeted_solver& solve)
+  Sign_sequence(const std::vector<Differentiated_map>& pieces, bool is_closed, const Formula& formula,
+                const Joins& joins, Budgeted_solver& solve)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       Sign_sequence next(pieces[i], formula, solve);
@@ -79,12 +82,16 @@ private:
   {
     const auto [u] = parameters(piece.map());
     const Expression f = formula(piece, u);
-    const auto sign_between = [&](const Exact_rational& a, const Exact_rational& b) { return sign_of(f(std::array<Exact_rational, 1>{Exact_rational((a + b) / 2)})); };
+    const auto sign_between = [&](const Exact_rational& a, const Exact_rational& b) {
+      return sign_of(f(std::array<Exact_rational, 1>{Exact_rational((a + b) / 2)}));
+    };
     for (const Solution_d<double>& solution : solve({f == 0})) {
       const auto [lower, upper] = solution.exact_box()[0];
-      m_events.push_back({{(std::max)(lower, piece.begin()), (std::min)(upper, piece.end())}, 0, 0, false, false, {solution}});
+      m_events.push_back(
+          {{(std::max)(lower, piece.begin()), (std::min)(upper, piece.end())}, 0, 0, false, false, {solution}});
     }
-    std::sort(m_events.begin(), m_events.end(), [](const Sign_event& a, const Sign_event& b) { return a.range < b.range; });
+    std::sort(m_events.begin(), m_events.end(),
+              [](const Sign_event& a, const Sign_event& b) { return a.range < b.range; });
     Exact_rational last = piece.begin();
     for (const Sign_event& event : m_events) {
       m_signs.push_back(sign_between(last, event.range.first));
@@ -121,7 +128,8 @@ private:
     std::move(next.zeros.begin(), next.zeros.end(), std::back_inserter(event.zeros));
   }
 
-  // The end of a closed curve is the begin: an event there is reported with the first parameter. Families that meet there remain two.
+  // The end of a closed curve is the begin: an event there is reported with the first parameter. Families that meet
+  // there remain two.
   void close(const Exact_rational& begin, bool is_joined)
   {
     const std::size_t size = m_events.size();

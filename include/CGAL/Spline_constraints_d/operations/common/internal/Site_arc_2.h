@@ -49,7 +49,8 @@ using Basic_curve_jet = std::array<std::array<Interval, 2>, jet_order + 1>;
 
 using Curve_jet = Basic_curve_jet<Interval>;
 
-// Whether the derivatives in any two points, or vectors in their directions, form an angle of less than 90 degrees: the curve goes away from each of its points.
+// Whether the derivatives in any two points, or vectors in their directions, form an angle of less than 90 degrees: the
+// curve goes away from each of its points.
 template <Enclosing_number Interval>
 bool turns_by_less_than_right_angle(const std::array<Interval, 2>& derivative)
 {
@@ -84,15 +85,18 @@ class Basic_polynomial_jet
 public:
   Basic_polynomial_jet() = default;
 
-  // Of any polynomial that is made of the given one when each end of [0,1] is moved by no more than an error, below 2^-10, and the part between brought to [0,1].
-  Basic_polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error, std::size_t order = jet_order)
+  // Of any polynomial that is made of the given one when each end of [0,1] is moved by no more than an error, below
+  // 2^-10, and the part between brought to [0,1].
+  Basic_polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error,
+                       std::size_t order = jet_order)
   {
     const int degree = tensor.degree(0);
     // Coefficients are values of the blossom, which is affine in each of its arguments.
     Exact_rational change = 2 * degree * error * largest_difference(tensor.coefficients());
     for (std::size_t k = 0; k <= order; ++k, tensor = tensor.derivative(0), change *= 2 * degree)
       for (const Exact_rational& c : tensor.coefficients())
-        m_rows[k].push_back(hull(interval_of<Interval>(Exact_rational(c - change)), interval_of<Interval>(Exact_rational(c + change))));
+        m_rows[k].push_back(
+            hull(interval_of<Interval>(Exact_rational(c - change)), interval_of<Interval>(Exact_rational(c + change))));
   }
 
   // Bounds of a derivative over a range: those of the Bernstein coefficients there.
@@ -118,15 +122,20 @@ private:
     return result;
   }
 
-  // A number, and its distance from the nearer one of 0 and 1: what lies between two others is computed from the nearer of these, with less rounding.
+  // A number, and its distance from the nearer one of 0 and 1: what lies between two others is computed from the nearer
+  // of these, with less rounding.
   struct Ratio
   {
     Interval distance;
     bool is_nearer_to_one;
 
-    explicit Ratio(const Interval& t) : distance(t.inf() > 0.5 ? Interval(1) - t : t), is_nearer_to_one(t.inf() > 0.5) {}
+    explicit Ratio(const Interval& t) : distance(t.inf() > 0.5 ? Interval(1) - t : t), is_nearer_to_one(t.inf() > 0.5)
+    {}
 
-    Interval between(const Interval& a, const Interval& b) const { return is_nearer_to_one ? b + distance * (a - b) : a + distance * (b - a); }
+    Interval between(const Interval& a, const Interval& b) const
+    {
+      return is_nearer_to_one ? b + distance * (a - b) : a + distance * (b - a);
+    }
   };
 
   static Interval bounds(Interval* b, std::size_t size, const Range& range)
@@ -151,7 +160,9 @@ private:
 using Polynomial_jet = Basic_polynomial_jet<Interval>;
 
 /*
-An arc that is a site, with enclosures of its derivatives up to the fourth. Where the ends of the site are not known exactly, the piece ends near them on the same curve, and enclosures are those of the site with the parameter that runs from 0 to 1 on it.
+An arc that is a site, with enclosures of its derivatives up to the fourth. Where the ends of the site are not known
+exactly, the piece ends near them on the same curve, and enclosures are those of the site with the parameter that runs
+from 0 to 1 on it.
 */
 template <Enclosing_number Interval>
 class Basic_site_arc_2 : public Exact_arc_2
@@ -160,28 +171,34 @@ class Basic_site_arc_2 : public Exact_arc_2
   using Curve_jet = Basic_curve_jet<Interval>;
   using Polynomial_jet = Basic_polynomial_jet<Interval>;
 
-  std::array<Polynomial_jet, 3> m_coordinates;                // of a rational piece, relative to its begin: so bounds over a range do not depend on where it is
+  // of a rational piece, relative to its begin: so bounds over a range do not depend on where it is
+  std::array<Polynomial_jet, 3> m_coordinates;
   Interval_pair m_begin{};
-  std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
+  // ways from both ends, times the weight, and the weight, in the distance of the parameter
+  std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;
   std::array<Polynomial_jet, 2> m_tangent_jet;                // where the derivative is zero in an end
   Interval_pair m_center{};                                   // of the circle
   Interval m_squared_radius{};
 
 public:
   // With a bound of the distances of the ends, in the parameter of the piece.
-  explicit Basic_site_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0) : Basic_site_arc_2(Exact_arc_2(std::move(piece), error)) {}
+  explicit Basic_site_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0)
+    : Basic_site_arc_2(Exact_arc_2(std::move(piece), error))
+  {}
 
   explicit Basic_site_arc_2(Exact_arc_2 arc) : Exact_arc_2(std::move(arc))
   {
     const auto& coordinates = piece().coordinates;
     const std::array<Exact_pair, 2> ends{at(0), at(1)};
     for (std::size_t k = 0; k < 3; ++k)
-      m_coordinates[k] = Polynomial_jet(k == 2 || is_polynomial() ? coordinates[k] : coordinates[k] - coordinates[2] * ends[0][k], error());
+      m_coordinates[k] = Polynomial_jet(
+          k == 2 || is_polynomial() ? coordinates[k] : coordinates[k] - coordinates[2] * ends[0][k], error());
     if (!is_polynomial())
       m_begin = {interval_of<Interval>(ends[0][0]), interval_of<Interval>(ends[0][1])};
     for (const bool end : {false, true})
       for (std::size_t k = 0; k < 3; ++k) {
-        const Bernstein_tensor<Exact_rational> way = k == 2 ? coordinates[k] : coordinates[k] - coordinates[2] * ends[end][k];
+        const Bernstein_tensor<Exact_rational> way =
+            k == 2 ? coordinates[k] : coordinates[k] - coordinates[2] * ends[end][k];
         m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error(), 0);
       }
     if (has_singular_end())
@@ -216,7 +233,11 @@ public:
   }
 
   // D''.
-  Interval_pair second_derivative_of_tangent(const Range& range) const { return has_singular_end() ? Interval_pair{m_tangent_jet[0](2, range), m_tangent_jet[1](2, range)} : jet(range, 3)[3]; }
+  Interval_pair second_derivative_of_tangent(const Range& range) const
+  {
+    return has_singular_end() ? Interval_pair{m_tangent_jet[0](2, range), m_tangent_jet[1](2, range)}
+                              : jet(range, 3)[3];
+  }
 
   // t^i (1-t)^j / w^2, with which X' is this times D, of an arc with such an end.
   Interval tangent_factor(const Range& range) const
@@ -270,8 +291,10 @@ public:
   }
 
   /*
-  Whether no circle touches the arc in two points of a range, other than its own: it is straight or circular, or certain to be a spiral, the curvature of which grows or falls all the way, and turns by less than 180 degrees. The chord of two points of a spiral forms
-  different angles with it there (Vogt's theorem). The derivative of the curvature has the sign of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
+  Whether no circle touches the arc in two points of a range, other than its own: it is straight or circular, or certain
+  to be a spiral, the curvature of which grows or falls all the way, and turns by less than 180 degrees. The chord of
+  two points of a spiral forms different angles with it there (Vogt's theorem). The derivative of the curvature has the
+  sign of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
   */
   bool is_spiral(const Range& range) const
   {
@@ -279,7 +302,8 @@ public:
       return true;
     const Curve_jet x = jet(range, 3), middle = jet({range.middle(), range.middle()}, 1);
     const Interval_pair n = turned_left(x[1]);
-    return dot(x[1], middle[1]).inf() > 0 && certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
+    return dot(x[1], middle[1]).inf() > 0 &&
+        certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
   }
 
 private:
@@ -293,7 +317,8 @@ private:
   // Leibniz: (X w)^(k) = sum_i (k over i) X^(i) w^(k-i).
   void divide_by_weight(Curve_jet& jet, const Range& range, std::size_t order) const
   {
-    static constexpr std::array<std::array<double, 5>, 5> binomials{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}}};
+    static constexpr std::array<std::array<double, 5>, 5> binomials{
+        {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}}};
     std::array<Interval, jet_order + 1> w;
     for (std::size_t k = 0; k <= order; ++k)
       w[k] = m_coordinates[2](k, range);

@@ -68,8 +68,8 @@ struct Spline_operand<CGAL::Point_3<K>>
 
 // Two of them in the same space and kernel.
 template <class A, class B>
-concept Spline_operands =
-  Spline_operand<A>::dimension == Spline_operand<B>::dimension && std::same_as<typename Spline_operand<A>::Kernel, typename Spline_operand<B>::Kernel>;
+concept Spline_operands = Spline_operand<A>::dimension ==
+    Spline_operand<B>::dimension&& std::same_as<typename Spline_operand<A>::Kernel, typename Spline_operand<B>::Kernel>;
 
 } // namespace Common
 } // namespace internal

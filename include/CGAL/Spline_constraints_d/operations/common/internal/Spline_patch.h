@@ -31,7 +31,10 @@ using Exact_function = Bspline_function<Exact_rational>;
 template <int d>
 using Vector_of_functions = std::array<Exact_function, d>;
 
-inline Exact_rational middle_of(const Parameter_range& range) { return Exact_rational((range.first + range.second) / 2); }
+inline Exact_rational middle_of(const Parameter_range& range)
+{
+  return Exact_rational((range.first + range.second) / 2);
+}
 
 // With the parameter of an axis in a range. Where that is one number, without this axis.
 inline Exact_function part_of(const Exact_function& f, int axis, const Parameter_range& range)
@@ -50,7 +53,8 @@ Vector_of_functions<d> part_of(Vector_of_functions<d> functions, int axis, const
 }
 
 /*
-A point, curve or surface, or a part of one: a rational map x/w of none, one or two parameters, with w > 0. All answers are exact.
+A point, curve or surface, or a part of one: a rational map x/w of none, one or two parameters, with w > 0. All answers
+are exact.
 */
 template <int d>
 class Spline_patch
@@ -68,7 +72,8 @@ public:
 
   //! \throws Invalid_input when the weight is not proved to have one sign.
   template <ParametricMap Map>
-  explicit Spline_patch(const Map& map) : m_numerators(map.homogeneous_coordinates()), m_weight(map.weight()), m_is_rational(map.is_rational())
+  explicit Spline_patch(const Map& map)
+    : m_numerators(map.homogeneous_coordinates()), m_weight(map.weight()), m_is_rational(map.is_rational())
   {
     if (!m_is_rational || certified_weight_sign(m_weight, {}) > 0)
       return;
@@ -188,7 +193,10 @@ public:
   // Rational ones are mostly told by two corners.
   bool is_one_point() const
   {
-    const auto is_constant = [](const Exact_function& f) { return std::adjacent_find(f.coefficients().begin(), f.coefficients().end(), std::not_equal_to<>()) == f.coefficients().end(); };
+    const auto is_constant = [](const Exact_function& f) {
+      return std::adjacent_find(f.coefficients().begin(), f.coefficients().end(), std::not_equal_to<>()) ==
+          f.coefficients().end();
+    };
     if (!m_is_rational)
       return std::all_of(m_numerators.begin(), m_numerators.end(), is_constant);
     const std::array<Exact_rational, d> point = (*this)(first_corner());
@@ -208,11 +216,14 @@ public:
     return {part(axis, {begin, middle}), part(axis, {middle, end})};
   }
 
-  // A positive multiple of the derivative by a parameter at an end (0 or 1) of a range between two neighbouring breaks, as functions of the other parameter.
+  // A positive multiple of the derivative by a parameter at an end (0 or 1) of a range between two neighbouring breaks,
+  // as functions of the other parameter.
   Vector_of_functions<d> one_sided_tangent(int axis, const Parameter_range& cell, int side) const
   {
     const auto value = [&](const Exact_function& f) { return part_of(f, axis, cell).face(axis, side); };
-    const auto slope = [&](const Exact_function& f) { return part_of(f, axis, cell).restricted(axis, cell.first, cell.second).derivative(axis).face(axis, side); };
+    const auto slope = [&](const Exact_function& f) {
+      return part_of(f, axis, cell).restricted(axis, cell.first, cell.second).derivative(axis).face(axis, side);
+    };
     Vector_of_functions<d> result;
     for (int i = 0; i < d; ++i)
       result[i] = slope(m_numerators[i]);
@@ -230,7 +241,8 @@ public:
     if (!m_is_rational)
       return std::all_of(m_numerators.begin(), m_numerators.end(), have_same_faces);
     const Exact_function w[] = {m_weight.face(axis, 0), m_weight.face(axis, 1)};
-    return std::all_of(m_numerators.begin(), m_numerators.end(), [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
+    return std::all_of(m_numerators.begin(), m_numerators.end(),
+                       [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
   }
 
   // Bounds of the points; of one point, such as a pole, exactly.
@@ -276,7 +288,9 @@ public:
       const Rational_interval w(part.m_weight.bounds()), slope(part.m_weight.derivative_bounds(axis));
       Vector_bounds<d> result;
       for (int i = 0; i < d; ++i)
-        result[i] = (Rational_interval(part.m_numerators[i].derivative_bounds(axis)) - Rational_interval(part.m_numerators[i].bounds()) / w * slope) / w;
+        result[i] = (Rational_interval(part.m_numerators[i].derivative_bounds(axis)) -
+                     Rational_interval(part.m_numerators[i].bounds()) / w * slope) /
+            w;
       return result;
     });
   }
@@ -322,7 +336,8 @@ Exact_rational squared_distance_of(const std::array<Exact_rational, d>& a, const
   return result;
 }
 
-// Bounds of the squared distances between the points of two patches; where its derivatives are small, their error is that times the width, by the mean value theorem.
+// Bounds of the squared distances between the points of two patches; where its derivatives are small, their error is
+// that times the width, by the mean value theorem.
 template <int d>
 Rational_interval squared_distance_bounds(const Spline_patch<d>& a, const Spline_patch<d>& b)
 {
@@ -331,7 +346,8 @@ Rational_interval squared_distance_bounds(const Spline_patch<d>& a, const Spline
   for (const Spline_patch<d>* patch : {&a, &b})
     for (int axis = 0; axis < patch->number_of_parameters(); ++axis) {
       const auto [begin, end] = patch->domain(axis);
-      const Exact_rational width(end - begin);   // twice the distance from the middle, and the derivative is twice the inner product
+      // twice the distance from the middle, and the derivative is twice the inner product
+      const Exact_rational width(end - begin);
       by_slopes = by_slopes + dot(offset, patch->tangents(axis)) * Rational_interval(Exact_rational(-width), width);
     }
   return intersection(squared_norm(offset), by_slopes);

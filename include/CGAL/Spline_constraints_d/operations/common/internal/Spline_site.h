@@ -79,20 +79,23 @@ private:
   }
 };
 
-// What is asked of the inner products <own point - other point, tangent> where the tangent jumps, with the tangents before and after the jump.
+// What is asked of the inner products <own point - other point, tangent> where the tangent jumps, with the tangents
+// before and after the jump.
 struct Joint_rule
 {
   Relation before, after;
   bool has_open_ends;   // whether the ends of an open axis are sites; they have a tangent on one side only
 };
 
-// The distance to the other point is least at the joint, and its derivative is not zero on the side of a piece that contains the joint: that is the one after it, or the only one.
+// The distance to the other point is least at the joint, and its derivative is not zero on the side of a piece that
+// contains the joint: that is the one after it, or the only one.
 inline constexpr Joint_rule least_distance{Relation::LESS_EQUAL, Relation::GREATER, true};
 
 // The derivative of the distance is zero on the side before only, whose piece does not contain the joint.
 inline constexpr Joint_rule perpendicular_before{Relation::EQUAL, Relation::NOT_EQUAL, false};
 
-// A part of the axis of a parameter: a range without jumps of the tangent, or one number, with the neighbouring ranges between breaks on both sides, if any.
+// A part of the axis of a parameter: a range without jumps of the tangent, or one number, with the neighbouring ranges
+// between breaks on both sides, if any.
 struct Axis_part
 {
   Parameter_range range;
@@ -110,12 +113,15 @@ bool have_same_direction(const Vector_of_functions<d>& a, const Vector_of_functi
   for (int i = 0; i < d; ++i)
     if (const Exact_rational value = b[i](middle); value != 0) {
       const Exact_rational ratio(a[i](middle) / value);
-      return ratio > 0 && std::equal(a.begin(), a.end(), b.begin(), [&](const Exact_function& x, const Exact_function& y) { return x == y * ratio; });
+      return ratio > 0 &&
+          std::equal(a.begin(), a.end(), b.begin(),
+                     [&](const Exact_function& x, const Exact_function& y) { return x == y * ratio; });
     }
   return a == b;
 }
 
-// The parts of an axis: pieces between jumps of the tangent, without their upper end if another part follows; jumps; and ends. The seam of a closed axis is a joint like others.
+// The parts of an axis: pieces between jumps of the tangent, without their upper end if another part follows; jumps;
+// and ends. The seam of a closed axis is a joint like others.
 template <int d>
 std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Joint_rule& rule)
 {
@@ -129,7 +135,8 @@ std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Jo
   for (std::size_t i = 1; i <= last; ++i) {
     if (!std::binary_search(kinks.begin(), kinks.end(), breaks[i]))
       continue;
-    const Vector_of_functions<d> before = patch.one_sided_tangent(axis, cell(i - 1), 1), after = patch.one_sided_tangent(axis, cell(i), 0);
+    const Vector_of_functions<d> before = patch.one_sided_tangent(axis, cell(i - 1), 1),
+                                 after = patch.one_sided_tangent(axis, cell(i), 0);
     if (before == after)
       continue;
     result.push_back({{breaks[begin], breaks[i]}, true});
@@ -140,7 +147,8 @@ std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Jo
   const bool is_closed = patch.is_closed(axis);
   result.push_back({{breaks[begin], breaks.back()}, is_closed});
   if (is_closed) {
-    if (!have_same_direction<d>(patch.one_sided_tangent(axis, cell(last), 1), patch.one_sided_tangent(axis, cell(0), 0)))
+    if (!have_same_direction<d>(patch.one_sided_tangent(axis, cell(last), 1),
+                                patch.one_sided_tangent(axis, cell(0), 0)))
       result.push_back({at(0), false, cell(last), cell(0)});
   } else if (rule.has_open_ends) {
     result.push_back({at(0), false, std::nullopt, cell(0)});
@@ -150,7 +158,8 @@ std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Jo
 }
 
 /*
-A smooth piece of a point, curve or surface, an edge of one, or a corner: the points with parameters in a product of parts of the axes. What takes time is computed when it is asked for: many sites are too far away.
+A smooth piece of a point, curve or surface, an edge of one, or a corner: the points with parameters in a product of
+parts of the axes. What takes time is computed when it is asked for: many sites are too far away.
 */
 template <int d>
 class Spline_site
@@ -207,7 +216,8 @@ public:
   Vector_expression<d> point(std::span<const Unknown> u) const { return formulas().point(u); }
 
   // What the rule asks of the point with these parameters and another one.
-  void add_constraints(std::span<const Unknown> u, const Vector_expression<d>& other, std::vector<Constraint>& constraints) const
+  void add_constraints(std::span<const Unknown> u, const Vector_expression<d>& other,
+                       std::vector<Constraint>& constraints) const
   {
     const Vector_expression<d> offset = point(u) - other;
     for (const Slope& slope : formulas().slopes)
@@ -235,21 +245,25 @@ private:
       result.push_back({point.tangent(static_cast<int>(i)), Relation::EQUAL});
     for (std::size_t axis = 0; axis < m_parts.size(); ++axis) {
       if (const auto& before = m_parts[axis].before)
-        add_slopes(axis, *before, 1, m_rule.before == Relation::LESS_EQUAL && !m_parts[axis].after ? Relation::LESS : m_rule.before, result);
+        add_slopes(axis, *before, 1,
+                   m_rule.before == Relation::LESS_EQUAL && !m_parts[axis].after ? Relation::LESS : m_rule.before,
+                   result);
       if (const auto& after = m_parts[axis].after)
         add_slopes(axis, *after, 0, m_rule.after, result);
     }
     return result;
   }
 
-  // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is orthogonal, that is a solution on the pieces that end there;
-  // so they are asked for signs, a few of them.
-  void add_slopes(std::size_t axis, const Parameter_range& cell, int side, Relation relation, std::vector<Slope>& slopes) const
+  // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is
+  // orthogonal, that is a solution on the pieces that end there; so they are asked for signs, a few of them.
+  void add_slopes(std::size_t axis, const Parameter_range& cell, int side, Relation relation,
+                  std::vector<Slope>& slopes) const
   {
     const Vector_of_functions<d> tangent = m_whole.one_sided_tangent(static_cast<int>(axis), cell, side);
     if (m_parts.size() == 1)
       slopes.push_back({Parametric_vector<d>(tangent), relation});
-    else if (const Axis_part& other = m_parts[1 - axis]; m_free_axes.empty() && other.range.first < other.range.second) {
+    else if (const Axis_part& other = m_parts[1 - axis];
+             m_free_axes.empty() && other.range.first < other.range.second) {
       for (const Exact_rational& at : tangent[0].breaks(0))
         if (other.range.first <= at && at <= other.range.second)
           slopes.push_back({Parametric_vector<d>(part_of<d>(tangent, 0, {at, at})), relation});
@@ -291,7 +305,8 @@ inline std::vector<Axis_part> parts_within(const std::vector<Axis_part>& parts, 
 
 // All sites of a point, curve or surface with these parts of its axes, those of fewest parameters first.
 template <int d>
-std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const std::vector<std::vector<Axis_part>>& axes, const Joint_rule& rule)
+std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const std::vector<std::vector<Axis_part>>& axes,
+                                     const Joint_rule& rule)
 {
   std::vector<std::vector<Axis_part>> products(1);
   for (const std::vector<Axis_part>& parts : axes) {
@@ -307,7 +322,8 @@ std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const std::ve
   result.reserve(products.size());
   for (std::vector<Axis_part>& product : products)
     result.emplace_back(patch, std::move(product), rule);
-  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.free_axes().size() < b.free_axes().size(); });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.free_axes().size() < b.free_axes().size(); });
   return result;
 }
 

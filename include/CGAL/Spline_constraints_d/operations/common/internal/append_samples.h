@@ -20,9 +20,11 @@ struct Halvings
   int most = 16;
 };
 
-// Appends samples of a curve, behind those that there are, up to a last one: halves the way until `is_chord(from, between, to)`, where `between(from, to)` is the sample in the middle.
+// Appends samples of a curve, behind those that there are, up to a last one: halves the way until `is_chord(from,
+// between, to)`, where `between(from, to)` is the sample in the middle.
 template <class Sample, class Between, class Is_chord>
-void append_samples(std::vector<Sample>& samples, const Sample& to, const Between& between, const Is_chord& is_chord, const Halvings& halvings = {}, int depth = 0)
+void append_samples(std::vector<Sample>& samples, const Sample& to, const Between& between, const Is_chord& is_chord,
+                    const Halvings& halvings = {}, int depth = 0)
 {
   const Sample middle = between(samples.back(), to);
   if (depth >= halvings.most || (depth >= halvings.least && is_chord(samples.back(), middle, to))) {

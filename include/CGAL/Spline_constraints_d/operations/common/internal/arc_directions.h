@@ -48,12 +48,15 @@ Exact_function height_of(const Spline_patch<d>& arc, const Exact_vector<d>& dire
   return result ? *result : arc.numerators()[0] * Exact_rational(0);
 }
 
-// Whether <C, direction> increases strictly along a curve of one piece: its derivative is nowhere negative, and not zero everywhere.
+// Whether <C, direction> increases strictly along a curve of one piece: its derivative is nowhere negative, and not
+// zero everywhere.
 template <int d>
 bool is_increasing(const Spline_patch<d>& arc, const Exact_vector<d>& direction)
 {
   const Exact_function height = height_of<d>(arc, direction);
-  const Exact_function slope = arc.is_rational() ? height.derivative(0) * arc.weight() - height * arc.weight().derivative(0) : height.derivative(0);
+  const Exact_function slope = arc.is_rational()
+      ? height.derivative(0) * arc.weight() - height * arc.weight().derivative(0)
+      : height.derivative(0);
   const auto [least, greatest] = slope.bounds();
   return least >= 0 && greatest > 0;
 }
@@ -92,16 +95,19 @@ Exact_vector<d> chord_of(const Spline_patch<d>& arc)
 template <int d>
 Exact_vector<d> direction_between(const Exact_vector<d>& a, const Exact_vector<d>& b)
 {
-  const Exact_rational product = exact_dot(a, b), a_factor(exact_dot(b, b) - product), b_factor(exact_dot(a, a) - product);
+  const Exact_rational product = exact_dot(a, b), a_factor(exact_dot(b, b) - product),
+                       b_factor(exact_dot(a, a) - product);
   Exact_vector<d> result;
   for (int i = 0; i < d; ++i)
     result[i] = Exact_rational(a[i] * a_factor + b[i] * b_factor);
   return exact_dot(result, a) > 0 ? result : a;   // zero if they are parallel
 }
 
-// Whether a line or plane is proved to lie between two curves. It is parallel to the chord of one of them, in space to both.
+// Whether a line or plane is proved to lie between two curves. It is parallel to the chord of one of them, in space to
+// both.
 template <int d>
-bool are_separated(const Spline_patch<d>& a, const Spline_patch<d>& b, const Exact_vector<d>& a_chord, const Exact_vector<d>& b_chord)
+bool are_separated(const Spline_patch<d>& a, const Spline_patch<d>& b, const Exact_vector<d>& a_chord,
+                   const Exact_vector<d>& b_chord)
 {
   const auto is_between = [&](const Exact_vector<d>& normal) {
     const auto range = [&](const Spline_patch<d>& arc) {
@@ -113,7 +119,8 @@ bool are_separated(const Spline_patch<d>& a, const Spline_patch<d>& b, const Exa
     return first.upper < second.lower || second.upper < first.lower;
   };
   if constexpr (d == 2)
-    return is_between({Exact_rational(-a_chord[1]), a_chord[0]}) || is_between({Exact_rational(-b_chord[1]), b_chord[0]});
+    return is_between({Exact_rational(-a_chord[1]), a_chord[0]}) ||
+        is_between({Exact_rational(-b_chord[1]), b_chord[0]});
   else
     return is_between(exact_cross(a_chord, b_chord));
 }
@@ -133,8 +140,10 @@ Solution_set_d<double> zeros_of_derivative(const Spline_patch<d>& arc, Budgeted_
 }
 
 /*
-Whether C' = 0 somewhere on a polynomial curve, and det(C''(s), C'''(t)) has the same sign for all s and t, in the plane of two coordinates. Such a curve has one cusp C(c), and does not meet itself: by Taylor's
-formula det(C''(c), C'(t)) is the integral of (t - r) det(C''(c), C'''(r)) from c to t, so that C moves strictly to one side of its tangent in the cusp.
+Whether C' = 0 somewhere on a polynomial curve, and det(C''(s), C'''(t)) has the same sign for all s and t, in the plane
+of two coordinates. Such a curve has one cusp C(c), and does not meet itself: by Taylor's formula det(C''(c), C'(t)) is
+the integral of (t - r) det(C''(c), C'''(r)) from c to t, so that C moves strictly to one side of its tangent in the
+cusp.
 */
 template <int d>
 bool has_simple_cusp(const Spline_patch<d>& arc, Budgeted_solver& solve)

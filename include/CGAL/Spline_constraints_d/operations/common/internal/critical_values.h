@@ -42,7 +42,8 @@ inline Coefficients remainder(Coefficients a, const Coefficients& b)
   return a;
 }
 
-// The product of g over all complex zeros of f, with multiplicity, by Euclid's algorithm: product of g over f is that of f over g but for leading coefficients. f is not zero.
+// The product of g over all complex zeros of f, with multiplicity, by Euclid's algorithm: product of g over f is that
+// of f over g but for leading coefficients. f is not zero.
 inline Exact_rational product_over_zeros(Coefficients f, Coefficients g)
 {
   Exact_rational result(1);
@@ -65,10 +66,12 @@ inline Exact_rational product_over_zeros(Coefficients f, Coefficients g)
 }
 
 /*
-A polynomial in `x` that vanishes at all values that n/w has where its derivative is zero: the product of n - x w over the zeros of n'w - nw', which are as many as its degree, interpolated at 0, 1, ... It is zero
-where n and w have a common zero.
+A polynomial in `x` that vanishes at all values that n/w has where its derivative is zero: the product of n - x w over
+the zeros of n'w - nw', which are as many as its degree, interpolated at 0, 1, ... It is zero where n and w have a
+common zero.
 */
-inline Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_rational>& n, const Bernstein_tensor<Exact_rational>& w, const Power_polynomial& x)
+inline Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_rational>& n,
+                                                  const Bernstein_tensor<Exact_rational>& w, const Power_polynomial& x)
 {
   const Coefficients slope = power_coefficients(n.derivative(0) * w - n * w.derivative(0));
   if (slope.empty())

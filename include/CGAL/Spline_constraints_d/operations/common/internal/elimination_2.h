@@ -23,18 +23,21 @@ namespace Spline_constraints {
 namespace internal {
 namespace Common {
 
-// Homogeneous coordinates of the coefficients of a piece of a curve without breaks, in the powers of a parameter. The last one is not zero.
+// Homogeneous coordinates of the coefficients of a piece of a curve without breaks, in the powers of a parameter. The
+// last one is not zero.
 inline std::vector<std::array<Exact_rational, 3>> power_coefficients(const Spline_patch<2>& piece)
 {
   std::vector<std::array<Exact_rational, 3>> result;
   for (std::size_t i = 0; i < 3; ++i) {
     const Exact_function& f = i < 2 ? piece.numerators()[i] : piece.weight();
-    const std::vector<Exact_rational> powers = Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
+    const std::vector<Exact_rational> powers =
+        Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
     result.resize((std::max)(result.size(), powers.size()), {Exact_rational(0), Exact_rational(0), Exact_rational(0)});
     for (std::size_t k = 0; k < powers.size(); ++k)
       result[k][i] = powers[k];
   }
-  while (result.size() > 1 && std::all_of(result.back().begin(), result.back().end(), [](const Exact_rational& x) { return x == 0; }))
+  while (result.size() > 1 &&
+         std::all_of(result.back().begin(), result.back().end(), [](const Exact_rational& x) { return x == 0; }))
     result.pop_back();
   return result;
 }
@@ -58,10 +61,12 @@ inline Exact_function determinant(const Function_matrix& rows)
 }
 
 /*
-Of a piece C of a planar curve and a piece D of another one, of degree four at most, both without breaks: a matrix of functions on C that is singular where C has a point on D. None for other degrees.
+Of a piece C of a planar curve and a piece D of another one, of degree four at most, both without breaks: a matrix of
+functions on C that is singular where C has a point on D. None for other degrees.
 
-Let C(t) = (X : Y : W) and D(s) = (x : y : w). Where C(t) = D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y have the zero s in common, and so their Bezout matrix is singular, and (1, s, s^2, ...) in its kernel. With the
-factor W taken out, its entries are the sums of the determinants of (X, Y, W) and two coefficients of D.
+Let C(t) = (X : Y : W) and D(s) = (x : y : w). Where C(t) = D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y
+have the zero s in common, and so their Bezout matrix is singular, and (1, s, s^2, ...) in its kernel. With the factor W
+taken out, its entries are the sums of the determinants of (X, Y, W) and two coefficients of D.
 */
 inline Function_matrix bezout_matrix(const Spline_patch<2>& curve, const Spline_patch<2>& other)
 {
@@ -86,7 +91,8 @@ inline Function_matrix bezout_matrix(const Spline_patch<2>& curve, const Spline_
   return rows;
 }
 
-// A polynomial that is zero where one piece has a point on another one. It is also zero for points of the curve that the other one is a part of, and everywhere if both are parts of this curve.
+// A polynomial that is zero where one piece has a point on another one. It is also zero for points of the curve that
+// the other one is a part of, and everywhere if both are parts of this curve.
 inline std::optional<Exact_function> eliminated(const Spline_patch<2>& curve, const Spline_patch<2>& other)
 {
   const Function_matrix rows = bezout_matrix(curve, other);
@@ -94,18 +100,24 @@ inline std::optional<Exact_function> eliminated(const Spline_patch<2>& curve, co
 }
 
 /*
-Pairs of functions on a piece: at a simple zero of the eliminated polynomial, their quotient, where it is defined, is the parameter from 0 to 1 of the point on the other piece; outside of this interval, or if all divisors are zero, there is none.
+Pairs of functions on a piece: at a simple zero of the eliminated polynomial, their quotient, where it is defined, is
+the parameter from 0 to 1 of the point on the other piece; outside of this interval, or if all divisors are zero, there
+is none.
 
-There, the Bezout matrix has corank one, as with a larger one its determinant had a multiple zero, and the cofactors of each row are in the kernel. A line is linear in its parameter itself.
+There, the Bezout matrix has corank one, as with a larger one its determinant had a multiple zero, and the cofactors of
+each row are in the kernel. A line is linear in its parameter itself.
 */
-inline std::vector<std::array<Exact_function, 2>> parameter_quotients(const Spline_patch<2>& curve, const Spline_patch<2>& other)
+inline std::vector<std::array<Exact_function, 2>> parameter_quotients(const Spline_patch<2>& curve,
+                                                                      const Spline_patch<2>& other)
 {
   const Function_matrix rows = bezout_matrix(curve, other);
   std::vector<std::array<Exact_function, 2>> result;
   if (rows.size() == 1) {
     const std::vector<std::array<Exact_rational, 3>> line = power_coefficients(other);
     for (const std::size_t i : {0, 1}) {
-      const auto equation = [&](std::size_t k) { return curve.weight() * line[k][i] - curve.numerators()[i] * line[k][2]; };
+      const auto equation = [&](std::size_t k) {
+        return curve.weight() * line[k][i] - curve.numerators()[i] * line[k][2];
+      };
       result.push_back({equation(0) * Exact_rational(-1), equation(1)});
     }
     return result;
@@ -131,7 +143,8 @@ struct Zero_places
   bool are_none() const { return !at_lower_end && !at_upper_end && !elsewhere; }
 };
 
-// Of a polynomial on its domain, by the signs of its coefficients: inside, it has none if these have one sign. \pre The function has no breaks.
+// Of a polynomial on its domain, by the signs of its coefficients: inside, it has none if these have one sign. \pre The
+// function has no breaks.
 inline Zero_places zero_places(const Exact_function& f, int depth = 12)
 {
   const auto is_not_zero = [](const Exact_rational& x) { return x != 0; };

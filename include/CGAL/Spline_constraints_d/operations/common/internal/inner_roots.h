@@ -31,7 +31,10 @@ inline Integer_polynomial integer_polynomial(const Coefficients& coefficients)
   return Integer_polynomial(std::move(result));
 }
 
-inline Integer_polynomial integer_polynomial(const Bernstein_tensor<Exact_rational>& f) { return integer_polynomial(power_coefficients(f)); }
+inline Integer_polynomial integer_polynomial(const Bernstein_tensor<Exact_rational>& f)
+{
+  return integer_polynomial(power_coefficients(f));
+}
 
 inline void narrow(Exact_root& root, const Exact_rational& width)
 {
@@ -39,7 +42,8 @@ inline void narrow(Exact_root& root, const Exact_rational& width)
     root.halve();
 }
 
-// So small that rational roots are the simplest numbers in intervals around them: their denominators divide the leading coefficient.
+// So small that rational roots are the simplest numbers in intervals around them: their denominators divide the leading
+// coefficient.
 inline Exact_rational width_for_rational_roots(const Bernstein_tensor<Exact_rational>& f)
 {
   const Integer_polynomial polynomial = integer_polynomial(f);
@@ -47,7 +51,8 @@ inline Exact_rational width_for_rational_roots(const Bernstein_tensor<Exact_rati
 }
 
 /*
-The different roots of a polynomial in the open interval (0,1), in order, in intervals that are apart and at most of a given width; rational roots with short fractions are points. None of zero.
+The different roots of a polynomial in the open interval (0,1), in order, in intervals that are apart and at most of a
+given width; rational roots with short fractions are points. None of zero.
 */
 inline std::vector<Exact_root> inner_roots(const Bernstein_tensor<Exact_rational>& f, const Exact_rational& width)
 {
@@ -59,7 +64,9 @@ inline std::vector<Exact_root> inner_roots(const Bernstein_tensor<Exact_rational
   polynomial.remove_root(zero);
   polynomial.remove_root(one);
   for (auto& [factor, exponent] : polynomial.square_free_factors())
-    for (Exact_root& root : isolate_roots(std::make_shared<const Integer_polynomial>(std::move(factor)), zero, one, [] { return false; }, [](const auto&, const auto&) {}))
+    for (Exact_root& root : isolate_roots(
+             std::make_shared<const Integer_polynomial>(std::move(factor)), zero, one, [] { return false; },
+             [](const auto&, const auto&) {}))
       result.push_back(std::move(root));
   for (Exact_root& root : result) {
     narrow(root, width);
@@ -67,7 +74,8 @@ inline std::vector<Exact_root> inner_roots(const Bernstein_tensor<Exact_rational
   }
   for (bool are_apart = false; !are_apart;) {
     are_apart = true;
-    std::sort(result.begin(), result.end(), [](const Exact_root& a, const Exact_root& b) { return a.lower() < b.lower(); });
+    std::sort(result.begin(), result.end(),
+              [](const Exact_root& a, const Exact_root& b) { return a.lower() < b.lower(); });
     for (std::size_t i = 0; i + 1 < result.size(); ++i)
       if (!(result[i].upper() < result[i + 1].lower())) {
         result[i].halve();

@@ -30,15 +30,18 @@ inline Exact_rational integral(const Bernstein_tensor<Exact_rational>& f)
 }
 
 /*
-Bounds of the integral of n/v over [0,1] for a positive polynomial v, whose difference is at most 2 `error`: n/v = q + (n - q v)/v with a polynomial q, the begin of the power series of the
-quotient about the middle. Ranges are halved until the rest is small.
+Bounds of the integral of n/v over [0,1] for a positive polynomial v, whose difference is at most 2 `error`: n/v = q +
+(n - q v)/v with a polynomial q, the begin of the power series of the quotient about the middle. Ranges are halved until
+the rest is small.
 */
-inline Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_rational>& n, const Bernstein_tensor<Exact_rational>& v, const Exact_rational& error)
+inline Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_rational>& n,
+                                              const Bernstein_tensor<Exact_rational>& v, const Exact_rational& error)
 {
   constexpr std::size_t length = 16;
   constexpr int bits = 128;
   if (const Exact_rational least = v.bounds().first; least > 0) {
-    const auto about_middle = [](const Bernstein_tensor<Exact_rational>& f) {   // powers of u, where the range is [-1,1]
+    // powers of u, where the range is [-1,1]
+    const auto about_middle = [](const Bernstein_tensor<Exact_rational>& f) {
       return f.restricted(0, Exact_rational(1) / 2, Exact_rational(1)).power_coefficients();
     };
     const std::vector<Exact_rational> b = about_middle(v);

@@ -24,7 +24,9 @@ using Interval_pair = std::array<Interval, 2>;
 
 // Intervals of any precision: their ends, rounded outward to doubles, decide.
 template <class Number>
-concept Enclosing_number = std::constructible_from<Number, double, double> && std::convertible_to<Interval, Number> && requires(const Number& x) {
+concept Enclosing_number = std::constructible_from<Number, double, double> && std::convertible_to<Interval, Number> &&
+    requires(const Number& x)
+{
   { x.inf() } -> std::same_as<double>;
   { x.sup() } -> std::same_as<double>;
   { x * x - x / x + x } -> std::convertible_to<Number>;
@@ -68,10 +70,16 @@ std::array<Number, 2> operator*(const Number& s, const std::array<Number, 2>& a)
   return {s * a[0], s * a[1]};
 }
 
-inline Interval hull(const Interval& a, const Interval& b) { return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())); }
+inline Interval hull(const Interval& a, const Interval& b)
+{
+  return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup()));
+}
 
 // What two enclosures of the same number have in common; they always meet.
-inline Interval common_part(const Interval& a, const Interval& b) { return Interval((std::max)(a.inf(), b.inf()), (std::min)(a.sup(), b.sup())); }
+inline Interval common_part(const Interval& a, const Interval& b)
+{
+  return Interval((std::max)(a.inf(), b.inf()), (std::min)(a.sup(), b.sup()));
+}
 
 template <Enclosing_number Number>
 std::array<Number, 2> hull(const std::array<Number, 2>& a, const std::array<Number, 2>& b)

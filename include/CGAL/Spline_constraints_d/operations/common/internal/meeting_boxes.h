@@ -49,18 +49,23 @@ std::vector<Index_pair> pairs_with_meeting_boxes(const std::vector<Spline_patch<
 {
   std::vector<Indexed_box<d>> boxes = boxes_of(patches);
   std::vector<Index_pair> result;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Indexed_box<d>& a, const Indexed_box<d>& b) { result.push_back(std::minmax(a.info(), b.info())); });
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Indexed_box<d>& a, const Indexed_box<d>& b) {
+    result.push_back(std::minmax(a.info(), b.info()));
+  });
   std::sort(result.begin(), result.end());
   return result;
 }
 
 // The same of patches of two collections.
 template <int d>
-std::vector<Index_pair> pairs_with_meeting_boxes(const std::vector<Spline_patch<d>>& patches, const std::vector<Spline_patch<d>>& others)
+std::vector<Index_pair> pairs_with_meeting_boxes(const std::vector<Spline_patch<d>>& patches,
+                                                 const std::vector<Spline_patch<d>>& others)
 {
   std::vector<Indexed_box<d>> boxes = boxes_of(patches), other_boxes = boxes_of(others);
   std::vector<Index_pair> result;
-  CGAL::box_intersection_d(boxes.begin(), boxes.end(), other_boxes.begin(), other_boxes.end(), [&](const Indexed_box<d>& a, const Indexed_box<d>& b) { result.emplace_back(a.info(), b.info()); });
+  CGAL::box_intersection_d(
+      boxes.begin(), boxes.end(), other_boxes.begin(), other_boxes.end(),
+      [&](const Indexed_box<d>& a, const Indexed_box<d>& b) { result.emplace_back(a.info(), b.info()); });
   std::sort(result.begin(), result.end());
   return result;
 }

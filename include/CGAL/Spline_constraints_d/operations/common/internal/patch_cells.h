@@ -33,15 +33,21 @@ void for_each_cell(const Spline_patch<3>& patch, const Visit& visit)
   const std::array<std::vector<Exact_rational>, 2> breaks{patch.breaks(0), patch.breaks(1)};
   const std::array<int, 2> last{static_cast<int>(breaks[0].size()) - 2, static_cast<int>(breaks[1].size()) - 2};
   for_each_index({last[0], last[1]}, [&](const std::vector<int>& place) {
-    const auto range = [&](int axis) { return Parameter_range(breaks[axis][static_cast<std::size_t>(place[axis])], breaks[axis][static_cast<std::size_t>(place[axis]) + 1]); };
+    const auto range = [&](int axis) {
+      return Parameter_range(breaks[axis][static_cast<std::size_t>(place[axis])],
+                             breaks[axis][static_cast<std::size_t>(place[axis]) + 1]);
+    };
     const Spline_patch<3> part = patch.part({range(0), range(1)});
     const auto piece = [](const Exact_function& f) { return f.bezier_pieces().front(); };
-    visit(Patch_cell{{piece(part.numerators()[0]), piece(part.numerators()[1]), piece(part.numerators()[2]), piece(part.weight())}, {{{place[0] == 0, place[0] == last[0]}, {place[1] == 0, place[1] == last[1]}}}});
+    visit(Patch_cell{
+        {piece(part.numerators()[0]), piece(part.numerators()[1]), piece(part.numerators()[2]), piece(part.weight())},
+        {{{place[0] == 0, place[0] == last[0]}, {place[1] == 0, place[1] == last[1]}}}});
   });
 }
 
 // w^d f(X/w) for numerators X, a weight w and a polynomial of the degree d at most.
-inline Bernstein_tensor<Exact_rational> composed(const Power_polynomial& f, int degree, const std::array<Bernstein_tensor<Exact_rational>, 4>& functions)
+inline Bernstein_tensor<Exact_rational> composed(const Power_polynomial& f, int degree,
+                                                 const std::array<Bernstein_tensor<Exact_rational>, 4>& functions)
 {
   using Tensor = Bernstein_tensor<Exact_rational>;
   std::array<std::vector<Tensor>, 4> powers;

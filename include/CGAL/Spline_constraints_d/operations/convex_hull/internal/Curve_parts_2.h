@@ -47,7 +47,8 @@ public:
 
   Exact_pair point(std::size_t curve, const Exact_rational& parameter) const
   {
-    const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1, [&](const Hull_piece_2& p) { return parameter <= p.curve().parameters[1]; });
+    const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1,
+                                    [&](const Hull_piece_2& p) { return parameter <= p.curve().parameters[1]; });
     const auto& [begin, end] = piece->curve().parameters;
     return piece->curve().at(Exact_rational((parameter - begin) / (end - begin)));
   }
@@ -58,10 +59,12 @@ public:
     Pieces result;
     for (const Hull_piece_2& piece : m_pieces[curve]) {
       const auto& [begin, end] = piece.curve().parameters;
-      const Exact_rational lower = (std::max)(begin, (std::min)(from, to)), upper = (std::min)(end, (std::max)(from, to));
+      const Exact_rational lower = (std::max)(begin, (std::min)(from, to)),
+                           upper = (std::min)(end, (std::max)(from, to));
       if (!(lower < upper))
         continue;
-      result.emplace_back(restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)), Exact_rational((upper - begin) / (end - begin))));
+      result.emplace_back(restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)),
+                                     Exact_rational((upper - begin) / (end - begin))));
     }
     if (to < from) {
       std::reverse(result.begin(), result.end());
@@ -71,21 +74,27 @@ public:
     return result;
   }
 
-  // Appends points of a part after its begin, so that no point of it is farther from the chords between them than the error, but for the rounding of coordinates.
+  // Appends points of a part after its begin, so that no point of it is farther from the chords between them than the
+  // error, but for the rounding of coordinates.
   template <class Kernel>
-  void append_samples(std::size_t curve, const Exact_rational& from, const Exact_rational& to, const Exact_rational& error, std::vector<typename Kernel::Point_2>& samples) const
+  void append_samples(std::size_t curve, const Exact_rational& from, const Exact_rational& to,
+                      const Exact_rational& error, std::vector<typename Kernel::Point_2>& samples) const
   {
     for (const Hull_piece_2& piece : between(curve, from, to))
       append_samples_of<Kernel>(piece, error, samples);
   }
 
   /*
-  For the area between a point and an arc of which the ends are known to be in ranges, and which runs counterclockwise around the point, or clockwise within the ranges: appends what is certainly part of the arc, with the point as the origin, and adds bounds of the rest.
+  For the area between a point and an arc of which the ends are known to be in ranges, and which runs counterclockwise
+  around the point, or clockwise within the ranges: appends what is certainly part of the arc, with the point as the
+  origin, and adds bounds of the rest.
   */
-  void append_sector(std::size_t curve, const Parameter_range& source, const Parameter_range& target, const Exact_pair& origin, std::vector<Boundary_piece>& arcs, Rational_interval& rest) const
+  void append_sector(std::size_t curve, const Parameter_range& source, const Parameter_range& target,
+                     const Exact_pair& origin, std::vector<Boundary_piece>& arcs, Rational_interval& rest) const
   {
     const bool is_reversed = target < source;
-    for (const Hull_piece_2& piece : between(curve, is_reversed ? source.first : source.second, is_reversed ? target.second : target.first))
+    for (const Hull_piece_2& piece :
+         between(curve, is_reversed ? source.first : source.second, is_reversed ? target.second : target.first))
       arcs.push_back(seen_from(origin, piece.curve()));
     for (const auto& [first, last] : {source, target})
       for (const Hull_piece_2& part : between(curve, first, last)) {
@@ -106,7 +115,8 @@ private:
   }
 
   template <class Kernel>
-  static void append_samples_of(const Hull_piece_2& piece, const Exact_rational& error, std::vector<typename Kernel::Point_2>& samples)
+  static void append_samples_of(const Hull_piece_2& piece, const Exact_rational& error,
+                                std::vector<typename Kernel::Point_2>& samples)
   {
     const Exact_pair chord = exact_difference(piece.end(), piece.begin());
     const Exact_rational squared_length = exact_dot(chord, chord);

@@ -28,9 +28,12 @@ namespace Convex_hull {
 /*
 The convex hull of pieces of curves and points, by polygons in it that grow. All numbers are exact.
 
-The polygon is the hull of the ends of pieces. A piece with all control points in the polygon is in the hull anyway. A vertex is *supported* if a line through it has all on its left: a point of the boundary of the hull. Between two
-supported vertices that follow each other, the boundary is a chain of pieces if these are convex and all others are in the polygon; or part of a chain, a segment that touches it, and part of another chain, if two convex chains are
-not and are in order in all directions between those of the two lines. Otherwise the pieces that are not in the polygon there are halved.
+The polygon is the hull of the ends of pieces. A piece with all control points in the polygon is in the hull anyway. A
+vertex is *supported* if a line through it has all on its left: a point of the boundary of the hull. Between two
+supported vertices that follow each other, the boundary is a chain of pieces if these are convex and all others are in
+the polygon; or part of a chain, a segment that touches it, and part of another chain, if two convex chains are not and
+are in order in all directions between those of the two lines. Otherwise the pieces that are not in the polygon there
+are halved.
 */
 class Hull_boundary_2
 {
@@ -38,7 +41,8 @@ class Hull_boundary_2
 
   using Edges = std::vector<Hull_edge_2>;
 
-  // The vertices of the polygon from one that is supported to the next one, with indices that may go around, and the pieces that are not in the polygon there.
+  // The vertices of the polygon from one that is supported to the next one, with indices that may go around, and the
+  // pieces that are not in the polygon there.
   struct Part
   {
     std::size_t first, last;
@@ -53,7 +57,8 @@ class Hull_boundary_2
 
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
-  std::size_t m_halvings_left = 0;                     // of all pieces; in each round where they overlap, all must be halved
+  // of all pieces; in each round where they overlap, all must be halved
+  std::size_t m_halvings_left = 0;
   std::map<Exact_pair, Boundary_vertex_2> m_points;       // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
@@ -64,7 +69,9 @@ class Hull_boundary_2
   Edges m_edges;
 
 public:
-  Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Boundary_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
+  Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Boundary_vertex_2> points,
+                  const Solver_options& options)
+    : m_contacts(options), m_points(std::move(points))
   {
     for (const Hull_chain& curve : curves)
       for (const Hull_piece_2& piece : curve)
@@ -86,11 +93,13 @@ private:
   void add(Hull_piece_2 piece)
   {
     const Hull_piece_2 reversed = piece.reversed();
-    if (std::any_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || reversed.is_same(other); }))
+    if (std::any_of(m_pieces.begin(), m_pieces.end(),
+                    [&](const Hull_piece_2& other) { return piece.is_same(other) || reversed.is_same(other); }))
       return;
     const Boundary_piece& curve = piece.curve();
     for (std::size_t k = 0; k < 2; ++k)
-      m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Boundary_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
+      m_points.try_emplace(k == 0 ? piece.begin() : piece.end(),
+                           Boundary_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
     if (piece.points().size() > 1)   // else it is a point
       m_pieces.push_back(std::move(piece));
   }
@@ -128,10 +137,12 @@ private:
     return false;
   }
 
-  // Whether a point is on the right of an edge; or next to it on the same line, where the polygon is a segment or a point.
+  // Whether a point is on the right of an edge; or next to it on the same line, where the polygon is a segment or a
+  // point.
   bool is_beyond(std::size_t edge, const Exact_pair& point) const
   {
-    const Exact_pair side = exact_difference(vertex(edge + 1), vertex(edge)), arm = exact_difference(point, vertex(edge));
+    const Exact_pair side = exact_difference(vertex(edge + 1), vertex(edge)),
+                     arm = exact_difference(point, vertex(edge));
     const int turn = sign_of(exact_cross(side, arm));
     if (turn != 0 || m_polygon.size() > 2)
       return turn < 0;
@@ -170,26 +181,31 @@ private:
         }
   }
 
-  // Normals of the tangents of pieces at a vertex, and two between those of its edges: one is good at flat vertices, and the other one at acute ones.
+  // Normals of the tangents of pieces at a vertex, and two between those of its edges: one is good at flat vertices,
+  // and the other one at acute ones.
   std::vector<Exact_pair> possible_normals(std::size_t i) const
   {
-    const Exact_pair &point = vertex(i), before = exact_difference(point, vertex(i + m_polygon.size() - 1)), after = exact_difference(vertex(i + 1), point);
+    const Exact_pair &point = vertex(i), before = exact_difference(point, vertex(i + m_polygon.size() - 1)),
+                     after = exact_difference(vertex(i + 1), point);
     std::vector<Exact_pair> result;
     for (std::size_t k : pieces_beside(i)) {
       const std::vector<Exact_pair>& points = m_pieces[k].points();
-      for (const auto& [end, next] : {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
+      for (const auto& [end, next] :
+           {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
         if (end == point) {
           result.push_back(normal_on_the_right(exact_difference(next, point)));
           result.push_back(normal_on_the_right(exact_difference(point, next)));
         }
     }
-    const Exact_pair along = sum(scaled(before), scaled(after)), outward = exact_difference(scaled(before), scaled(after));
+    const Exact_pair along = sum(scaled(before), scaled(after)),
+                     outward = exact_difference(scaled(before), scaled(after));
     result.push_back(normal_on_the_right(along));
     result.push_back(outward);
     return result;
   }
 
-  // The pieces beyond the two edges of a vertex: no others are above it in a direction in which it is the highest one of the polygon.
+  // The pieces beyond the two edges of a vertex: no others are above it in a direction in which it is the highest one
+  // of the polygon.
   std::vector<std::size_t> pieces_beside(std::size_t i) const
   {
     std::vector<std::size_t> result = m_beyond[i];
@@ -203,9 +219,13 @@ private:
     const std::vector<std::size_t> pieces = pieces_beside(i);
     if (normal == Exact_pair{0, 0})
       return pieces.empty();
-    const auto is_not_above = [&](const Exact_pair& point) { return exact_dot(exact_difference(point, vertex(i)), normal) <= 0; };
+    const auto is_not_above = [&](const Exact_pair& point) {
+      return exact_dot(exact_difference(point, vertex(i)), normal) <= 0;
+    };
     return is_not_above(vertex(i + 1)) && is_not_above(vertex(i + m_polygon.size() - 1)) &&
-           std::all_of(pieces.begin(), pieces.end(), [&](std::size_t k) { return std::all_of(m_pieces[k].points().begin(), m_pieces[k].points().end(), is_not_above); });
+        std::all_of(pieces.begin(), pieces.end(), [&](std::size_t k) {
+             return std::all_of(m_pieces[k].points().begin(), m_pieces[k].points().end(), is_not_above);
+           });
   }
 
   // The edges between supported vertices; false when they are final, true when pieces were halved or dropped.
@@ -225,7 +245,8 @@ private:
         m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
       else {
         append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left && !decide_otherwise(part, to_drop, cuts))
+        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left &&
+            !decide_otherwise(part, to_drop, cuts))
           for (std::size_t i : part.pieces)
             if (m_pieces[i].halvings() < most_halvings)
               cuts[i].insert(one_half());
@@ -290,7 +311,8 @@ private:
       return result;
     }
     const Hull_chain second = reversed(chain_from(vertex(part.last), rest));
-    if (!rest.empty() || !is_convex(first) || !is_convex(second) || !has_vertices(part, first, second) || !are_in_order(part, first, second))
+    if (!rest.empty() || !is_convex(first) || !is_convex(second) || !has_vertices(part, first, second) ||
+        !are_in_order(part, first, second))
       return std::nullopt;
     return edges_with_segment(part, first, second);
   }
@@ -321,7 +343,8 @@ private:
     return true;
   }
 
-  // Whether all points of the second chain are further than those of the first one along all lines with directions between the two supporting ones: then there is exactly one at which the higher chain changes.
+  // Whether all points of the second chain are further than those of the first one along all lines with directions
+  // between the two supporting ones: then there is exactly one at which the higher chain changes.
   bool are_in_order(const Part& part, const Hull_chain& first, const Hull_chain& second) const
   {
     const Exact_pair &before = m_supports.at(vertex(part.first))[1], &after = m_supports.at(vertex(part.last))[0];
@@ -335,8 +358,10 @@ private:
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
         if (const auto contacts = m_contacts.common_tangent(a, b)) {
-          const Boundary_vertex_2 source = a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
-          const Boundary_vertex_2 target = b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
+          const Boundary_vertex_2 source =
+              a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
+          const Boundary_vertex_2 target =
+              b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
           Edges result;
           if (a.piece != nullptr) {
             append_arcs({first.data(), a.piece}, result);
@@ -353,14 +378,17 @@ private:
   }
 
   /*
-  Where halving does not help: what touches the boundary from within is proved to, and left out; pieces are cut at cusps, and where overlaps end. Whether there was anything.
+  Where halving does not help: what touches the boundary from within is proved to, and left out; pieces are cut at
+  cusps, and where overlaps end. Whether there was anything.
   */
   bool decide_otherwise(const Part& part, std::set<std::size_t>& dropped, Cuts& cuts)
   {
     const int halvings = least_halvings(part);
     if (halvings == 0 || halvings % halvings_between_proofs != 0)
       return false;
-    return cut_at_singularities(part, cuts) || cut_where_pieces_overlap(part, cuts) || cover_points_behind_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+    return cut_at_singularities(part, cuts) || cut_where_pieces_overlap(part, cuts) ||
+        cover_points_behind_pieces(part) || drop_pieces_behind_others(part, dropped) ||
+        leave_out_what_touches_segment(part, dropped);
   }
 
   bool cut_at_singularities(const Part& part, Cuts& cuts)
@@ -398,35 +426,45 @@ private:
   bool cover_points_behind_pieces(const Part& part)
   {
     bool result = false;
-    const auto is_vertex = [&](const Exact_pair& point) { return m_points.count(point) > 0 && m_covered.count(point) == 0; };
+    const auto is_vertex = [&](const Exact_pair& point) {
+      return m_points.count(point) > 0 && m_covered.count(point) == 0;
+    };
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       for (std::size_t k : part.pieces) {
         const Hull_piece_2& piece = m_pieces[k];
-        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() && vertex(i) != piece.end() && (m_contacts.has_point({piece}, vertex(i)) || is_between_chord_and({piece}, vertex(i)) || is_between_chord_and({piece.reversed()}, vertex(i))))
+        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() &&
+            vertex(i) != piece.end() &&
+            (m_contacts.has_point({piece}, vertex(i)) || is_between_chord_and({piece}, vertex(i)) ||
+             is_between_chord_and({piece.reversed()}, vertex(i))))
           result |= m_covered.insert(vertex(i)).second;
       }
     return result;
   }
 
-  // Whether a point on the right of the chord of a convex chain is on its side of the chain: nothing is in the way to the middle of the chord.
+  // Whether a point on the right of the chord of a convex chain is on its side of the chain: nothing is in the way to
+  // the middle of the chord.
   bool is_between_chord_and(const Hull_chain& chain, const Exact_pair& point) const
   {
     const Exact_pair &first = chain.front().begin(), &last = chain.back().end(), both = sum(first, last);
-    return exact_cross(exact_difference(last, first), exact_difference(point, first)) < 0 && is_convex(chain) && m_contacts.is_apart_from_segment(chain, {point, {Exact_rational(both[0] / 2), Exact_rational(both[1] / 2)}});
+    return exact_cross(exact_difference(last, first), exact_difference(point, first)) < 0 && is_convex(chain) &&
+        m_contacts.is_apart_from_segment(chain, {point, {Exact_rational(both[0] / 2), Exact_rational(both[1] / 2)}});
   }
 
-  // A piece that begins and ends in the polygon, or behind a convex chain above edges of it, cannot get out there if it has only one common point with the chain.
+  // A piece that begins and ends in the polygon, or behind a convex chain above edges of it, cannot get out there if it
+  // has only one common point with the chain.
   bool drop_pieces_behind_others(const Part& part, std::set<std::size_t>& dropped)
   {
     const std::size_t dropped_before = dropped.size();
     for (std::size_t i : part.pieces)
       if (dropped.count(i) == 0)
-        if (const Hull_chain chain = chain_above(part, i, dropped); !chain.empty() && begins_and_ends_behind(m_pieces[i], chain) && m_contacts.meet_once_or_overlap(m_pieces[i], chain))
+        if (const Hull_chain chain = chain_above(part, i, dropped); !chain.empty() &&
+            begins_and_ends_behind(m_pieces[i], chain) && m_contacts.meet_once_or_overlap(m_pieces[i], chain))
           dropped.insert(i);
     return dropped.size() > dropped_before;
   }
 
-  // The convex chain of others, each above one edge from vertex to vertex, above the edges of a part that a piece is beyond, if it is not beyond any others.
+  // The convex chain of others, each above one edge from vertex to vertex, above the edges of a part that a piece is
+  // beyond, if it is not beyond any others.
   Hull_chain chain_above(const Part& part, std::size_t piece, const std::set<std::size_t>& dropped) const
   {
     std::size_t first = part.first, last = part.last;
@@ -438,25 +476,31 @@ private:
     for (std::size_t edge = first; edge < last; ++edge)
       for (std::size_t k : m_beyond[edge % m_polygon.size()])
         if (const Hull_piece_2 other = m_pieces[k].begin() == vertex(edge) ? m_pieces[k] : m_pieces[k].reversed();
-            k != piece && dropped.count(k) == 0 && other.begin() == vertex(edge) && other.end() == vertex(edge + 1) && is_beyond_only(k, edge, edge + 1)) {
+            k != piece && dropped.count(k) == 0 && other.begin() == vertex(edge) && other.end() == vertex(edge + 1) &&
+            is_beyond_only(k, edge, edge + 1)) {
           result.push_back(other);
           break;
         }
-    return result.size() == last - first && is_beyond_only(piece, first, last) && is_convex(result) ? result : Hull_chain();
+    return result.size() == last - first && is_beyond_only(piece, first, last) && is_convex(result) ? result
+                                                                                                    : Hull_chain();
   }
 
   // Ends are in the polygon, or points of a chain, or between it and its chord.
   bool begins_and_ends_behind(const Hull_piece_2& piece, const Hull_chain& chain) const
   {
     const Exact_pair &first = chain.front().begin(), &last = chain.back().end();
-    const auto is_behind = [&](const Exact_pair& end) { return exact_cross(exact_difference(last, first), exact_difference(end, first)) >= 0 || m_contacts.has_point(chain, end) || is_between_chord_and(chain, end); };
+    const auto is_behind = [&](const Exact_pair& end) {
+      return exact_cross(exact_difference(last, first), exact_difference(end, first)) >= 0 ||
+          m_contacts.has_point(chain, end) || is_between_chord_and(chain, end);
+    };
     return is_behind(piece.begin()) && is_behind(piece.end());
   }
 
   bool is_beyond_only(std::size_t piece, std::size_t first_edge, std::size_t last_edge) const
   {
     for (std::size_t edge = last_edge; edge < first_edge + m_polygon.size(); ++edge)
-      if (const auto& beyond = m_beyond[edge % m_polygon.size()]; std::find(beyond.begin(), beyond.end(), piece) != beyond.end())
+      if (const auto& beyond = m_beyond[edge % m_polygon.size()];
+          std::find(beyond.begin(), beyond.end(), piece) != beyond.end())
         return false;
     return true;
   }
@@ -465,26 +509,29 @@ private:
   bool leave_out_what_touches_segment(const Part& part, std::set<std::size_t>& dropped)
   {
     std::vector<std::size_t> rest = part.pieces;
-    const Hull_chain first = chain_from(vertex(part.first), rest), second = reversed(chain_from(vertex(part.last), rest));
+    const Hull_chain first = chain_from(vertex(part.first), rest),
+                     second = reversed(chain_from(vertex(part.last), rest));
     if (!is_convex(first) || !is_convex(second))
       return false;
     bool result = false;
     for (std::size_t i : rest)
       for (const Hull_piece_2& piece : {m_pieces[i], m_pieces[i].reversed()})
-        if (is_convex({piece}) && is_beyond_only(i, part.first, part.last) && are_in_order(part, first, {piece}) && are_in_order(part, {piece}, second) &&
-            have_common_tangent(part, first, {&piece, {}}, second)) {
+        if (is_convex({piece}) && is_beyond_only(i, part.first, part.last) && are_in_order(part, first, {piece}) &&
+            are_in_order(part, {piece}, second) && have_common_tangent(part, first, {&piece, {}}, second)) {
           dropped.insert(i);
           m_covered.insert({piece.begin(), piece.end()});
           result = true;
         }
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       if (!first.empty() || !second.empty())
-        if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)) && have_common_tangent(part, first, {nullptr, vertex(i)}, second))
+        if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)) &&
+            have_common_tangent(part, first, {nullptr, vertex(i)}, second))
           result |= m_covered.insert(vertex(i)).second;
     return result;
   }
 
-  bool have_common_tangent(const Part& part, const Hull_chain& first, const Hull_contact_operand& between, const Hull_chain& second)
+  bool have_common_tangent(const Part& part, const Hull_chain& first, const Hull_contact_operand& between,
+                           const Hull_chain& second)
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))

@@ -36,7 +36,9 @@ inline bool is_convex(const Hull_chain& chain)
   for (const Hull_piece_2& piece : chain)
     for (std::size_t i = 0; i + 1 < piece.points().size(); ++i) {
       sides.push_back(exact_difference(piece.points()[i + 1], piece.points()[i]));
-      const auto turns_left_from = [&](const Exact_pair& side) { return exact_cross(side, sides.back()) >= 0 && exact_dot(side, sides.back()) > 0; };
+      const auto turns_left_from = [&](const Exact_pair& side) {
+        return exact_cross(side, sides.back()) >= 0 && exact_dot(side, sides.back()) > 0;
+      };
       if (!turns_left_from(sides.front()) || (sides.size() > 1 && !turns_left_from(sides[sides.size() - 2])))
         return false;
     }
@@ -45,7 +47,8 @@ inline bool is_convex(const Hull_chain& chain)
 
 inline bool has_end(const Hull_chain& chain, const Exact_pair& point)
 {
-  return std::any_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) { return piece.begin() == point || piece.end() == point; });
+  return std::any_of(chain.begin(), chain.end(),
+                     [&](const Hull_piece_2& piece) { return piece.begin() == point || piece.end() == point; });
 }
 
 // A chain without pieces is a point.
@@ -58,10 +61,14 @@ inline std::vector<Exact_pair> points_of(const Hull_chain& chain, const Exact_pa
 }
 
 // Whether all points of the second list are further counterclockwise along a line with this normal.
-inline bool have_order(const std::vector<Exact_pair>& first, const std::vector<Exact_pair>& second, const Exact_pair& normal)
+inline bool have_order(const std::vector<Exact_pair>& first, const std::vector<Exact_pair>& second,
+                       const Exact_pair& normal)
 {
-  const auto is_less = [&](const Exact_pair& a, const Exact_pair& b) { return exact_cross(normal, exact_difference(b, a)) > 0; };
-  return is_less(*std::max_element(first.begin(), first.end(), is_less), *std::min_element(second.begin(), second.end(), is_less));
+  const auto is_less = [&](const Exact_pair& a, const Exact_pair& b) {
+    return exact_cross(normal, exact_difference(b, a)) > 0;
+  };
+  return is_less(*std::max_element(first.begin(), first.end(), is_less),
+                 *std::min_element(second.begin(), second.end(), is_less));
 }
 
 inline std::vector<Hull_contact_operand> operands(const Hull_chain& chain, const Exact_pair& point)

@@ -42,8 +42,10 @@ public:
   const Summary& work() const { return m_solve.total(); }
   bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.is_out_of_time(); }
 
-  // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1] of their parameters, if there is one line, which has them in these ranges. Ranges of points mean nothing.
-  std::optional<std::array<Parameter_range, 2>> common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& second)
+  // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1]
+  // of their parameters, if there is one line, which has them in these ranges. Ranges of points mean nothing.
+  std::optional<std::array<Parameter_range, 2>> common_tangent(const Hull_contact_operand& first,
+                                                               const Hull_contact_operand& second)
   {
     if (first.piece == nullptr && second.piece == nullptr)
       return std::array<Parameter_range, 2>{};
@@ -80,20 +82,26 @@ public:
   }
 
   /*
-  Whether the line from one operand to another one that touches both also touches one between them. That is decided for lines with rational slope, as copies of a shape in a row have: the simplest direction that is possible is tried, and the
-  highest points of all three in the direction of its normal are compared exactly.
+  Whether the line from one operand to another one that touches both also touches one between them. That is decided for
+  lines with rational slope, as copies of a shape in a row have: the simplest direction that is possible is tried, and
+  the highest points of all three in the direction of its normal are compared exactly.
   */
-  bool have_common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& between, const Hull_contact_operand& second)
+  bool have_common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& between,
+                           const Hull_contact_operand& second)
   {
     const auto contacts = common_tangent(first, second);
     if (!contacts)
       return false;
     const Vector_bounds<2> line = bounds(second, (*contacts)[1]) - bounds(first, (*contacts)[0]);
-    const std::size_t axis = has_zero(line[0]) || (!has_zero(line[1]) && CGAL::abs(line[0].lower) < CGAL::abs(line[1].lower)) ? 1 : 0;   // the one that the line is nearly parallel to
+    // the one that the line is nearly parallel to
+    const std::size_t axis =
+        has_zero(line[0]) || (!has_zero(line[1]) && CGAL::abs(line[0].lower) < CGAL::abs(line[1].lower)) ? 1 : 0;
     if (has_zero(line[axis]))
       return false;
     const int sign = sign_of(line[axis].lower);
-    const Rational_interval slope = sign > 0 ? line[1 - axis] / line[axis] : (Rational_interval(Exact_rational(0)) - line[1 - axis]) / (Rational_interval(Exact_rational(0)) - line[axis]);
+    const Rational_interval slope = sign > 0
+        ? line[1 - axis] / line[axis]
+        : (Rational_interval(Exact_rational(0)) - line[1 - axis]) / (Rational_interval(Exact_rational(0)) - line[axis]);
     Exact_pair direction;
     direction[axis] = sign;
     direction[1 - axis] = sign * simplest_rational_between(slope.lower, slope.upper);
@@ -111,7 +119,8 @@ public:
     if (solutions.size() != 1 || !is_proved(solutions[0]))
       return std::nullopt;
     const auto [lower, upper] = solutions[0].exact_box()[0];
-    const Exact_rational t = simplest_rational_between((std::max)(lower, Exact_rational(0)), (std::min)(upper, Exact_rational(1)));
+    const Exact_rational t =
+        simplest_rational_between((std::max)(lower, Exact_rational(0)), (std::min)(upper, Exact_rational(1)));
     return t > 0 && t < 1 && curve.at(1, t) == Exact_pair{0, 0} ? std::optional<Exact_rational>(t) : std::nullopt;
   }
 
@@ -138,7 +147,8 @@ public:
         return false;
       if (common.count(Intersection_kind::OVERLAP) > 0)
         return common.size() == 1 && has_point({other}, piece.begin()) && has_point({other}, piece.end());
-      const bool is_joint_known = &other != &chain.front() && (other.begin() == piece.begin() || other.begin() == piece.end());
+      const bool is_joint_known =
+          &other != &chain.front() && (other.begin() == piece.begin() || other.begin() == piece.end());
       count += common.size() - (is_joint_known ? 1 : 0);
     }
     return count <= 1;
@@ -166,7 +176,10 @@ public:
   }
 
 private:
-  static bool is_proved(const Solution_d<double>& solution) { return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER; }
+  static bool is_proved(const Solution_d<double>& solution)
+  {
+    return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER;
+  }
 
   static bool may_meet(const std::vector<Interval_pair>& a, const std::vector<Interval_pair>& b)
   {
@@ -179,7 +192,10 @@ private:
     return hull(a, 0).do_overlap(hull(b, 0)) && hull(a, 1).do_overlap(hull(b, 1));
   }
 
-  static Bspline_curve_2<Exact_kernel> exact_curve(const Hull_piece_2& piece) { return Boundary_loop_2({piece.curve()}).curve(); }
+  static Bspline_curve_2<Exact_kernel> exact_curve(const Hull_piece_2& piece)
+  {
+    return Boundary_loop_2({piece.curve()}).curve();
+  }
 
   // Of the points of an operand in a range.
   static Vector_bounds<2> bounds(const Hull_contact_operand& operand, const Parameter_range& range)
@@ -187,7 +203,9 @@ private:
     std::vector<Exact_pair> points{operand.point};
     if (operand.piece != nullptr)
       points = Hull_piece_2(restricted(operand.piece->curve(), range.first, range.second)).points();
-    const auto coordinate = [](std::size_t axis) { return [axis](const Exact_pair& a, const Exact_pair& b) { return a[axis] < b[axis]; }; };
+    const auto coordinate = [](std::size_t axis) {
+      return [axis](const Exact_pair& a, const Exact_pair& b) { return a[axis] < b[axis]; };
+    };
     Vector_bounds<2> result;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), coordinate(axis));
@@ -229,7 +247,10 @@ private:
     const std::vector<Unknown> height = unknowns({{Bound(range.lower), Bound(range.upper)}});
     std::vector<Constraint> all;
     for (const auto& [value, quotient] : summits) {
-      all.push_back((quotient ? Expression(critical_value_polynomial((*quotient)[0], (*quotient)[1], height[0].numerator()), Monomial(), height[0].symbols()) : height[0] - value.lower) == 0);
+      all.push_back((quotient
+                         ? Expression(critical_value_polynomial((*quotient)[0], (*quotient)[1], height[0].numerator()),
+                                      Monomial(), height[0].symbols())
+                         : height[0] - value.lower) == 0);
       if (all.back().function.is_zero() || !has_one_solution({all.back()}, height))
         return false;
     }

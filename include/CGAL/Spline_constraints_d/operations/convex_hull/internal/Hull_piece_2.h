@@ -20,7 +20,10 @@ namespace Spline_constraints {
 namespace internal {
 namespace Convex_hull {
 
-inline Exact_pair sum(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])}; }
+inline Exact_pair sum(const Exact_pair& a, const Exact_pair& b)
+{
+  return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])};
+}
 inline Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
 
 // Of length one where that is the sum of the coordinates without signs.
@@ -56,7 +59,8 @@ public:
   {
     const auto& [x, y, w] = m_curve.coordinates;
     for (std::size_t i = 0; i < w.coefficients().size(); ++i) {
-      Exact_pair point{Exact_rational(x.coefficients()[i] / w.coefficients()[i]), Exact_rational(y.coefficients()[i] / w.coefficients()[i])};
+      Exact_pair point{Exact_rational(x.coefficients()[i] / w.coefficients()[i]),
+                       Exact_rational(y.coefficients()[i] / w.coefficients()[i])};
       if (m_points.empty() || point != m_points.back())
         m_points.push_back(std::move(point));
     }
@@ -73,7 +77,10 @@ public:
   const Exact_pair& begin() const { return m_points.front(); }
   const Exact_pair& end() const { return m_points.back(); }
 
-  bool is_same(const Hull_piece_2& other) const { return m_points == other.m_points && m_curve.coordinates == other.m_curve.coordinates; }
+  bool is_same(const Hull_piece_2& other) const
+  {
+    return m_points == other.m_points && m_curve.coordinates == other.m_curve.coordinates;
+  }
 
   Hull_piece_2 reversed() const { return Hull_piece_2(m_curve.reversed(), m_halvings); }
 

@@ -40,9 +40,11 @@ struct Critical_distance
 };
 
 /*
-The critical points of the squared distance of two operands. For every pair of sites there is a system, whose unknowns are the parameters of both that are not fixed.
+The critical points of the squared distance of two operands. For every pair of sites there is a system, whose unknowns
+are the parameters of both that are not fixed.
 
-The least distance is looked for in regions that hold all pairs of nearest points. Where a region ends inside of an operand, there are none.
+The least distance is looked for in regions that hold all pairs of nearest points. Where a region ends inside of an
+operand, there are none.
 */
 template <int d>
 class Critical_distances
@@ -84,14 +86,17 @@ class Critical_distances
   Summary m_summary;
 
 public:
-  Critical_distances(const Spline_patch<d>& a, const Spline_patch<d>& b, const Joint_rule& rule, const Solver_options& options)
-    : m_operands{a, b}, m_rule(rule), m_parts{parts_of_axes(a, rule), parts_of_axes(b, rule)}, m_solver(options), m_upper(squared_distance_of<d>(a(a.middle()), b(b.middle())))
+  Critical_distances(const Spline_patch<d>& a, const Spline_patch<d>& b, const Joint_rule& rule,
+                     const Solver_options& options)
+    : m_operands{a, b}, m_rule(rule), m_parts{parts_of_axes(a, rule), parts_of_axes(b, rule)}, m_solver(options),
+      m_upper(squared_distance_of<d>(a(a.middle()), b(b.middle())))
   {}
 
   // All of them, by increasing distance.
   std::vector<Critical_distance> all()
   {
-    m_regions = {{{sites_of(m_operands[0], m_parts[0], m_rule), sites_of(m_operands[1], m_parts[1], m_rule)}, {whole_domain()}}};
+    m_regions = {
+        {{sites_of(m_operands[0], m_parts[0], m_rule), sites_of(m_operands[1], m_parts[1], m_rule)}, {whole_domain()}}};
     for (const Pair_of_sites& sites : pairs_of_sites())
       find_critical_distances(sites);
     for (Found& found : m_found)
@@ -111,7 +116,8 @@ public:
       enclose(found);
     find_crossing();
     drop_those_too_far();
-    std::erase_if(m_found, [&](Found& x) { return x.distance.kind != Solution_kind::CERTIFIED && is_too_far(refined(x)); });
+    std::erase_if(m_found,
+                  [&](Found& x) { return x.distance.kind != Solution_kind::CERTIFIED && is_too_far(refined(x)); });
     return sorted();
   }
 
@@ -123,7 +129,10 @@ public:
 private:
   bool is_too_far(const Rational_interval& squared_distance) const { return squared_distance.lower > m_upper; }
 
-  void drop_those_too_far() { std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); }); }
+  void drop_those_too_far()
+  {
+    std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); });
+  }
 
   Box whole_domain() const
   {
@@ -143,7 +152,8 @@ private:
       std::vector<bool>& is_joint = result.emplace_back(breaks.size(), false);
       for (const Axis_part& part : m_parts[operand][axis])
         if (part.range.first == part.range.second)
-          is_joint[static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), part.range.first) - breaks.begin())] = true;
+          is_joint[static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), part.range.first) -
+                                            breaks.begin())] = true;
       if (m_operands[operand].is_closed(axis))
         is_joint.back() = is_joint.front();
     }
@@ -166,24 +176,30 @@ private:
           parts.push_back(parts_within(all, hull[next++]));
         region.sites[operand] = sites_of(m_operands[operand], parts, m_rule);
       }
-      std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(region.boxes), [&](const Box& box) { return meet(box, hull); });
+      std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(region.boxes),
+                   [&](const Box& box) { return meet(box, hull); });
     }
   }
 
   static bool meet(const Box& a, const Box& b)
   {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) { return x.first <= y.second && y.first <= x.second; });
+    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) {
+      return x.first <= y.second && y.first <= x.second;
+    });
   }
 
-  // Whether a box may hold one of the pairs that are looked for, with the parameters of these sites: those of a piece are not at a joint where the derivative is not zero.
+  // Whether a box may hold one of the pairs that are looked for, with the parameters of these sites: those of a piece
+  // are not at a joint where the derivative is not zero.
   static bool may_be_in(const Box& box, const Pair_of_sites& sites)
   {
     Box ranges = sites.a->ranges();
     const Box others = sites.b->ranges();
     ranges.insert(ranges.end(), others.begin(), others.end());
-    return std::equal(box.begin(), box.end(), ranges.begin(), [](const Parameter_range& x, const Parameter_range& range) {
-      return range.first == range.second ? x.first <= range.first && range.first <= x.second : x.first < x.second && x.first < range.second && range.first < x.second;
-    });
+    return std::equal(
+        box.begin(), box.end(), ranges.begin(), [](const Parameter_range& x, const Parameter_range& range) {
+          return range.first == range.second ? x.first <= range.first && range.first <= x.second
+                                             : x.first < x.second && x.first < range.second && range.first < x.second;
+        });
   }
 
   // Those with few unknowns first: they make others too far.
@@ -194,11 +210,15 @@ private:
       for (const Site& a : region.sites[0])
         for (const Site& b : region.sites[1]) {
           const Pair_of_sites sites{&a, &b, &region};
-          if (std::any_of(region.boxes.begin(), region.boxes.end(), [&](const Box& box) { return may_be_in(box, sites); }))
+          if (std::any_of(region.boxes.begin(), region.boxes.end(),
+                          [&](const Box& box) { return may_be_in(box, sites); }))
             result.push_back(sites);
         }
-    const auto unknowns = [](const Pair_of_sites& sites) { return sites.a->free_axes().size() + sites.b->free_axes().size(); };
-    std::stable_sort(result.begin(), result.end(), [&](const auto& x, const auto& y) { return unknowns(x) < unknowns(y); });
+    const auto unknowns = [](const Pair_of_sites& sites) {
+      return sites.a->free_axes().size() + sites.b->free_axes().size();
+    };
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const auto& x, const auto& y) { return unknowns(x) < unknowns(y); });
     return result;
   }
 
@@ -207,8 +227,10 @@ private:
     std::vector<Critical_distance> result;
     for (Found& found : m_found)
       result.push_back(std::move(found.distance));
-    std::stable_sort(result.begin(), result.end(), [](const auto& x, const auto& y) { return x.squared_distance.lower < y.squared_distance.lower; });
-    m_summary.is_complete = std::none_of(result.begin(), result.end(), [](const auto& x) { return x.kind == Solution_kind::UNDECIDED; });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto& x, const auto& y) { return x.squared_distance.lower < y.squared_distance.lower; });
+    m_summary.is_complete =
+        std::none_of(result.begin(), result.end(), [](const auto& x) { return x.kind == Solution_kind::UNDECIDED; });
     m_least = result.empty() ? m_upper : result.front().squared_distance.lower;
     return result;
   }
@@ -254,14 +276,17 @@ private:
     const std::vector<Unknown> u = unknowns_in(domain_of(*a, *b));
     const std::vector<Constraint> constraints = distance_constraints(*a, *b, u);
     if (u.empty()) {
-      if (std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) { return is_satisfied(c.relation, CGAL::sign(c.function.constant_term())); }))
+      if (std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) {
+            return is_satisfied(c.relation, CGAL::sign(c.function.constant_term()));
+          }))
         add(sites, Solution_kind::CERTIFIED, {{}}, {}, true, std::nullopt);
       return;
     }
     const Solution_set_d<double> solutions = m_solver(make_system(constraints));
     m_summary += solutions.summary();
     for (const Solution& solution : solutions)
-      if (const Box box = with_fixed_parameters(sites, clipped(solution.exact_box(), domain_of(*a, *b))); std::any_of(region->boxes.begin(), region->boxes.end(), [&](const Box& x) { return meet(x, box); }))
+      if (const Box box = with_fixed_parameters(sites, clipped(solution.exact_box(), domain_of(*a, *b)));
+          std::any_of(region->boxes.begin(), region->boxes.end(), [&](const Box& x) { return meet(x, box); }))
         add_solution(sites, constraints, solution);
   }
 
@@ -273,7 +298,9 @@ private:
     for (const Site* site : {sites.a, sites.b}) {
       const Box ranges = site->ranges();
       for (int axis = 0; axis < static_cast<int>(ranges.size()); ++axis)
-        result.push_back(std::find(site->free_axes().begin(), site->free_axes().end(), axis) != site->free_axes().end() ? *next++ : ranges[axis]);
+        result.push_back(std::find(site->free_axes().begin(), site->free_axes().end(), axis) != site->free_axes().end()
+                             ? *next++
+                             : ranges[axis]);
     }
     return result;
   }
@@ -296,7 +323,8 @@ private:
       for (Box& part : boxes)
         part = clipped(std::move(part), domain);
     }
-    const bool is_exact = is_connected_continuum(solution, constraints) || std::all_of(box.begin(), box.end(), [](const Parameter_range& x) { return x.first == x.second; });
+    const bool is_exact = is_connected_continuum(solution, constraints) ||
+        std::all_of(box.begin(), box.end(), [](const Parameter_range& x) { return x.first == x.second; });
     const std::vector<Exact_rational> sample = sample_of(solution, boxes.front());
     add(sites, solution.kind(), std::move(boxes), sample, is_exact, solution);
     m_found.back().distance.ranges = ranges_of(sites, box);
@@ -317,16 +345,21 @@ private:
       m_upper = (std::min)(m_upper, range.upper);
   }
 
-  // An interval, a segment, or all of the sites: a connected set on which the derivatives of the distance are zero, so that it is constant.
+  // An interval, a segment, or all of the sites: a connected set on which the derivatives of the distance are zero, so
+  // that it is constant.
   static bool is_connected_continuum(const Solution& solution, const std::vector<Constraint>& constraints)
   {
     if (solution.kind() != Solution_kind::CONTINUUM)
       return false;
-    return solution.box().size() == 1 || !solution.ends().empty() || std::all_of(constraints.begin(), constraints.end(), is_identically_satisfied);
+    return solution.box().size() == 1 || !solution.ends().empty() ||
+        std::all_of(constraints.begin(), constraints.end(), is_identically_satisfied);
   }
 
   // Of an equation. Inequalities do not matter.
-  static bool is_identically_satisfied(const Constraint& constraint) { return constraint.relation != Relation::EQUAL || is_zero_everywhere(constraint.spline_function()); }
+  static bool is_identically_satisfied(const Constraint& constraint)
+  {
+    return constraint.relation != Relation::EQUAL || is_zero_everywhere(constraint.spline_function());
+  }
 
   static std::array<std::vector<Parameter_range>, 2> ranges_of(const Pair_of_sites& sites, const Box& box)
   {
@@ -335,11 +368,17 @@ private:
     return {std::vector<Parameter_range>(all.begin(), split), std::vector<Parameter_range>(split, all.end())};
   }
 
-  // What the boxes hold together, with the parameters of a point in the first one. Whether it is exact: the distance is that of this point.
-  void add(const Pair_of_sites& sites, Solution_kind kind, std::vector<Box> boxes, const std::vector<Exact_rational>& sample, bool is_exact, const std::optional<Solution>& solution)
+  // What the boxes hold together, with the parameters of a point in the first one. Whether it is exact: the distance is
+  // that of this point.
+  void add(const Pair_of_sites& sites, Solution_kind kind, std::vector<Box> boxes,
+           const std::vector<Exact_rational>& sample, bool is_exact, const std::optional<Solution>& solution)
   {
     const Exact_rational at_point = squared_distance_at(sites, sample);
-    Critical_distance result{kind, ranges_of(sites, boxes.front()), {}, Rational_interval(is_exact ? at_point : Exact_rational(0), at_point), solution};
+    Critical_distance result{kind,
+                             ranges_of(sites, boxes.front()),
+                             {},
+                             Rational_interval(is_exact ? at_point : Exact_rational(0), at_point),
+                             solution};
     Box at_sample;
     for (const Exact_rational& x : sample)
       at_sample.emplace_back(x, x);
@@ -365,13 +404,15 @@ private:
   {
     const std::span<const Exact_rational> parameters(point);
     const auto split = static_cast<std::size_t>(sites.a->patch().number_of_parameters());
-    return squared_distance_of<d>(sites.a->patch()(parameters.first(split)), sites.b->patch()(parameters.subspan(split)));
+    return squared_distance_of<d>(sites.a->patch()(parameters.first(split)),
+                                  sites.b->patch()(parameters.subspan(split)));
   }
 
   static Rational_interval range_on(const Pair_of_sites& sites, const Box& box)
   {
     const auto split = box.begin() + sites.a->patch().number_of_parameters();
-    return squared_distance_bounds<d>(sites.a->patch().part(Box(box.begin(), split)), sites.b->patch().part(Box(split, box.end())));
+    return squared_distance_bounds<d>(sites.a->patch().part(Box(box.begin(), split)),
+                                      sites.b->patch().part(Box(split, box.end())));
   }
 
   template <class Range_on>
@@ -407,11 +448,14 @@ private:
       std::pop_heap(parts.begin(), parts.end(), is_farther);
       Box box = std::move(parts.back().box);
       parts.pop_back();
-      const auto is_shorter = [](const Parameter_range& p, const Parameter_range& q) { return p.second - p.first < q.second - q.first; };
+      const auto is_shorter = [](const Parameter_range& p, const Parameter_range& q) {
+        return p.second - p.first < q.second - q.first;
+      };
       Parameter_range& longest = *std::max_element(box.begin(), box.end(), is_shorter);
       const Parameter_range whole = longest;
       const Exact_rational quarter((whole.second - whole.first) / 4);
-      const Exact_rational cut = simplest_rational_between(Exact_rational(whole.first + quarter), Exact_rational(whole.second - quarter));
+      const Exact_rational cut =
+          simplest_rational_between(Exact_rational(whole.first + quarter), Exact_rational(whole.second - quarter));
       longest.second = cut;
       push(box);
       longest = {cut, whole.second};
@@ -434,15 +478,18 @@ private:
     });
   }
 
-  // Whether a critical point is a regular solution of A = B, by proof. As such ones are critical points, it is enough that there is one where no other critical point is.
+  // Whether a critical point is a regular solution of A = B, by proof. As such ones are critical points, it is enough
+  // that there is one where no other critical point is.
   bool is_crossing(const Pair_of_sites& sites, const Solution& solution) const
   {
     const Undecided_reason reason = solution.reason();
-    const bool is_regular = solution.is_certified() || reason == Undecided_reason::INEQUALITY || reason == Undecided_reason::DOMAIN_BOUNDARY;
+    const bool is_regular = solution.is_certified() || reason == Undecided_reason::INEQUALITY ||
+        reason == Undecided_reason::DOMAIN_BOUNDARY;
     if (!is_regular || solution.box().size() > d)
       return false;
     const Box region = solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region();
-    return common_points(*sites.a, *sites.b, clipped(region, domain_of(*sites.a, *sites.b))).count(Solution_kind::CERTIFIED) > 0;
+    return common_points(*sites.a, *sites.b, clipped(region, domain_of(*sites.a, *sites.b)))
+               .count(Solution_kind::CERTIFIED) > 0;
   }
 
   // With as many parameters as coordinates.
@@ -450,21 +497,25 @@ private:
   {
     const std::vector<Unknown> u = unknowns_in(box);
     const std::span<const Unknown> all(u);
-    const Vector_expression<d> difference = a.point(all.first(a.free_axes().size())) - b.point(all.subspan(a.free_axes().size()));
+    const Vector_expression<d> difference =
+        a.point(all.first(a.free_axes().size())) - b.point(all.subspan(a.free_axes().size()));
     std::vector<Constraint> constraints;
     for (int i = 0; i < d; ++i)
       constraints.push_back(difference[i] == 0);
     return m_solver(make_system(constraints));
   }
 
-  // Where an edge crosses the other operand, the distance is critical in all directions: that is a candidate of the sites beside, which may be undecided. One crossing is
-  // enough to know that the least distance is zero.
+  // Where an edge crosses the other operand, the distance is critical in all directions: that is a candidate of the
+  // sites beside, which may be undecided. One crossing is enough to know that the least distance is zero.
   void find_crossing()
   {
-    const bool may_be_zero = m_upper > 0 && std::any_of(m_found.begin(), m_found.end(), [](const Found& x) { return x.distance.squared_distance.lower == 0; });
+    const bool may_be_zero = m_upper > 0 && std::any_of(m_found.begin(), m_found.end(), [](const Found& x) {
+                               return x.distance.squared_distance.lower == 0;
+                             });
     for (const Pair_of_sites& sites : pairs_of_sites()) {
       const Site &a = *sites.a, &b = *sites.b;
-      if (!may_be_zero || a.free_axes().size() + b.free_axes().size() != d || squared_norm(a.bounds() - b.bounds()).lower > 0)
+      if (!may_be_zero || a.free_axes().size() + b.free_axes().size() != d ||
+          squared_norm(a.bounds() - b.bounds()).lower > 0)
         continue;
       const Solution_set_d<double> solutions = common_points(a, b, domain_of(a, b));
       m_summary += solutions.summary();

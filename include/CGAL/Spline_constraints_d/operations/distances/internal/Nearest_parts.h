@@ -20,13 +20,16 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// For each axis of an operand the breaks at which nearest points may be though the derivative of the distance is not zero on either side.
+// For each axis of an operand the breaks at which nearest points may be though the derivative of the distance is not
+// zero on either side.
 using Joints = std::vector<std::vector<bool>>;
 
 /*
-Where two operands may be nearest to each other, by branch and bound in intervals of doubles: pairs of parts, which hold all pairs of nearest points.
+Where two operands may be nearest to each other, by branch and bound in intervals of doubles: pairs of parts, which hold
+all pairs of nearest points.
 
-A pair of parts is left out if its points are farther from each other than two points that are known; or if the distance is monotone along an axis, unless it decreases towards a joint: then only the face there is kept.
+A pair of parts is left out if its points are farther from each other than two points that are known; or if the distance
+is monotone along an axis, unless it decreases towards a joint: then only the face there is kept.
 */
 template <int d>
 class Nearest_parts
@@ -49,8 +52,10 @@ class Nearest_parts
 
 public:
   // With the squared distance of some points.
-  Nearest_parts(const Spline_patch<d>& a, const Spline_patch<d>& b, std::array<Joints, 2> joints, const Exact_rational& known)
-    : m_operands{Patch_parts<d>(a), Patch_parts<d>(b)}, m_joints(std::move(joints)), m_upper(to_double_interval(known).second)
+  Nearest_parts(const Spline_patch<d>& a, const Spline_patch<d>& b, std::array<Joints, 2> joints,
+                const Exact_rational& known)
+    : m_operands{Patch_parts<d>(a), Patch_parts<d>(b)}, m_joints(std::move(joints)),
+      m_upper(to_double_interval(known).second)
   {
     const Upward_rounding_guard rounding;
     add(m_pairs, {m_operands[0].whole(), m_operands[1].whole()});
@@ -68,10 +73,12 @@ public:
   // No pair of nearest points has a larger squared distance.
   double upper() const { return m_upper; }
 
-  // The boxes of parameters, those of the first operand first. A range that is one number is a joint at which the derivative is not zero.
+  // The boxes of parameters, those of the first operand first. A range that is one number is a joint at which the
+  // derivative is not zero.
   std::vector<std::vector<Parameter_range>> boxes() const
   {
-    return ranges_of_pairs([&](const Part& part, std::size_t operand, int axis) { return m_operands[operand].parameters(part, axis); });
+    return ranges_of_pairs(
+        [&](const Part& part, std::size_t operand, int axis) { return m_operands[operand].parameters(part, axis); });
   }
 
   // The same with ranges from break to break.
@@ -121,9 +128,11 @@ private:
     m_upper = (std::min)(m_upper, by_slopes.sup());
     for (const std::size_t operand : {0, 1})
       for (int axis = 0; axis < m_operands[operand].number_of_axes(); ++axis) {
-        const Double_interval half_slope = (operand == 0 ? 1.0 : -1.0) * dot(offset, pair.parts[operand].derivatives[axis]);
+        const Double_interval half_slope =
+            (operand == 0 ? 1.0 : -1.0) * dot(offset, pair.parts[operand].derivatives[axis]);
         if (half_slope.inf() > 0 || half_slope.sup() < 0)
-          return is_joint(pair.parts[operand], operand, axis, half_slope.inf() > 0 ? 0 : 1) && bound_face(pair, operand, axis, half_slope.inf() > 0 ? 0 : 1);
+          return is_joint(pair.parts[operand], operand, axis, half_slope.inf() > 0 ? 0 : 1) &&
+              bound_face(pair, operand, axis, half_slope.inf() > 0 ? 0 : 1);
         by_slopes = by_slopes + 2.0 * half_slope * Double_interval(0, 1);
       }
     pair.lower = (std::max)(pair.lower, by_slopes.inf());
@@ -140,10 +149,12 @@ private:
   bool is_joint(const Part& part, std::size_t operand, int axis, int side) const
   {
     const Axis_range& range = part.ranges[axis];
-    return side == 0 ? range.has_first() && m_joints[operand][axis][range.first] : range.has_last() && m_joints[operand][axis][range.last];
+    return side == 0 ? range.has_first() && m_joints[operand][axis][range.first]
+                     : range.has_last() && m_joints[operand][axis][range.last];
   }
 
-  // Adds the halves along the axis where there are most cells, or which is longest; or the pair itself if all are short. Returns whether it has been divided.
+  // Adds the halves along the axis where there are most cells, or which is longest; or the pair itself if all are
+  // short. Returns whether it has been divided.
   bool divide(Pair& pair, std::vector<Pair>& pairs)
   {
     if (pair.lower > m_upper)
@@ -205,11 +216,14 @@ private:
 inline std::vector<std::vector<Parameter_range>> separate_hulls(const std::vector<std::vector<Parameter_range>>& boxes)
 {
   const auto meet = [](const auto& a, const auto& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) { return x.first <= y.second && y.first <= x.second; });
+    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) {
+      return x.first <= y.second && y.first <= x.second;
+    });
   };
   std::vector<std::vector<Parameter_range>> result;
   for (std::vector<Parameter_range> box : boxes) {
-    for (auto other = std::find_if(result.begin(), result.end(), [&](const auto& x) { return meet(x, box); }); other != result.end();
+    for (auto other = std::find_if(result.begin(), result.end(), [&](const auto& x) { return meet(x, box); });
+         other != result.end();
          other = std::find_if(result.begin(), result.end(), [&](const auto& x) { return meet(x, box); })) {
       for (std::size_t i = 0; i < box.size(); ++i)
         box[i] = {(std::min)(box[i].first, (*other)[i].first), (std::max)(box[i].second, (*other)[i].second)};

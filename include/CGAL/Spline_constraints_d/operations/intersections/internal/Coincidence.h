@@ -32,7 +32,8 @@ struct Affine_frame
 };
 
 template <int d>
-typename Affine_frame<d>::Coordinates point_of(const Affine_frame<d>& frame, const std::vector<Exact_rational>& parameters)
+typename Affine_frame<d>::Coordinates point_of(const Affine_frame<d>& frame,
+                                               const std::vector<Exact_rational>& parameters)
 {
   auto result = frame.origin;
   for (std::size_t k = 0; k < parameters.size(); ++k)
@@ -93,7 +94,8 @@ std::optional<Affine_frame<d>> affine_frame(const Spline_patch<d>& patch)
   return frame;
 }
 
-// A patch in coordinates in which a frame is the first axes: its parameters there, then zeros. None if the directions of the frame are linearly dependent.
+// A patch in coordinates in which a frame is the first axes: its parameters there, then zeros. None if the directions
+// of the frame are linearly dependent.
 template <int d>
 std::optional<Spline_patch<d>> in_coordinates_of(Affine_frame<d> frame, const Spline_patch<d>& patch)
 {
@@ -127,8 +129,9 @@ std::optional<Spline_patch<d>> in_coordinates_of(Affine_frame<d> frame, const Sp
 }
 
 /*
-The equations A = B of two patches. If the points of one of them are affine in its parameters, these are eliminated: in coordinates in which it is a coordinate axis or plane, the parameters are
-coordinates of the other one, and the remaining coordinates have to be zero.
+The equations A = B of two patches. If the points of one of them are affine in its parameters, these are eliminated: in
+coordinates in which it is a coordinate axis or plane, the parameters are coordinates of the other one, and the
+remaining coordinates have to be zero.
 */
 template <int d>
 class Coincidence
@@ -152,7 +155,8 @@ public:
   // Whether the parameters of an operand are.
   bool has_eliminated(std::size_t operand) const { return m_eliminated == operand; }
 
-  // The operand that is not, in coordinates in which the other one is one of the first axes, or the plane of two. \pre There is one.
+  // The operand that is not, in coordinates in which the other one is one of the first axes, or the plane of two. \pre
+  // There is one.
   const Spline_patch<d>& position() const { return *m_position; }
 
   // The range of the unknowns: the parameters that are not eliminated.
@@ -170,7 +174,8 @@ public:
   // The equations, and that all parameters are in their ranges, without the upper ends of some of these.
   std::vector<Constraint> constraints(std::span<const Unknown> u, const std::vector<bool>& is_open) const
   {
-    std::vector<Constraint> result = m_position ? constraints_on_position(u, is_open) : equations(difference(u), 0, u.size());
+    std::vector<Constraint> result =
+        m_position ? constraints_on_position(u, is_open) : equations(difference(u), 0, u.size());
     const std::vector<bool> open = unknowns_of(is_open);
     for (std::size_t j = 0; j < u.size(); ++j)
       if (open[j])
@@ -184,7 +189,9 @@ public:
   {
     if (m_eliminated == operand) {
       const Affine_frame<d> frame = frame_at_corner(m_pair[operand]);
-      const auto constant = [&](int k) { return vector_of<d>([&](std::size_t i) { return Expression(frame.directions[k][i]); }); };
+      const auto constant = [&](int k) {
+        return vector_of<d>([&](std::size_t i) { return Expression(frame.directions[k][i]); });
+      };
       return cross(constant(0), constant(1));
     }
     return cross(tangent(operand, 0, u), tangent(operand, 1, u));
@@ -194,7 +201,8 @@ public:
   Vector_expression<d> tangent(std::size_t operand, int axis, std::span<const Unknown> u) const
   {
     const std::size_t begin = m_position || operand == 0 ? 0 : m_pair.first_parameter(1);
-    return Parametric_vector<d>(m_pair[operand]).tangent(axis)(u.subspan(begin, m_pair[operand].number_of_parameters()));
+    return Parametric_vector<d>(m_pair[operand])
+        .tangent(axis)(u.subspan(begin, m_pair[operand].number_of_parameters()));
   }
 
   // All parameters, where the unknowns are in a box.
@@ -226,7 +234,8 @@ private:
   template <class Sequence>
   Sequence unknowns_of(const Sequence& all) const
   {
-    const std::size_t count = m_position ? static_cast<std::size_t>(m_pair[1 - m_eliminated].number_of_parameters()) : all.size();
+    const std::size_t count =
+        m_position ? static_cast<std::size_t>(m_pair[1 - m_eliminated].number_of_parameters()) : all.size();
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first_unknown());
     return Sequence(begin, begin + static_cast<std::ptrdiff_t>(count));
   }

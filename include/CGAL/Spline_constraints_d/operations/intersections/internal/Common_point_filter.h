@@ -28,7 +28,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-inline std::array<Mpfr_interval, 3> gradient_of(const Power_polynomial& polynomial, const std::vector<Mpfr_interval>& box)
+inline std::array<Mpfr_interval, 3> gradient_of(const Power_polynomial& polynomial,
+                                                const std::vector<Mpfr_interval>& box)
 {
   std::array<Mpfr_interval, 3> result;
   for (std::size_t i = 0; i < 3; ++i)
@@ -36,10 +37,12 @@ inline std::array<Mpfr_interval, 3> gradient_of(const Power_polynomial& polynomi
   return result;
 }
 
-// Whether the product of a gradient with the normals of a surface is not zero: then two points on one of the normals, at which the polynomial has the same value, are the same point, by the mean value theorem.
+// Whether the product of a gradient with the normals of a surface is not zero: then two points on one of the normals,
+// at which the polynomial has the same value, are the same point, by the mean value theorem.
 inline bool crosses_normals(const std::array<Mpfr_interval, 3>& gradient, const Spline_patch<3>& surface)
 {
-  const std::vector<Exact_rational> u = surface.breaks(0), v = surface.breaks(1);   // on both sides of a break the tangents have other lengths
+  // on both sides of a break the tangents have other lengths
+  const std::vector<Exact_rational> u = surface.breaks(0), v = surface.breaks(1);
   for (std::size_t i = 1; i < u.size(); ++i)
     for (std::size_t j = 1; j < v.size(); ++j) {
       const Spline_patch<3> cell = surface.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}});
@@ -56,7 +59,8 @@ inline bool crosses_normals(const std::array<Mpfr_interval, 3>& gradient, const 
   return true;
 }
 
-inline std::array<Mpfr_interval, 3> cross_product(const std::array<Mpfr_interval, 3>& p, const std::array<Mpfr_interval, 3>& q)
+inline std::array<Mpfr_interval, 3> cross_product(const std::array<Mpfr_interval, 3>& p,
+                                                  const std::array<Mpfr_interval, 3>& q)
 {
   std::array<Mpfr_interval, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -66,8 +70,10 @@ inline std::array<Mpfr_interval, 3> cross_product(const std::array<Mpfr_interval
   return result;
 }
 
-// Whether two gradients and a direction are independent: then two points at which both polynomials have the same values, and whose difference is perpendicular to the direction, are the same point.
-inline bool are_independent(const std::array<Mpfr_interval, 3>& p, const std::array<Mpfr_interval, 3>& q, const std::array<Mpfr_interval, 3>& direction)
+// Whether two gradients and a direction are independent: then two points at which both polynomials have the same
+// values, and whose difference is perpendicular to the direction, are the same point.
+inline bool are_independent(const std::array<Mpfr_interval, 3>& p, const std::array<Mpfr_interval, 3>& q,
+                            const std::array<Mpfr_interval, 3>& direction)
 {
   const std::array<Mpfr_interval, 3> product = cross_product(p, q);
   Mpfr_interval determinant(0);
@@ -79,7 +85,8 @@ inline bool are_independent(const std::array<Mpfr_interval, 3>& p, const std::ar
 /*
 Of curves of pairs of points of two parametric surfaces A and B, those of common points A = B.
 
-Along a regular curve in one cell of both surfaces A - B is analytic: it is zero everywhere, if it is around one vertex, which a test has to prove. Curves of other pairs are in boxes where A and B are apart.
+Along a regular curve in one cell of both surfaces A - B is analytic: it is zero everywhere, if it is around one vertex,
+which a test has to prove. Curves of other pairs are in boxes where A and B are apart.
 */
 class Common_point_filter
 {
@@ -126,7 +133,8 @@ public:
       if (!region.boxes.empty())
         undecided.push_back(std::move(region));
     }
-    return with_used_vertices(all, std::move(curves), std::move(points), std::move(singular_points), std::move(undecided));
+    return with_used_vertices(all, std::move(curves), std::move(points), std::move(singular_points),
+                              std::move(undecided));
   }
 
   // A part of a surface, a little larger than a box.
@@ -139,7 +147,8 @@ public:
     for (int axis = 0; axis < 2; ++axis) {
       const Parameter_range domain = patch.domain(axis), range = box[first + static_cast<std::size_t>(axis)];
       const Exact_rational margin((domain.second - domain.first) * Exact_rational(share));
-      ranges.emplace_back((std::max)(domain.first, Exact_rational(range.first - margin)), (std::min)(domain.second, Exact_rational(range.second + margin)));
+      ranges.emplace_back((std::max)(domain.first, Exact_rational(range.first - margin)),
+                          (std::min)(domain.second, Exact_rational(range.second + margin)));
     }
     return patch.part(ranges);
   }
@@ -148,7 +157,10 @@ private:
   const Spline_patch<3>& patch(std::size_t surface) const { return *m_surfaces.surface(surface).patch; }
   std::size_t first_unknown(std::size_t surface) const { return m_surfaces.parameter(surface, 0).unknown; }
 
-  bool are_surfaces_apart(const Exact_ranges& box) const { return are_apart(part(m_surfaces, 0, box).values(), part(m_surfaces, 1, box).values()); }
+  bool are_surfaces_apart(const Exact_ranges& box) const
+  {
+    return are_apart(part(m_surfaces, 0, box).values(), part(m_surfaces, 1, box).values());
+  }
 
   // The same, by halves of the box.
   bool are_apart_in_parts(const Exact_ranges& box, int most_halvings = 8) const
@@ -194,7 +206,8 @@ private:
   {
     std::optional<CGAL::Uncertain<bool>> result;
     for (auto begin = curve.pieces.begin(); begin != curve.pieces.end();) {
-      const auto end = std::find_if(begin, curve.pieces.end(), [&](const Curve_piece& piece) { return cell_of(piece) != cell_of(*begin); });
+      const auto end = std::find_if(begin, curve.pieces.end(),
+                                    [&](const Curve_piece& piece) { return cell_of(piece) != cell_of(*begin); });
       const CGAL::Uncertain<bool> is_common = has_common_points(all, std::span(begin, end));
       if (!CGAL::is_certain(is_common) || (result && CGAL::get_certain(is_common) != CGAL::get_certain(*result)))
         return CGAL::Uncertain<bool>::indeterminate();
@@ -211,7 +224,10 @@ private:
       for (const std::size_t i : piece.ends)
         if (!all.vertices()[i].is_singular && CGAL::certainly(is_common_point(all.vertices()[i].box)))
           return true;
-    return std::all_of(pieces.begin(), pieces.end(), [&](const Curve_piece& piece) { return are_apart_in_parts(piece.box); }) ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [&](const Curve_piece& piece) { return are_apart_in_parts(piece.box); })
+        ? CGAL::Uncertain<bool>(false)
+        : CGAL::Uncertain<bool>::indeterminate();
   }
 
   // The pieces of both surfaces that it lies on.
@@ -245,7 +261,9 @@ private:
     return result;
   }
 
-  static Curve_solution_set_d with_used_vertices(const Curve_solution_set_d& all, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
+  static Curve_solution_set_d with_used_vertices(const Curve_solution_set_d& all, std::vector<Solution_curve> curves,
+                                                 std::vector<std::size_t> points,
+                                                 std::vector<std::size_t> singular_points,
                                                  std::vector<Undecided_region> undecided)
   {
     std::vector<Curve_vertex> vertices;
@@ -269,7 +287,8 @@ private:
     summary.is_complete = undecided.empty();
     if (!undecided.empty())
       summary.why_not = undecided.front().reason;
-    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(points), std::move(singular_points), std::move(undecided), summary);
+    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(points), std::move(singular_points),
+                                std::move(undecided), summary);
   }
 };
 

@@ -25,7 +25,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-// A polynomial piece of a surface, the upper ends of its ranges that do not belong to it, and its edges (axis, side) that are poles and do not belong to it either.
+// A polynomial piece of a surface, the upper ends of its ranges that do not belong to it, and its edges (axis, side)
+// that are poles and do not belong to it either.
 struct Contact_piece
 {
   Spline_patch<3> patch;
@@ -52,16 +53,21 @@ inline std::vector<Axis_part> polynomial_ranges(const Spline_patch<3>& surface, 
   std::vector<Axis_part> result;
   for (std::size_t i = 0; i < cells; ++i) {
     const bool goes_on = i + 1 < cells || is_closed;
-    result.push_back({cell(i), goes_on && have_same_direction<3>(surface.one_sided_tangent(axis, cell(i), 1), surface.one_sided_tangent(axis, cell((i + 1) % cells), 0))});
+    result.push_back({cell(i),
+                      goes_on &&
+                          have_same_direction<3>(surface.one_sided_tangent(axis, cell(i), 1),
+                                                 surface.one_sided_tangent(axis, cell((i + 1) % cells), 0))});
   }
   return result;
 }
 
 /*
-The points where two surfaces touch: A = B, and the derivatives of A are orthogonal to the normal of B. With a regular contact these equations are regular: let both be graphs over the common tangent
-plane; then the first two coordinates are equal, and the gradients are, whose difference has the difference of the Hessian matrices as its derivative.
+The points where two surfaces touch: A = B, and the derivatives of A are orthogonal to the normal of B. With a regular
+contact these equations are regular: let both be graphs over the common tangent plane; then the first two coordinates
+are equal, and the gradients are, whose difference has the difference of the Hessian matrices as its derivative.
 
-At a pole derivatives vanish, and with them two of the equations. Poles are cut off, and tried alone: there, the derivatives in all directions have to be orthogonal to the normal.
+At a pole derivatives vanish, and with them two of the equations. Poles are cut off, and tried alone: there, the
+derivatives in all directions have to be orthogonal to the normal.
 */
 class Contact_finder
 {
@@ -90,7 +96,8 @@ public:
     for (const Smooth_pole& a : poles[0])
       for (const Smooth_pole& b : poles[1])
         find_contact_of(a, b);
-    std::sort(m_result.begin(), m_result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+    std::sort(m_result.begin(), m_result.end(),
+              [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return std::move(m_result);
   }
 
@@ -106,13 +113,15 @@ private:
   {
     const auto is_pole = [&](const Axis_part& part, int axis, int side) {
       const auto [begin, end] = surface.domain(axis);
-      return (side == 0 ? part.range.first == begin : part.range.second == end) && pole_of(surface, axis, side).has_value();
+      return (side == 0 ? part.range.first == begin : part.range.second == end) &&
+          pole_of(surface, axis, side).has_value();
     };
     const std::array<std::vector<Axis_part>, 2> ranges{polynomial_ranges(surface, 0), polynomial_ranges(surface, 1)};
     std::vector<Contact_piece> result;
     for (const Axis_part& u : ranges[0])
       for (const Axis_part& v : ranges[1])
-        result.push_back({surface.part(std::vector<Parameter_range>{u.range, v.range}), {u.is_without_end, v.is_without_end},
+        result.push_back({surface.part(std::vector<Parameter_range>{u.range, v.range}),
+                          {u.is_without_end, v.is_without_end},
                           {{{is_pole(u, 0, 0), is_pole(u, 0, 1)}, {is_pole(v, 1, 0), is_pole(v, 1, 1)}}}});
     return result;
   }
@@ -162,18 +171,23 @@ private:
       exclude_poles(pieces[operand], std::span(u).subspan(2 * operand, 2), constraints);
     std::vector<Common_point> points;
     for (const Solution& solution : m_solve(constraints, u))
-      points.push_back({kind_of(solution), equations.all_parameters(solution.exact_box()), std::vector<bool>(4, false), solution, false});
-    if (std::any_of(points.begin(), points.end(), [](const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; }) && !m_solve.is_out_of_time())
+      points.push_back({kind_of(solution), equations.all_parameters(solution.exact_box()), std::vector<bool>(4, false),
+                        solution, false});
+    if (std::any_of(points.begin(), points.end(),
+                    [](const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; }) &&
+        !m_solve.is_out_of_time())
       settle_undecided_contacts(Shared_edges(m_pair), {pieces[0].patch, pieces[1].patch}, is_open, points, m_solve);
     std::move(points.begin(), points.end(), std::back_inserter(m_result));
   }
 
-  // In coordinates in which the plane is z = 0, with the numerator of z and its derivatives. In the place of z stands z + z_u, for the gradient of z vanishes where all are zero.
+  // In coordinates in which the plane is z = 0, with the numerator of z and its derivatives. In the place of z stands z
+  // + z_u, for the gradient of z vanishes where all are zero.
   void find_contacts_with_plane(const Coincidence<3>& equations, std::size_t plane, const Contact_piece& piece)
   {
     const std::vector<Unknown> u = equations.unknowns();
     std::vector<bool> is_open(4, false);
-    std::copy(piece.is_without_end.begin(), piece.is_without_end.end(), is_open.begin() + static_cast<std::ptrdiff_t>(2 - 2 * plane));
+    std::copy(piece.is_without_end.begin(), piece.is_without_end.end(),
+              is_open.begin() + static_cast<std::ptrdiff_t>(2 - 2 * plane));
     std::vector<Constraint> constraints = equations.constraints(u, is_open);
     const Exact_function& z = equations.position().numerators()[2];
     const Vector_of_functions<3> contact{z + z.derivative(0), z.derivative(0), z.derivative(1)};
@@ -187,7 +201,8 @@ private:
         add(kind_of(solution), equations.all_parameters(solution.exact_box()), solution);
   }
 
-  static void exclude_poles(const Contact_piece& piece, std::span<const Unknown> u, std::vector<Constraint>& constraints)
+  static void exclude_poles(const Contact_piece& piece, std::span<const Unknown> u,
+                            std::vector<Constraint>& constraints)
   {
     for (const int axis : {0, 1}) {
       if (piece.is_pole[axis][0])
@@ -203,10 +218,12 @@ private:
     if (solution.reason() != Undecided_reason::DOMAIN_BOUNDARY && solution.reason() != Undecided_reason::INEQUALITY)
       return false;
     const Parameter_box domain{piece.patch.domain(0), piece.patch.domain(1)};
-    const Parameter_box box = clipped(solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), domain);
+    const Parameter_box box = clipped(
+        solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), domain);
     for (const int axis : {0, 1})
       for (const int side : {0, 1})
-        if (const Exact_rational& end = side == 0 ? domain[axis].first : domain[axis].second; piece.is_pole[axis][side] && box[axis].first <= end && end <= box[axis].second) {
+        if (const Exact_rational& end = side == 0 ? domain[axis].first : domain[axis].second;
+            piece.is_pole[axis][side] && box[axis].first <= end && end <= box[axis].second) {
           const Parametric_vector<3> edge(part_of<3>(part_of<3>(contact, axis, {end, end}), 0, box[1 - axis]));
           const std::vector<Unknown> u = unknowns({{Bound(box[1 - axis].first), Bound(box[1 - axis].second)}});
           const Vector_expression<3> values = edge(u);
@@ -217,14 +234,16 @@ private:
     return false;
   }
 
-  // Where a pole of one of the pieces is on the other one, the equations are singular: it is cut off, and what is near it remains undecided.
+  // Where a pole of one of the pieces is on the other one, the equations are singular: it is cut off, and what is near
+  // it remains undecided.
   std::optional<std::array<Contact_piece, 2>> without_undecided_cap(const std::array<Contact_piece, 2>& pieces)
   {
     for (const std::size_t operand : {0, 1})
       for (const int axis : {0, 1})
         for (const int side : {0, 1}) {
           const Spline_patch<3>& patch = pieces[operand].patch;
-          if (!pieces[operand].is_pole[axis][side] || !has_point(pieces[1 - operand].patch, *pole_of(patch, axis, side)))
+          if (!pieces[operand].is_pole[axis][side] ||
+              !has_point(pieces[1 - operand].patch, *pole_of(patch, axis, side)))
             continue;
           const auto [begin, end] = patch.domain(axis);
           const Exact_rational share = Exact_rational(side == 0 ? 1 : 15) / 16, cut(begin + share * (end - begin));
@@ -277,7 +296,8 @@ private:
     const auto add_pole = [&](Intersection_kind kind, const Parameter_box& box, std::optional<Solution> solution) {
       Common_point point{kind, pole.parameters, std::vector<bool>(4, false), std::move(solution), false};
       const Parameter_box other = equations.all_parameters(box);
-      point.parameters.insert(operand == 0 ? point.parameters.end() : point.parameters.begin(), other.begin(), other.end());
+      point.parameters.insert(operand == 0 ? point.parameters.end() : point.parameters.begin(), other.begin(),
+                              other.end());
       point.is_at_end[2 * operand + pole.axis] = true;
       m_result.push_back(std::move(point));
     };

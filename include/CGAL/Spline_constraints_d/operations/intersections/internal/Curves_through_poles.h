@@ -32,16 +32,21 @@ struct Common_pole
 {
   Surface_pole pole;
   Curve_vertex::Exact_box box;   // all values of the unknowns that stand for it
-  int order;                     // how often the equation of the other surface, put into this one, has the factor that is zero at the pole; 0 if this is not known
+  // how often the equation of the other surface, put into this one, has the factor that is zero at the pole; 0 if this
+  // is not known
+  int order;
   bool is_certain;               // whether it is known to be a common point
   bool is_on_edge;               // whether an edge of the other surface passes it
 };
 
 /*
-What becomes of curves of common points at a pole, where the equation has been divided by the factor that is zero there: it is zero at the pole for those parameters along it that are the directions of curves.
+What becomes of curves of common points at a pole, where the equation has been divided by the factor that is zero there:
+it is zero at the pole for those parameters along it that are the directions of curves.
 
-The pole is a regular point of a curve, which goes on, if the surface has a tangent plane there, two branches end in it in directions with an angle of more than 90 degrees, and each counts as often as the factor: the terms of the least degree, in coordinates of the tangent plane, are then a power
-of one linear form, and both directions are on its line. Otherwise it is a singular point; unless it lies on an edge, where one branch or none is no singular point.
+The pole is a regular point of a curve, which goes on, if the surface has a tangent plane there, two branches end in it
+in directions with an angle of more than 90 degrees, and each counts as often as the factor: the terms of the least
+degree, in coordinates of the tangent plane, are then a power of one linear form, and both directions are on its line.
+Otherwise it is a singular point; unless it lies on an edge, where one branch or none is no singular point.
 */
 class Curves_through_poles
 {
@@ -61,13 +66,16 @@ class Curves_through_poles
 
 public:
   Curves_through_poles(const Surface_equations& surfaces, const Curve_solution_set_d& set)
-    : m_surfaces(surfaces), m_vertices(set.vertices()), m_curves(set.curves()), m_points(set.points()), m_singular_points(set.singular_points()), m_undecided(set.undecided()), m_summary(set.summary())
+    : m_surfaces(surfaces), m_vertices(set.vertices()), m_curves(set.curves()), m_points(set.points()),
+      m_singular_points(set.singular_points()), m_undecided(set.undecided()), m_summary(set.summary())
   {}
 
   void add(const Common_pole& common)
   {
     const auto is_near = [&](const Exact_ranges& box) { return touch(box, common.box); };
-    if (std::any_of(m_undecided.begin(), m_undecided.end(), [&](const Undecided_region& region) { return std::any_of(region.boxes.begin(), region.boxes.end(), is_near); }))
+    if (std::any_of(m_undecided.begin(), m_undecided.end(), [&](const Undecided_region& region) {
+          return std::any_of(region.boxes.begin(), region.boxes.end(), is_near);
+        }))
       return;
     const std::optional<std::vector<Branch>> branches = branches_at(common.pole);
     if (!branches || common.order == 0 || (branches->empty() && !common.is_certain))
@@ -75,7 +83,8 @@ public:
     for (std::vector<std::size_t>* list : {&m_points, &m_singular_points})
       std::erase_if(*list, [&](std::size_t i) { return is_at(common.pole, i); });
     m_faces.emplace_back(common.pole.unknown, common.pole.value);
-    const bool is_within_surfaces = m_surfaces.is_closed(common.pole.surface, 1 - common.pole.axis) && !common.is_on_edge;
+    const bool is_within_surfaces =
+        m_surfaces.is_closed(common.pole.surface, 1 - common.pole.axis) && !common.is_on_edge;
     if (branches->size() >= 2 ? goes_on(common, *branches) : branches->size() == 1 && !is_within_surfaces)
       return;
     const bool is_singular = !branches->empty() || is_within_surfaces;
@@ -85,7 +94,11 @@ public:
     m_vertices.push_back({common.box, true, is_singular, false});
   }
 
-  Curve_solution_set_d solutions() && { return Curve_solution_set_d(std::move(m_vertices), std::move(m_curves), std::move(m_points), std::move(m_singular_points), std::move(m_undecided), m_summary); }
+  Curve_solution_set_d solutions() &&
+  {
+    return Curve_solution_set_d(std::move(m_vertices), std::move(m_curves), std::move(m_points),
+                                std::move(m_singular_points), std::move(m_undecided), m_summary);
+  }
 
   const std::vector<Seam_joints::Face>& faces() const { return m_faces; }
 
@@ -115,11 +128,16 @@ private:
   {
     const auto& [surface, axis, side, unknown, value] = common.pole;
     const Spline_patch<3>& patch = *m_surfaces.surface(surface).patch;
-    const auto counts_as_factor = [&](const Branch& branch) { return branch.multiplicity == common.order && !m_vertices[branch.vertex].is_singular; };
-    if (branches.size() != 2 || !std::all_of(branches.begin(), branches.end(), counts_as_factor) || !tangents_at_pole(patch, axis, side))
+    const auto counts_as_factor = [&](const Branch& branch) {
+      return branch.multiplicity == common.order && !m_vertices[branch.vertex].is_singular;
+    };
+    if (branches.size() != 2 || !std::all_of(branches.begin(), branches.end(), counts_as_factor) ||
+        !tangents_at_pole(patch, axis, side))
       return false;
     const std::size_t along = m_surfaces.parameter(surface, 1 - axis).unknown;
-    const auto direction = [&](const Branch& branch) { return directions_at_pole(patch, axis, side, m_vertices[branch.vertex].box[along]); };
+    const auto direction = [&](const Branch& branch) {
+      return directions_at_pole(patch, axis, side, m_vertices[branch.vertex].box[along]);
+    };
     return dot(direction(branches[0]), direction(branches[1])).upper < 0;
   }
 
@@ -143,7 +161,8 @@ class Common_poles
   Budgeted_solver m_solve;
 
 public:
-  Common_poles(const Surface_equations& surfaces, std::function<const Power_polynomial*(std::size_t)> equation, const Solver_options& options)
+  Common_poles(const Surface_equations& surfaces, std::function<const Power_polynomial*(std::size_t)> equation,
+               const Solver_options& options)
     : m_surfaces(surfaces), m_equation(std::move(equation)), m_solve(options)
   {}
 
@@ -169,7 +188,9 @@ private:
   bool has_pole(std::size_t surface, int axis, const Parameter_range& range) const
   {
     const std::vector<Surface_pole> poles = m_surfaces.poles();
-    return std::any_of(poles.begin(), poles.end(), [&](const Surface_pole& pole) { return pole.surface == surface && pole.axis == axis && range.first <= pole.value && pole.value <= range.second; });
+    return std::any_of(poles.begin(), poles.end(), [&](const Surface_pole& pole) {
+      return pole.surface == surface && pole.axis == axis && range.first <= pole.value && pole.value <= range.second;
+    });
   }
 
   // How often the equation of the other surface has the factor that is zero at the pole; zero if this is not known.
@@ -187,22 +208,28 @@ private:
   bool find_on_patch(Common_pole& common)
   {
     const auto& [surface, axis, side, unknown, value] = common.pole;
-    const Spline_patch<3> point(patch(surface).part(axis, {value, value})(std::array{patch(surface).domain(1 - axis).first}));
+    const Spline_patch<3> point(
+        patch(surface).part(axis, {value, value})(std::array{patch(surface).domain(1 - axis).first}));
     const std::vector<Common_point> found = Intersection_finder<3>(Patch_pair<3>(point, patch(1 - surface)), m_solve)();
-    common.is_certain = std::any_of(found.begin(), found.end(), [](const Common_point& x) { return x.kind != Intersection_kind::UNDECIDED; });
+    common.is_certain = std::any_of(found.begin(), found.end(),
+                                    [](const Common_point& x) { return x.kind != Intersection_kind::UNDECIDED; });
     for (std::size_t i = 0; i < found.size(); ++i)
       for (int other = 0; other < 2; ++other) {
         Parameter_range& range = common.box[m_surfaces.parameter(1 - surface, other).unknown];
         const Parameter_range& own = found[i].parameters[static_cast<std::size_t>(other)];
-        common.is_on_edge = common.is_on_edge || (found[i].is_at_end[static_cast<std::size_t>(other)] && !m_surfaces.is_closed(1 - surface, other) && !has_pole(1 - surface, other, own));
-        range = i == 0 ? own : Parameter_range((std::min)(range.first, own.first), (std::max)(range.second, own.second));
+        common.is_on_edge = common.is_on_edge ||
+            (found[i].is_at_end[static_cast<std::size_t>(other)] && !m_surfaces.is_closed(1 - surface, other) &&
+             !has_pole(1 - surface, other, own));
+        range =
+            i == 0 ? own : Parameter_range((std::min)(range.first, own.first), (std::max)(range.second, own.second));
       }
     return !found.empty();
   }
 };
 
 // Curves of common points, where these go on at poles.
-inline Solved_part joined_at_poles(Surface_equations surfaces, const Curve_solution_set_d& solutions, const std::vector<Common_pole>& poles)
+inline Solved_part joined_at_poles(Surface_equations surfaces, const Curve_solution_set_d& solutions,
+                                   const std::vector<Common_pole>& poles)
 {
   Curves_through_poles result(surfaces, solutions);
   for (const Common_pole& pole : poles)

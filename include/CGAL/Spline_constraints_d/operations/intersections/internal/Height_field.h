@@ -31,7 +31,10 @@ struct Affine_function
   Exact_rational of(const Exact_rational& x) const { return Exact_rational(factor * x + offset); }
   Parameter_range of(const Parameter_range& range) const { return std::minmax(of(range.first), of(range.second)); }
   Exact_rational operator()(std::span<const Exact_rational> x) const { return of(x[unknown]); }
-  double operator()(std::span<const double> x) const { return CGAL::to_double(factor) * x[unknown] + CGAL::to_double(offset); }
+  double operator()(std::span<const double> x) const
+  {
+    return CGAL::to_double(factor) * x[unknown] + CGAL::to_double(offset);
+  }
 };
 
 // A coordinate of a surface as an affine function of one parameter, if it is that.
@@ -42,13 +45,16 @@ inline std::optional<Affine_function> as_affine_function(const Exact_function& c
   const auto value = [&](const Exact_rational& u, const Exact_rational& v) { return coordinate(std::array{u, v}); };
   const std::vector<Exact_rational> corners{value(u0, v0), value(u0, v1), value(u1, v0), value(u1, v1)};
   const bool is_along_u = corners[0] == corners[1], is_along_v = corners[0] == corners[2];
-  if (is_along_u == is_along_v || !(coordinate == Exact_function({1, 1}, {{u0, u0, u1, u1}, {v0, v0, v1, v1}}, corners)))
+  if (is_along_u == is_along_v ||
+      !(coordinate == Exact_function({1, 1}, {{u0, u0, u1, u1}, {v0, v0, v1, v1}}, corners)))
     return std::nullopt;
-  const Exact_rational slope(is_along_u ? (corners[2] - corners[0]) / (u1 - u0) : (corners[1] - corners[0]) / (v1 - v0));
+  const Exact_rational slope(is_along_u ? (corners[2] - corners[0]) / (u1 - u0)
+                                        : (corners[1] - corners[0]) / (v1 - v0));
   return Affine_function{is_along_u ? 0u : 1u, slope, Exact_rational(corners[0] - slope * (is_along_u ? u0 : v0))};
 }
 
-// Two surfaces over the same two coordinates, both in the parameters of the first one, where they are both over the same rectangle.
+// Two surfaces over the same two coordinates, both in the parameters of the first one, where they are both over the
+// same rectangle.
 struct Height_difference
 {
   Exact_function difference;
@@ -57,21 +63,25 @@ struct Height_difference
 
   std::vector<Constraint> equations(std::span<const Unknown> u) const
   {
-    const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}}, {Exact_rational(0)});
+    const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}},
+                              {Exact_rational(0)});
     return {Parametric_vector<3>(Vector_of_functions<3>{difference, zero, zero})(u)[0] == 0};
   }
 };
 
 /*
-Of two height fields over the coordinates i and j, if they are that: x_i of each is an affine function of one parameter, x_j of the other parameter. Then the parameters of the second one are affine functions of those of the first
-one each, and the difference of the third coordinates is a function of these. None if their rectangles have no interior in common.
+Of two height fields over the coordinates i and j, if they are that: x_i of each is an affine function of one parameter,
+x_j of the other parameter. Then the parameters of the second one are affine functions of those of the first one each,
+and the difference of the third coordinates is a function of these. None if their rectangles have no interior in common.
 */
-inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int j)
+inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i,
+                                                          int j)
 {
   std::array<std::array<Affine_function, 2>, 2> of_parameters;   // per surface, per coordinate i and j
   for (std::size_t surface = 0; surface < 2; ++surface) {
     const Spline_patch<3>& patch = surface == 0 ? a : b;
-    const std::optional<Affine_function> x = as_affine_function(patch.numerators()[i]), y = as_affine_function(patch.numerators()[j]);
+    const std::optional<Affine_function> x = as_affine_function(patch.numerators()[i]),
+                                         y = as_affine_function(patch.numerators()[j]);
     if (!x || !y || x->unknown == y->unknown)
       return std::nullopt;
     of_parameters[surface] = {*x, *y};
@@ -82,9 +92,12 @@ inline std::optional<Height_difference> height_difference(const Spline_patch<3>&
   Height_difference result{a.numerators()[3 - i - j], Parameter_box(2), {}};
   result.parameters[0] = {Affine_function{0, 1, 0}, Affine_function{1, 1, 0}};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Affine_function &x = of_parameters[0][k], &y = of_parameters[1][k];   // equal: the parameter of b is a function of that of a, and the other way round
-    const Affine_function of_first{x.unknown, Exact_rational(x.factor / y.factor), Exact_rational((x.offset - y.offset) / y.factor)};
-    const Affine_function of_second{y.unknown, Exact_rational(1 / of_first.factor), Exact_rational(-of_first.offset / of_first.factor)};
+    // equal: the parameter of b is a function of that of a, and the other way round
+    const Affine_function &x = of_parameters[0][k], &y = of_parameters[1][k];
+    const Affine_function of_first{x.unknown, Exact_rational(x.factor / y.factor),
+                                   Exact_rational((x.offset - y.offset) / y.factor)};
+    const Affine_function of_second{y.unknown, Exact_rational(1 / of_first.factor),
+                                    Exact_rational(-of_first.offset / of_first.factor)};
     const int axis = static_cast<int>(x.unknown);
     const Parameter_range own = a.domain(axis), other = of_second.of(b.domain(static_cast<int>(y.unknown)));
     result.parameters[1][y.unknown] = of_first;

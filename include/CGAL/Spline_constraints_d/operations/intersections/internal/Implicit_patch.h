@@ -28,10 +28,14 @@ namespace internal {
 namespace Intersections {
 
 /*
-A patch A as a part of the set Z where a polynomial f is zero and linear functions, its sides, are not negative. It is open and closed in Z: a connected set of points of Z belongs to the patch, if one of them does.
+A patch A as a part of the set Z where a polynomial f is zero and linear functions, its sides, are not negative. It is
+open and closed in Z: a connected set of points of Z belongs to the patch, if one of them does.
 
-This holds if f is regular on A and <grad f, A_u x A_v> has the same sign everywhere, so that A maps neighbourhoods of its parameters onto neighbourhoods in f = 0, also at seams and breaks; and if each edge, where the patch ends, is in the plane of a side, which has the patch on one side of it
-and does not touch it there. An edge that is one point is inside of the patch, if f is regular in it and the other axis is closed: the patch goes around it. Otherwise it is a tip, where all this may not be true.
+This holds if f is regular on A and <grad f, A_u x A_v> has the same sign everywhere, so that A maps neighbourhoods of
+its parameters onto neighbourhoods in f = 0, also at seams and breaks; and if each edge, where the patch ends, is in the
+plane of a side, which has the patch on one side of it and does not touch it there. An edge that is one point is inside
+of the patch, if f is regular in it and the other axis is closed: the patch goes around it. Otherwise it is a tip, where
+all this may not be true.
 */
 class Implicit_patch
 {
@@ -57,8 +61,10 @@ public:
   const std::vector<Exact_point>& tips() const { return m_tips; }
 
   /*
-  Whether a point of Z, in some bounds, is proved to be a point of the patch, near one with given parameters. In a box around it and a point of the patch, let f = 0 be the graph of a function of two coordinates, all over the rectangle, and all sides but one positive; let this one be
-  monotone along one of these coordinates on the graph, and positive where that ends. Then the part of Z in the box is connected.
+  Whether a point of Z, in some bounds, is proved to be a point of the patch, near one with given parameters. In a box
+  around it and a point of the patch, let f = 0 be the graph of a function of two coordinates, all over the rectangle,
+  and all sides but one positive; let this one be monotone along one of these coordinates on the graph, and positive
+  where that ends. Then the part of Z in the box is connected.
   */
   bool contains(const Vector_bounds<3>& point, const std::array<double, 2>& parameters_near) const
   {
@@ -86,7 +92,8 @@ public:
   }
 
 private:
-  Implicit_patch(const Spline_patch<3>& patch, const Power_polynomial& polynomial) : m_patch(patch), m_polynomial(polynomial)
+  Implicit_patch(const Spline_patch<3>& patch, const Power_polynomial& polynomial)
+    : m_patch(patch), m_polynomial(polynomial)
   {
     for (int i = 0; i < 3; ++i)
       m_gradient[i] = polynomial.derivative(i);
@@ -94,7 +101,8 @@ private:
 
   bool is_singular(const Exact_point& p) const
   {
-    return std::all_of(m_gradient.begin(), m_gradient.end(), [&](const Power_polynomial& f) { return CGAL::is_zero(f(p)); });
+    return std::all_of(m_gradient.begin(), m_gradient.end(),
+                       [&](const Power_polynomial& f) { return CGAL::is_zero(f(p)); });
   }
 
   Exact_rational place(int axis, int end) const
@@ -124,7 +132,8 @@ private:
       return true;
     if (is_pole)
       m_tips.push_back(point);
-    const std::optional<Exact_point> normal = is_pole ? (opposite.is_one_point() ? std::nullopt : normal_of(opposite)) : normal_of(own);
+    const std::optional<Exact_point> normal =
+        is_pole ? (opposite.is_one_point() ? std::nullopt : normal_of(opposite)) : normal_of(own);
     if (!normal)
       return false;
     Power_polynomial side;
@@ -154,7 +163,10 @@ private:
     return normal == Exact_point{} ? std::nullopt : std::optional(normal);
   }
 
-  static Exact_point difference(const Exact_point& a, const Exact_point& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1]), Exact_rational(a[2] - b[2])}; }
+  static Exact_point difference(const Exact_point& a, const Exact_point& b)
+  {
+    return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1]), Exact_rational(a[2] - b[2])};
+  }
 
   template <class Vector>
   static Vector cross(const Vector& a, const Vector& b)
@@ -175,7 +187,8 @@ private:
       if (!cell.is_at_edge[axis][end])
         return;
       const Tensor slope = end == 0 ? value.derivative(axis) : -value.derivative(axis);
-      result = value.face(axis, end).bounds().second == 0 && value.degree(axis) > 0 && slope.face(axis, end).bounds().first > 0;
+      result = value.face(axis, end).bounds().second == 0 && value.degree(axis) > 0 &&
+          slope.face(axis, end).bounds().first > 0;
     });
     return result;
   }
@@ -203,7 +216,8 @@ private:
         tangents[axis][i] = x[i].derivative(axis) * x[3] - x[i] * x[3].derivative(axis);
     const std::array<Tensor, 3> normal = cross(tangents[0], tangents[1]);
     const int degree = m_polynomial.total_degree() - 1;
-    return composed(m_gradient[0], degree, x) * normal[0] + composed(m_gradient[1], degree, x) * normal[1] + composed(m_gradient[2], degree, x) * normal[2];
+    return composed(m_gradient[0], degree, x) * normal[0] + composed(m_gradient[1], degree, x) * normal[1] +
+        composed(m_gradient[2], degree, x) * normal[2];
   }
 
   // The same sign everywhere, except on some edges; 0: that of the first coefficient that has one.
@@ -224,10 +238,14 @@ private:
     return has_sign(lower, of_lower, sign, depth + 1) && has_sign(upper, of_upper, sign, depth + 1);
   }
 
-  // Where the coefficients have one sign: inside, on an edge or at a corner that is not on an edge where there may be some.
+  // Where the coefficients have one sign: inside, on an edge or at a corner that is not on an edge where there may be
+  // some.
   static bool has_zeros(const Tensor& value, const std::array<std::array<bool, 2>, 2>& may_be_zero)
   {
-    const auto is_zero = [](const Tensor& t) { return std::all_of(t.coefficients().begin(), t.coefficients().end(), [](const Exact_rational& x) { return x == 0; }); };
+    const auto is_zero = [](const Tensor& t) {
+      return std::all_of(t.coefficients().begin(), t.coefficients().end(),
+                         [](const Exact_rational& x) { return x == 0; });
+    };
     bool result = is_zero(value);
     for (const int axis : {0, 1})
       for (const int end : {0, 1})
@@ -240,7 +258,11 @@ private:
     return result;
   }
 
-  static Exact_point rounded(const Exact_point& p) { return {Exact_rational(CGAL::to_double(p[0])), Exact_rational(CGAL::to_double(p[1])), Exact_rational(CGAL::to_double(p[2]))}; }
+  static Exact_point rounded(const Exact_point& p)
+  {
+    return {Exact_rational(CGAL::to_double(p[0])), Exact_rational(CGAL::to_double(p[1])),
+            Exact_rational(CGAL::to_double(p[2]))};
+  }
 
   // The equation and the sides in coordinates around a point, where enclosures of their values are tight.
   class Near_point
@@ -252,7 +274,8 @@ private:
     Vector_bounds<3> m_bounds;
 
   public:
-    Near_point(const Implicit_patch& patch, const Exact_point& origin, Vector_bounds<3> bounds) : m_polynomial(moved(patch.m_polynomial, origin)), m_bounds(std::move(bounds))
+    Near_point(const Implicit_patch& patch, const Exact_point& origin, Vector_bounds<3> bounds)
+      : m_polynomial(moved(patch.m_polynomial, origin)), m_bounds(std::move(bounds))
     {
       for (const Power_polynomial& side : patch.m_sides)
         m_sides.push_back(moved(side, origin));
@@ -278,12 +301,19 @@ private:
       };
       const Power_polynomial slope = m_polynomial.derivative(static_cast<int>(height));
       const CGAL::Sign below = certain_sign(m_polynomial, face(height, 0));
-      if (certain_sign(slope, box) == CGAL::ZERO || below == CGAL::ZERO || certain_sign(m_polynomial, face(height, 1)) != -below)
+      if (certain_sign(slope, box) == CGAL::ZERO || below == CGAL::ZERO ||
+          certain_sign(m_polynomial, face(height, 1)) != -below)
         return false;
       const auto is_monotone = [&](const Power_polynomial& side, std::size_t axis) {
-        return certain_sign(side.derivative(static_cast<int>(axis)) * slope - side.derivative(static_cast<int>(height)) * m_polynomial.derivative(static_cast<int>(axis)), box) != CGAL::ZERO;
+        return certain_sign(side.derivative(static_cast<int>(axis)) * slope -
+                                side.derivative(static_cast<int>(height)) *
+                                    m_polynomial.derivative(static_cast<int>(axis)),
+                            box) != CGAL::ZERO;
       };
-      const auto is_positive_at_end = [&](const Power_polynomial& side, std::size_t axis) { return certain_sign(side, face(axis, 0)) == CGAL::POSITIVE || certain_sign(side, face(axis, 1)) == CGAL::POSITIVE; };
+      const auto is_positive_at_end = [&](const Power_polynomial& side, std::size_t axis) {
+        return certain_sign(side, face(axis, 0)) == CGAL::POSITIVE ||
+            certain_sign(side, face(axis, 1)) == CGAL::POSITIVE;
+      };
       std::size_t open = 0;
       return std::all_of(m_sides.begin(), m_sides.end(), [&](const Power_polynomial& side) {
         if (certain_sign(side, box) == CGAL::POSITIVE)

@@ -26,11 +26,12 @@ namespace internal {
 namespace Intersections {
 
 /*
-The common points of two patches: the solutions of A = B, told apart by what is known of the ends of parameters. Whether the only solution in a region is at an end is a system in one unknown
-less, in that region.
+The common points of two patches: the solutions of A = B, told apart by what is known of the ends of parameters. Whether
+the only solution in a region is at an end is a system in one unknown less, in that region.
 
-A pole is an edge of a surface that is one point. Where the other operand goes through it, a whole range of a parameter stands for one common point. In two unknowns the solver finds this segment. In
-three, a box of parameters around it is proved to hold no other common point, and left out.
+A pole is an edge of a surface that is one point. Where the other operand goes through it, a whole range of a parameter
+stands for one common point. In two unknowns the solver finds this segment. In three, a box of parameters around it is
+proved to hold no other common point, and left out.
 */
 template <int d>
 class Intersection_finder
@@ -63,7 +64,8 @@ public:
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
     settle_undecided_points(m_pair, result);
     drop_ends_of_overlaps(m_pair, result);
-    std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+    std::sort(result.begin(), result.end(),
+              [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;
   }
 
@@ -94,7 +96,10 @@ private:
   std::vector<bool> none() const { return std::vector<bool>(m_pair.number_of_parameters(), false); }
 
   template <class T>
-  static void append(std::vector<T>& all, std::vector<T> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
+  static void append(std::vector<T>& all, std::vector<T> more)
+  {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  }
 
   std::vector<Answer> answers(const Coincidence<d>& equations, const std::vector<bool>& is_open)
   {
@@ -107,13 +112,17 @@ private:
       return result;
     }
     for (const Solution& solution : m_solve(constraints, u)) {
-      const Parameter_box box = solution.exact_box(), region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
+      const Parameter_box box = solution.exact_box(),
+                          region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
       result.push_back({solution, equations.all_parameters(box), equations.with_whole_ranges(region)});
     }
     return result;
   }
 
-  std::vector<Answer> answers(const Patch_pair<d>& pair) { return answers(Coincidence<d>(pair), std::vector<bool>(pair.number_of_parameters(), false)); }
+  std::vector<Answer> answers(const Patch_pair<d>& pair)
+  {
+    return answers(Coincidence<d>(pair), std::vector<bool>(pair.number_of_parameters(), false));
+  }
 
   std::vector<Common_point> classified(const std::vector<Answer>& answers)
   {
@@ -125,8 +134,10 @@ private:
 
   Common_point classified(const Answer& answer)
   {
-    Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution, is_repeated_at_end(answer.parameters)};
-    const std::optional<std::size_t> surface = result.kind == Intersection_kind::OVERLAP ? set_pole(result) : std::nullopt;
+    Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution,
+                        is_repeated_at_end(answer.parameters)};
+    const std::optional<std::size_t> surface =
+        result.kind == Intersection_kind::OVERLAP ? set_pole(result) : std::nullopt;
     if (!surface && !is_one_point(answer.solution))
       return result;
     for (const Parameter_end& end : m_pair.ends()) {
@@ -145,7 +156,9 @@ private:
   {
     if (point.kind != Intersection_kind::TANGENT)
       point.kind = Intersection_kind::END_POINT;
-    const bool is_alone = point.kind == Intersection_kind::END_POINT || (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box())));   // other clusters may hold more
+    // other clusters may hold more
+    const bool is_alone = point.kind == Intersection_kind::END_POINT ||
+        (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box())));
     point.parameters[end.parameter] = {end.value, end.value};
     point.is_at_end[end.parameter] = true;
     point.is_repeated = point.is_repeated || (is_alone && is_repeated_at_end(point.parameters));
@@ -155,7 +168,9 @@ private:
   bool is_repeated_at_end(const Parameter_box& parameters) const
   {
     const std::vector<Parameter_end> ends = m_pair.ends();
-    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) { return end.is_upper && is_at(parameters, end) && m_pair.is_repeated_at_end(end.parameter); });
+    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) {
+      return end.is_upper && is_at(parameters, end) && m_pair.is_repeated_at_end(end.parameter);
+    });
   }
 
   static bool is_at(const Parameter_box& parameters, const Parameter_end& end)
@@ -191,13 +206,15 @@ private:
   // One point at most, which is proved to be a common point, or is one if it is at an end.
   static bool is_one_point(const std::optional<Solution>& solution)
   {
-    return !solution || solution->kind() == Solution_kind::CERTIFIED || solution->kind() == Solution_kind::CLUSTER || is_undecided_at_end(*solution);
+    return !solution || solution->kind() == Solution_kind::CERTIFIED || solution->kind() == Solution_kind::CLUSTER ||
+        is_undecided_at_end(*solution);
   }
 
   static bool is_undecided_at_end(const Solution& solution)
   {
     const Undecided_reason reason = solution.reason();
-    return reason == Undecided_reason::DOMAIN_BOUNDARY || reason == Undecided_reason::INEQUALITY || reason == Undecided_reason::OVERDETERMINED;
+    return reason == Undecided_reason::DOMAIN_BOUNDARY || reason == Undecided_reason::INEQUALITY ||
+        reason == Undecided_reason::OVERDETERMINED;
   }
 
   static bool touches(const Parameter_box& box, const Parameter_end& end)
@@ -253,8 +270,10 @@ private:
   }
 
   /*
-  A box around a common point at a pole that has no other one, or else is undecided. Let the other operand C be at the pole P at t0. For all t and all parameters v of the surface away from the
-  pole, C(t) - P = (t - t0) a and S - P = (v - v0) b, with vectors in the bounds of C' and of the derivative of S. If no such a and b are parallel, then C(t) = S only at P.
+  A box around a common point at a pole that has no other one, or else is undecided. Let the other operand C be at the
+  pole P at t0. For all t and all parameters v of the surface away from the pole, C(t) - P = (t - t0) a and S - P = (v -
+  v0) b, with vectors in the bounds of C' and of the derivative of S. If no such a and b are parallel, then C(t) = S
+  only at P.
   */
   Parameter_box with_neighbourhood(const Pole& pole, Common_point& point) const
   {
@@ -277,13 +296,15 @@ private:
     return result;
   }
 
-  // Whether no derivative of a surface by an axis is parallel to a direction, on the parts of the other axis that are small enough.
+  // Whether no derivative of a surface by an axis is parallel to a direction, on the parts of the other axis that are
+  // small enough.
   static bool differs(const Spline_patch<d>& surface, int axis, const Vector_bounds<d>& direction, int depth = 6)
   {
     if (!may_be_parallel<d>(surface.tangents(axis), direction))
       return true;
     const auto halves = surface.halves(1 - axis);
-    return depth > 0 && differs(halves[0], axis, direction, depth - 1) && differs(halves[1], axis, direction, depth - 1);
+    return depth > 0 && differs(halves[0], axis, direction, depth - 1) &&
+        differs(halves[1], axis, direction, depth - 1);
   }
 };
 

@@ -39,10 +39,13 @@ struct Part_vertex
 };
 
 /*
-Joins the curves of one or several parts. Several ones are pairs of points of one surface: products of cells that cover all pairs that may be equal, each in one of its orders.
+Joins the curves of one or several parts. Several ones are pairs of points of one surface: products of cells that cover
+all pairs that may be equal, each in one of its orders.
 
-A regular solution on the boundary of a part that is not on an edge of the surface lies on the boundary of other parts too, and its curve goes on in one of them. All parts that have a place on their boundary know all solutions
-there, so if the enclosure of one meets just one in another part, they are the same point. Places are compared in both orders of a pair, and across seams.
+A regular solution on the boundary of a part that is not on an edge of the surface lies on the boundary of other parts
+too, and its curve goes on in one of them. All parts that have a place on their boundary know all solutions there, so if
+the enclosure of one meets just one in another part, they are the same point. Places are compared in both orders of a
+pair, and across seams.
 */
 class Joined_parts
 {
@@ -134,9 +137,12 @@ private:
   {
     const Curve_solution_set_d& set = m_parts[end.part].solutions;
     const Curve_vertex& vertex = set.vertices()[end.vertex];
-    const auto has_it = [&](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end(); };
-    return vertex.is_on_boundary && !vertex.is_singular && !vertex.is_on_inequality && !is_on_edge(place(end)) && std::find(m_unmatched.begin(), m_unmatched.end(), end) == m_unmatched.end() &&
-           std::none_of(set.undecided().begin(), set.undecided().end(), has_it);
+    const auto has_it = [&](const Undecided_region& region) {
+      return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end();
+    };
+    return vertex.is_on_boundary && !vertex.is_singular && !vertex.is_on_inequality && !is_on_edge(place(end)) &&
+        std::find(m_unmatched.begin(), m_unmatched.end(), end) == m_unmatched.end() &&
+        std::none_of(set.undecided().begin(), set.undecided().end(), has_it);
   }
 
   // A point on the boundary of several parts comes once, and not at all if it is on a curve.
@@ -148,7 +154,8 @@ private:
       for (const Part_vertex& point : all) {
         bool is_replaced = false;
         for (std::size_t part = 0; part < m_parts.size() && !is_replaced; ++part) {
-          const std::vector<std::size_t> same = part == point.part ? std::vector<std::size_t>{} : found_in(part, place(point));
+          const std::vector<std::size_t> same =
+              part == point.part ? std::vector<std::size_t>{} : found_in(part, place(point));
           if (same.size() > 1)
             unclear.push_back(point);
           is_replaced = same.size() > 1 || (same.size() == 1 && replaces(point, Part_vertex{part, same.front()}));
@@ -157,8 +164,12 @@ private:
           points.push_back(point);
       }
     };
-    remove(m_points, [&](const Part_vertex& point, const Part_vertex& other) { return is_on_curve(other) || other.part < point.part; });
-    remove(m_singular_points, [&](const Part_vertex& point, const Part_vertex& other) { return other.part < point.part && vertex_of(other).is_singular; });
+    remove(m_points, [&](const Part_vertex& point, const Part_vertex& other) {
+      return is_on_curve(other) || other.part < point.part;
+    });
+    remove(m_singular_points, [&](const Part_vertex& point, const Part_vertex& other) {
+      return other.part < point.part && vertex_of(other).is_singular;
+    });
     m_unmatched.insert(m_unmatched.end(), unclear.begin(), unclear.end());
   }
 
@@ -170,7 +181,8 @@ private:
     for (const Parameter_box& image : images(point)) {
       bool is_inside = true;
       for (std::size_t j = 0; j < image.size(); ++j)
-        is_inside = is_inside && system.domain(static_cast<int>(j)).first <= image[j].first && image[j].second <= system.domain(static_cast<int>(j)).second;
+        is_inside = is_inside && system.domain(static_cast<int>(j)).first <= image[j].first &&
+            image[j].second <= system.domain(static_cast<int>(j)).second;
       for (std::size_t i = 0; is_inside && i < m_parts[part].solutions.vertices().size(); ++i)
         if (meet(image, place({part, i})) && std::find(result.begin(), result.end(), i) == result.end())
           result.push_back(i);
@@ -187,7 +199,10 @@ private:
     });
   }
 
-  const Curve_vertex& vertex_of(const Part_vertex& point) const { return m_parts[point.part].solutions.vertices()[point.vertex]; }
+  const Curve_vertex& vertex_of(const Part_vertex& point) const
+  {
+    return m_parts[point.part].solutions.vertices()[point.vertex];
+  }
 
   // Ranges of the parameters of both points.
   Parameter_box place(const Part_vertex& point) const
@@ -216,7 +231,9 @@ private:
       if (const auto& period = m_periods[j % 2])
         for (std::size_t i = 0, size = result.size(); i < size; ++i)
           for (const Exact_rational& shift : {*period, Exact_rational(-*period)}) {
-            const Parameter_range range{Exact_rational(result[i][j].first + shift), Exact_rational(result[i][j].second + shift)}, domain = m_parts.front().surfaces.parameter_domain(0, static_cast<int>(j % 2));
+            const Parameter_range range{Exact_rational(result[i][j].first + shift),
+                                        Exact_rational(result[i][j].second + shift)},
+                domain = m_parts.front().surfaces.parameter_domain(0, static_cast<int>(j % 2));
             if (domain.second < range.first || range.second < domain.first)
               continue;
             result.push_back(result[i]);

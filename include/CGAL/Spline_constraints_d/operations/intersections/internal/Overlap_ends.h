@@ -22,9 +22,12 @@ namespace internal {
 namespace Intersections {
 
 /*
-The ends of the overlaps of two operands, which are common points that are known already. They are found once more where other pieces begin or at a seam.
+The ends of the overlaps of two operands, which are common points that are known already. They are found once more where
+other pieces begin or at a seam.
 
-An answer is such an end if its parameters are those of the end, or stand for the same point on a seam; or if they hold the end, and it is proved that they hold no other common point: it counts once; or one operand has exact parameters, and the other one has no point twice; or there is none of two curves outside of the overlaps.
+An answer is such an end if its parameters are those of the end, or stand for the same point on a seam; or if they hold
+the end, and it is proved that they hold no other common point: it counts once; or one operand has exact parameters, and
+the other one has no point twice; or there is none of two curves outside of the overlaps.
 */
 template <int d>
 class Overlap_ends
@@ -58,9 +61,11 @@ public:
       if (!has_extent(point.parameters))
         return is_same_point(point.parameters, end);
       const bool counts_once = point.solution && point.solution->is_certified();   // unlike the pole of a surface
-      return holds(point.parameters, end) && (counts_once || is_only_parameter_of_point(point.parameters) || is_only_common_point(point.parameters, end));
+      return holds(point.parameters, end) &&
+          (counts_once || is_only_parameter_of_point(point.parameters) || is_only_common_point(point.parameters, end));
     };
-    return point.kind != Intersection_kind::OVERLAP && (std::any_of(m_ends.begin(), m_ends.end(), is_end) || is_part_of_overlaps(point.parameters));
+    return point.kind != Intersection_kind::OVERLAP &&
+        (std::any_of(m_ends.begin(), m_ends.end(), is_end) || is_part_of_overlaps(point.parameters));
   }
 
 private:
@@ -71,7 +76,8 @@ private:
     for (const auto& [begin, end] : overlap.parameters) {
       std::vector<std::vector<Exact_rational>> longer;
       for (const std::vector<Exact_rational>& corner : corners)
-        for (const Exact_rational& next : begin < end ? std::vector<Exact_rational>{begin, end} : std::vector<Exact_rational>{begin}) {
+        for (const Exact_rational& next :
+             begin < end ? std::vector<Exact_rational>{begin, end} : std::vector<Exact_rational>{begin}) {
           longer.push_back(corner);
           longer.back().push_back(next);
         }
@@ -79,7 +85,8 @@ private:
     }
     const auto split = static_cast<std::ptrdiff_t>(m_pair.first_parameter(1));
     for (const std::vector<Exact_rational>& corner : corners)
-      if (m_pair[0](std::vector<Exact_rational>(corner.begin(), corner.begin() + split)) == m_pair[1](std::vector<Exact_rational>(corner.begin() + split, corner.end())))
+      if (m_pair[0](std::vector<Exact_rational>(corner.begin(), corner.begin() + split)) ==
+          m_pair[1](std::vector<Exact_rational>(corner.begin() + split, corner.end())))
         m_ends.push_back({corner, &overlap});
   }
 
@@ -89,7 +96,9 @@ private:
     const Parameter_box domain = m_pair.domain();
     for (std::size_t j = 0; j < domain.size(); ++j) {
       const Exact_rational &x = parameters[j].first, &y = end.parameters[j];
-      const auto is_at_end = [&](const Exact_rational& value) { return value == domain[j].first || value == domain[j].second; };
+      const auto is_at_end = [&](const Exact_rational& value) {
+        return value == domain[j].first || value == domain[j].second;
+      };
       if (x != y && !(is_at_end(x) && is_at_end(y) && m_pair.is_repeated_at_end(j)))
         return false;
     }
@@ -104,7 +113,8 @@ private:
     return true;
   }
 
-  // The parameters of one operand are exact, and its point is no other point of the other one in the box: where derivatives are not zero and not parallel, different parameters have different points.
+  // The parameters of one operand are exact, and its point is no other point of the other one in the box: where
+  // derivatives are not zero and not parallel, different parameters have different points.
   bool is_only_parameter_of_point(const Parameter_box& box) const
   {
     const auto split = box.begin() + static_cast<std::ptrdiff_t>(m_pair.first_parameter(1));
@@ -112,16 +122,23 @@ private:
     for (const std::size_t k : {0, 1})
       if (!has_extent(own[1 - k])) {
         const Spline_patch<d> part = m_pair[k].part(own[k]);
-        return part.number_of_parameters() == 1 ? squared_norm(part.tangents(0)).lower > 0 : !may_be_parallel<d>(part.tangents(0), part.tangents(1));
+        return part.number_of_parameters() == 1 ? squared_norm(part.tangents(0)).lower > 0
+                                                : !may_be_parallel<d>(part.tangents(0), part.tangents(1));
       }
     return false;
   }
 
   // Of two curves, whether all common points in a box belong to overlaps, whose ends need not be known.
-  bool is_part_of_overlaps(const Parameter_box& box) { return m_parts && m_has_overlaps && has_extent(box) && m_parts->holds_only(box, {}); }
+  bool is_part_of_overlaps(const Parameter_box& box)
+  {
+    return m_parts && m_has_overlaps && has_extent(box) && m_parts->holds_only(box, {});
+  }
 
   // Of two curves, where all others belong to the overlap.
-  bool is_only_common_point(const Parameter_box& box, const End& end) { return m_parts && m_parts->holds_only(box, {end.parameters}, &end.overlap->parameters); }
+  bool is_only_common_point(const Parameter_box& box, const End& end)
+  {
+    return m_parts && m_parts->holds_only(box, {end.parameters}, &end.overlap->parameters);
+  }
 };
 
 template <int d>

@@ -56,7 +56,9 @@ public:
   // The nearest that Newton's method finds in doubles, from the nearest sample.
   Parameters operator()(const Coordinates& target) const
   {
-    const auto nearest = std::min_element(m_samples.begin(), m_samples.end(), [&](const auto& a, const auto& b) { return squared_distance(a.second, target) < squared_distance(b.second, target); });
+    const auto nearest = std::min_element(m_samples.begin(), m_samples.end(), [&](const auto& a, const auto& b) {
+      return squared_distance(a.second, target) < squared_distance(b.second, target);
+    });
     Parameters result = nearest->first;
     double error = squared_distance(nearest->second, target);
     constexpr int most_steps = 40, most_halvings = 8;
@@ -65,7 +67,8 @@ public:
       double factor = 1;
       int halvings = 0;
       for (; halvings < most_halvings; ++halvings, factor /= 2)
-        if (const Parameters next = within({result[0] + factor * move[0], result[1] + factor * move[1]}); squared_distance(point(next), target) < error) {
+        if (const Parameters next = within({result[0] + factor * move[0], result[1] + factor * move[1]});
+            squared_distance(point(next), target) < error) {
           result = next;
           error = squared_distance(point(next), target);
           break;
@@ -101,15 +104,22 @@ private:
   {
     const auto [begin, end] = m_surface.patch->domain(axis);
     const Exact_rational quarter((end - begin) / 4);
-    const auto is_low = [&, low = Exact_rational(begin + quarter)](const Spline_patch<3>& part) { return part.domain(axis).second <= low; };
-    const auto is_high = [&, high = Exact_rational(end - quarter)](const Spline_patch<3>& part) { return high <= part.domain(axis).first; };
-    const bool is_at_seam = m_is_closed[axis] && std::any_of(parts.begin(), parts.end(), is_low) && std::any_of(parts.begin(), parts.end(), is_high) &&
-                            std::all_of(parts.begin(), parts.end(), [&](const Spline_patch<3>& part) { return is_low(part) || is_high(part); });
+    const auto is_low = [&, low = Exact_rational(begin + quarter)](const Spline_patch<3>& part) {
+      return part.domain(axis).second <= low;
+    };
+    const auto is_high = [&, high = Exact_rational(end - quarter)](const Spline_patch<3>& part) {
+      return high <= part.domain(axis).first;
+    };
+    const bool is_at_seam = m_is_closed[axis] && std::any_of(parts.begin(), parts.end(), is_low) &&
+        std::any_of(parts.begin(), parts.end(), is_high) &&
+        std::all_of(parts.begin(), parts.end(),
+                    [&](const Spline_patch<3>& part) { return is_low(part) || is_high(part); });
     std::optional<Parameter_range> result;
     for (const Spline_patch<3>& part : parts) {
       const Exact_rational shift(is_at_seam && is_high(part) ? end - begin : Exact_rational(0));
       const Exact_rational lower(part.domain(axis).first - shift), upper(part.domain(axis).second - shift);
-      result = result ? Parameter_range((std::min)(result->first, lower), (std::max)(result->second, upper)) : Parameter_range(lower, upper);
+      result = result ? Parameter_range((std::min)(result->first, lower), (std::max)(result->second, upper))
+                      : Parameter_range(lower, upper);
     }
     return *result;
   }
@@ -163,7 +173,8 @@ private:
     const double determinant = products[0][0] * products[1][1] - products[0][1] * products[1][0];
     if (!(determinant > 0))
       return {};
-    return {(right[0] * products[1][1] - right[1] * products[0][1]) / determinant, (right[1] * products[0][0] - right[0] * products[1][0]) / determinant};
+    return {(right[0] * products[1][1] - right[1] * products[0][1]) / determinant,
+            (right[1] * products[0][0] - right[0] * products[1][0]) / determinant};
   }
 };
 

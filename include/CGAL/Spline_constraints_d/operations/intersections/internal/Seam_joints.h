@@ -27,19 +27,23 @@ namespace Intersections {
 /*
 Joins curves of solutions where they cross the seam of a closed surface.
 
-On the faces of the domain at both ends of a closed unknown, the equations have the same solutions. All of them are known, so if the box of a vertex on one face meets the box of just one vertex on the other face, and the other way
-round, the two are the same point: its vertex on the other face has a box that holds it too. What is not that clear is not joined.
+On the faces of the domain at both ends of a closed unknown, the equations have the same solutions. All of them are
+known, so if the box of a vertex on one face meets the box of just one vertex on the other face, and the other way
+round, the two are the same point: its vertex on the other face has a box that holds it too. What is not that clear is
+not joined.
 
 A pole is a face of the domain that is one point in space. Two curves that end there, and no others, are joined.
 
-Where solutions are unordered pairs of points, of both orders of a pair only one satisfies the inequality of the system, but for those where it is zero: there both do. So what a solution is the same point as may have its unknowns exchanged.
+Where solutions are unordered pairs of points, of both orders of a pair only one satisfies the inequality of the system,
+but for those where it is zero: there both do. So what a solution is the same point as may have its unknowns exchanged.
 */
 class Seam_joints
 {
   using Box = Curve_vertex::Exact_box;
 
   const Curve_solution_set_d& m_set;
-  std::vector<std::size_t> m_point;                               // of each vertex, a vertex that is the same point in space
+  // of each vertex, a vertex that is the same point in space
+  std::vector<std::size_t> m_point;
   std::vector<std::vector<Curve_end>> m_ends;   // per such point: those of curves that lie there
   std::vector<std::size_t> m_unmatched, m_equal_pairs;
   Box m_domain;
@@ -56,8 +60,11 @@ public:
   using Face = std::pair<std::size_t, Exact_rational>;
 
   // `exchange`: of unordered pairs, for each unknown the one that takes its place in the other order.
-  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns, const std::vector<Face>& poles = {}, std::vector<std::size_t> exchange = {})
-    : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size()), m_domain(domain_of(system)), m_exchange(std::move(exchange))
+  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set,
+              const std::vector<std::size_t>& closed_unknowns, const std::vector<Face>& poles = {},
+              std::vector<std::size_t> exchange = {})
+    : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size()), m_domain(domain_of(system)),
+      m_exchange(std::move(exchange))
   {
     std::iota(m_point.begin(), m_point.end(), 0);
     std::vector<Place> unmatched;
@@ -142,8 +149,11 @@ private:
   bool goes_on(std::size_t point) const
   {
     const auto is_it = [&](std::size_t i) { return m_point[i] == point; };
-    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular && (!m_exchange.empty() || !m_set.vertices()[point].is_on_inequality) &&
-           std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) { return std::any_of(region.vertices.begin(), region.vertices.end(), is_it); });
+    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular &&
+        (!m_exchange.empty() || !m_set.vertices()[point].is_on_inequality) &&
+        std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) {
+             return std::any_of(region.vertices.begin(), region.vertices.end(), is_it);
+           });
   }
 
   std::optional<Curve_end> next(const Curve_end& end) const
@@ -168,7 +178,8 @@ private:
     }
   }
 
-  // Whether a vertex without curves is the same point, across another seam, as one of a curve along this seam, which is there once.
+  // Whether a vertex without curves is the same point, across another seam, as one of a curve along this seam, which is
+  // there once.
   bool is_point_of_curve_along_seam(const Place& place) const
   {
     const std::vector<std::size_t>& points = m_set.points();
@@ -206,7 +217,8 @@ private:
     for (const std::size_t i : meeting(box, on_face(place.unknown, !is_upper), place.unknown))
       result.push_back({i, place.unknown});
     if (!m_exchange.empty())
-      for (const std::size_t i : meeting(exchanged(box), on_face(m_exchange[place.unknown], !is_upper), m_exchange[place.unknown]))
+      for (const std::size_t i :
+           meeting(exchanged(box), on_face(m_exchange[place.unknown], !is_upper), m_exchange[place.unknown]))
         result.push_back({i, m_exchange[place.unknown]});
     return result;
   }
@@ -237,7 +249,10 @@ private:
     return result;
   }
 
-  std::vector<std::size_t> on_face(std::size_t unknown, bool is_upper) const { return on_face(unknown, is_upper ? m_domain[unknown].second : m_domain[unknown].first); }
+  std::vector<std::size_t> on_face(std::size_t unknown, bool is_upper) const
+  {
+    return on_face(unknown, is_upper ? m_domain[unknown].second : m_domain[unknown].first);
+  }
 
   std::vector<std::size_t> on_face(std::size_t unknown, const Exact_rational& value) const
   {

@@ -26,7 +26,8 @@ namespace internal {
 namespace Intersections {
 
 /*
-Where a curve meets itself: the common points of each two of its simple arcs. An arc is without its end if another one follows, so that what is in an end of arcs is found once.
+Where a curve meets itself: the common points of each two of its simple arcs. An arc is without its end if another one
+follows, so that what is in an end of arcs is found once.
 */
 template <int d>
 class Self_intersection_finder
@@ -36,7 +37,9 @@ class Self_intersection_finder
   Simple_arcs<d> m_arcs;
 
 public:
-  Self_intersection_finder(const Spline_patch<d>& curve, Budgeted_solver& solve) : m_domain(curve.domain(0)), m_solve(solve), m_arcs(curve, solve) {}
+  Self_intersection_finder(const Spline_patch<d>& curve, Budgeted_solver& solve)
+    : m_domain(curve.domain(0)), m_solve(solve), m_arcs(curve, solve)
+  {}
 
   std::vector<Common_point> operator()()
   {
@@ -44,10 +47,12 @@ public:
     for (const Spline_patch<d>& part : m_arcs.others())
       result.push_back(all_pairs_of(part));
     for (const auto& [i, j] : pairs_that_may_meet())
-      for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
+      for (Common_point& point :
+           Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
         if (!is_joint(point, i, j))
           result.push_back(on_whole_curve(std::move(point), {i, j}));
-    std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+    std::sort(result.begin(), result.end(),
+              [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     remove_repetitions(result);
     return result;
   }
@@ -70,21 +75,29 @@ private:
     return result;
   }
 
-  // Where arcs touch in their ends, more than one pair of arcs may have found that; or it is on an overlap, such as an end of it.
+  // Where arcs touch in their ends, more than one pair of arcs may have found that; or it is on an overlap, such as an
+  // end of it.
   static void remove_repetitions(std::vector<Common_point>& points)
   {
-    const auto are_same = [&](const Common_point& x, const Common_point& y) { return is_one(x) && is_one(y) && x.parameters == y.parameters && !has_extent(x.parameters); };
+    const auto are_same = [&](const Common_point& x, const Common_point& y) {
+      return is_one(x) && is_one(y) && x.parameters == y.parameters && !has_extent(x.parameters);
+    };
     points.erase(std::unique(points.begin(), points.end(), are_same), points.end());
     std::vector<Parameter_box> overlaps;
     for (const Common_point& point : points)
       if (point.kind == Intersection_kind::OVERLAP && point.solution && !point.solution->ends().empty())
         overlaps.push_back(point.parameters);
     std::erase_if(points, [&](const Common_point& x) {
-      return is_one(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) { return contains(overlap, x.parameters); });
+      return is_one(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) {
+               return contains(overlap, x.parameters);
+             });
     });
   }
 
-  static bool is_one(const Common_point& x) { return x.kind != Intersection_kind::OVERLAP && x.kind != Intersection_kind::UNDECIDED; }
+  static bool is_one(const Common_point& x)
+  {
+    return x.kind != Intersection_kind::OVERLAP && x.kind != Intersection_kind::UNDECIDED;
+  }
 
   bool has_next(std::size_t arc) const { return m_arcs.next(arc).has_value(); }
 
@@ -119,13 +132,20 @@ private:
     if (parameter != begin || !previous)
       return false;
     const Spline_patch<d>& before = m_arcs[*previous];
-    return !have_same_direction<d>(before.one_sided_tangent(0, before.domain(0), 1), m_arcs[arc].one_sided_tangent(0, {begin, end}, 0));
+    return !have_same_direction<d>(before.one_sided_tangent(0, before.domain(0), 1),
+                                   m_arcs[arc].one_sided_tangent(0, {begin, end}, 0));
   }
 
   // Whether what was found is the end of an arc that is the begin of the other one, and nothing else.
-  bool is_joint(const Common_point& point, std::size_t i, std::size_t j) const { return is_one(point) && !has_extent(point.parameters) && may_be_joint(point, i, j); }
+  bool is_joint(const Common_point& point, std::size_t i, std::size_t j) const
+  {
+    return is_one(point) && !has_extent(point.parameters) && may_be_joint(point, i, j);
+  }
 
-  bool may_be_joint(const Common_point& point, std::size_t i, std::size_t j) const { return holds_common_end(point, i, j) || holds_common_end(point, j, i); }
+  bool may_be_joint(const Common_point& point, std::size_t i, std::size_t j) const
+  {
+    return holds_common_end(point, i, j) || holds_common_end(point, j, i);
+  }
 
   // Whether what was found may be the end of an arc that is the begin of the other one.
   bool holds_common_end(const Common_point& point, std::size_t first, std::size_t second) const
@@ -133,7 +153,8 @@ private:
     if (m_arcs.next(first) != second)
       return false;
     const bool is_in_order = first < second;
-    const Parameter_range &at_end = point.parameters[is_in_order ? 0 : 1], &at_begin = point.parameters[is_in_order ? 1 : 0];
+    const Parameter_range &at_end = point.parameters[is_in_order ? 0 : 1],
+                          &at_begin = point.parameters[is_in_order ? 1 : 0];
     return at_end.second == m_arcs[first].domain(0).second && at_begin.first == m_arcs[second].domain(0).first;
   }
 };

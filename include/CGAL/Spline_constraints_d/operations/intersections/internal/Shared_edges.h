@@ -29,7 +29,8 @@ inline Exact_function with_domain(const Exact_function& f, const Parameter_range
   const Exact_rational scale((range.second - range.first) / (end - begin));
   std::vector<Exact_rational> knots, coefficients = f.coefficients();
   for (const Exact_rational& knot : f.knots(0))
-    knots.push_back(is_reversed ? Exact_rational(range.second - scale * (knot - begin)) : Exact_rational(range.first + scale * (knot - begin)));
+    knots.push_back(is_reversed ? Exact_rational(range.second - scale * (knot - begin))
+                                : Exact_rational(range.first + scale * (knot - begin)));
   if (is_reversed) {
     std::reverse(knots.begin(), knots.end());
     std::reverse(coefficients.begin(), coefficients.end());
@@ -44,9 +45,12 @@ struct Surface_edge
 };
 
 /*
-The edges that two surfaces have in common, with parameters that are proportional: there, patches of one model end at each other. Near such an edge, the points of one surface are e + x a, where e is a point of the edge, x >= 0 and a the
-derivative across the edge, and those of the other one e' + y b; by the mean value theorem, the difference e - e' is a multiple of the derivative c along the edge. If for a vector n the determinants det(c, a, n) and det(c, b, n)
-have different signs, both are equal only for x = y = 0: the edge is all they have in common, and they touch where det(c, a, b) = 0.
+The edges that two surfaces have in common, with parameters that are proportional: there, patches of one model end at
+each other. Near such an edge, the points of one surface are e + x a, where e is a point of the edge, x >= 0 and a the
+derivative across the edge, and those of the other one e' + y b; by the mean value theorem, the difference e - e' is a
+multiple of the derivative c along the edge. If for a vector n the determinants det(c, a, n) and det(c, b, n) have
+different signs, both are equal only for x = y = 0: the edge is all they have in common, and they touch where det(c, a,
+b) = 0.
 */
 class Shared_edges
 {
@@ -70,9 +74,11 @@ public:
   }
 
   /*
-  The contacts of two polynomial pieces of the surfaces in a box of their parameters, if all are on an edge and decided. Of some ranges, the upper ends do not belong to the pieces.
+  The contacts of two polynomial pieces of the surfaces in a box of their parameters, if all are on an edge and decided.
+  Of some ranges, the upper ends do not belong to the pieces.
   */
-  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Budgeted_solver& solve) const
+  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const std::vector<bool>& is_open,
+                                                    const Parameter_box& box, Budgeted_solver& solve) const
   {
     for (const Pair& pair : m_pairs)
       if (has_interior(box) && meet_only_at(pair, box))
@@ -96,9 +102,11 @@ private:
   void add(const Surface_edge& edge, const Surface_edge& other_edge)
   {
     const Spline_patch<3> a = curve(0, edge), b = curve(1, other_edge);
-    const std::vector<Exact_rational> begin{a.domain(0).first}, end{a.domain(0).second}, other_begin{b.domain(0).first}, other_end{b.domain(0).second};
+    const std::vector<Exact_rational> begin{a.domain(0).first}, end{a.domain(0).second}, other_begin{b.domain(0).first},
+        other_end{b.domain(0).second};
     for (const bool is_reversed : {false, true}) {
-      if (a(begin) != b(is_reversed ? other_end : other_begin) || a(end) != b(is_reversed ? other_begin : other_end) || a.is_one_point())
+      if (a(begin) != b(is_reversed ? other_end : other_begin) || a(end) != b(is_reversed ? other_begin : other_end) ||
+          a.is_one_point())
         continue;
       const auto moved = [&](const Exact_function& f) { return with_domain(f, a.domain(0), is_reversed); };
       const Exact_function weight = moved(b.weight());
@@ -108,14 +116,19 @@ private:
     }
   }
 
-  static Parameter_range along(const Pair& pair, std::size_t operand, const Parameter_box& box) { return box[2 * operand + 1 - pair.edges[operand].axis]; }
+  static Parameter_range along(const Pair& pair, std::size_t operand, const Parameter_box& box)
+  {
+    return box[2 * operand + 1 - pair.edges[operand].axis];
+  }
 
   // The parameter on an edge of one operand, of a point of the edge of the other one.
   Exact_rational parameter_on(std::size_t operand, const Pair& pair, const Exact_rational& other) const
   {
-    const Parameter_range own_range = m_surfaces[operand].domain(1 - pair.edges[operand].axis), other_range = m_surfaces[1 - operand].domain(1 - pair.edges[1 - operand].axis);
+    const Parameter_range own_range = m_surfaces[operand].domain(1 - pair.edges[operand].axis),
+                          other_range = m_surfaces[1 - operand].domain(1 - pair.edges[1 - operand].axis);
     const Exact_rational share((other - other_range.first) / (other_range.second - other_range.first));
-    return own_range.first + (own_range.second - own_range.first) * (pair.is_reversed ? Exact_rational(1 - share) : share);
+    return own_range.first +
+        (own_range.second - own_range.first) * (pair.is_reversed ? Exact_rational(1 - share) : share);
   }
 
   Parameter_range range_on(std::size_t operand, const Pair& pair, const Parameter_range& other) const
@@ -128,13 +141,18 @@ private:
   bool meet_only_at(const Pair& pair, const Parameter_box& box, int depth = 8) const
   {
     for (const std::size_t operand : {0, 1})
-      if (const auto& [lower, upper] = box[2 * operand + pair.edges[operand].axis]; !(pair.edges[operand].side == 0 ? lower == value(operand, pair.edges[operand]) : upper == value(operand, pair.edges[operand])))
+      if (const auto& [lower, upper] = box[2 * operand + pair.edges[operand].axis];
+          !(pair.edges[operand].side == 0 ? lower == value(operand, pair.edges[operand])
+                                          : upper == value(operand, pair.edges[operand])))
         return false;
     const Patch_pair<3> part = m_surfaces.part(box);
     const Vector_bounds<3> gap = part[0].values() - part[1].values();
-    if (std::any_of(gap.begin(), gap.end(), [](const Rational_interval& x) { return !has_zero(x); }) || lead_apart(pair, part, box))
+    if (std::any_of(gap.begin(), gap.end(), [](const Rational_interval& x) { return !has_zero(x); }) ||
+        lead_apart(pair, part, box))
       return true;
-    const auto halves = [](const Parameter_range& range) { return std::array<Parameter_range, 2>{{{range.first, middle_of(range)}, {middle_of(range), range.second}}}; };
+    const auto halves = [](const Parameter_range& range) {
+      return std::array<Parameter_range, 2>{{{range.first, middle_of(range)}, {middle_of(range), range.second}}};
+    };
     if (depth > 0)
       for (const Parameter_range& a : halves(along(pair, 0, box)))
         for (const Parameter_range& b : halves(along(pair, 1, box))) {
@@ -151,7 +169,9 @@ private:
   bool lead_apart(const Pair& pair, const Patch_pair<3>& part, const Parameter_box& box) const
   {
     const Parameter_range own = along(pair, 0, box), other = range_on(0, pair, along(pair, 1, box));
-    const Vector_bounds<3> c = curve(0, pair.edges[0]).part(0, {(std::min)(own.first, other.first), (std::max)(own.second, other.second)}).tangents(0);
+    const Vector_bounds<3> c = curve(0, pair.edges[0])
+                                   .part(0, {(std::min)(own.first, other.first), (std::max)(own.second, other.second)})
+                                   .tangents(0);
     std::array<Vector_bounds<3>, 2> normals;   // c x a, c x b
     std::array<double, 3> n{};
     for (const std::size_t k : {0, 1}) {
@@ -178,7 +198,9 @@ private:
   }
 
   // \pre The edge is all they have in common in the box.
-  std::optional<std::vector<Common_point>> contacts_at(const Pair& pair, const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Budgeted_solver& solve) const
+  std::optional<std::vector<Common_point>> contacts_at(const Pair& pair, const Patch_pair<3>& pieces,
+                                                       const std::vector<bool>& is_open, const Parameter_box& box,
+                                                       Budgeted_solver& solve) const
   {
     using Points = std::vector<Common_point>;
     for (const std::size_t k : {0, 1})
@@ -198,11 +220,14 @@ private:
       return result;
     };
     const auto is_without = [&](const Exact_rational& x) {
-      const auto is_end = [&](std::size_t k, const Exact_rational& u) { return is_open[2 * k + 1 - pair.edges[k].axis] && u == pieces[k].domain(1 - pair.edges[k].axis).second; };
+      const auto is_end = [&](std::size_t k, const Exact_rational& u) {
+        return is_open[2 * k + 1 - pair.edges[k].axis] && u == pieces[k].domain(1 - pair.edges[k].axis).second;
+      };
       return is_end(0, x) || is_end(1, parameter_on(1, pair, x));
     };
     const Exact_function f = determinant_on(pair, pieces, range);
-    const bool is_zero = std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    const bool is_zero =
+        std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
     if (range.first == range.second)
       return is_zero && !is_without(range.first) ? Points{point(Intersection_kind::TANGENT, range)} : Points();
     if (is_zero)
@@ -234,7 +259,9 @@ private:
       }
       return Vector_function<3>(result);
     };
-    return dot(cross(on_edge(0, pair.edges[0].axis), on_edge(0, 1 - pair.edges[0].axis)), on_edge(1, pair.edges[1].axis)).function();
+    return dot(cross(on_edge(0, pair.edges[0].axis), on_edge(0, 1 - pair.edges[0].axis)),
+               on_edge(1, pair.edges[1].axis))
+        .function();
   }
 };
 

@@ -28,18 +28,21 @@ template <int d>
 struct Curve_arc
 {
   Spline_patch<d> patch;
-  std::size_t source;               // arcs that were cut out of the same one meet each other only where one goes over into the next
+  // arcs that were cut out of the same one meet each other only where one goes over into the next
+  std::size_t source;
   bool is_apart_from_next = false;  // the next arc meets this one only in their common end
 };
 
 /*
-A curve in parts that are simple: no part meets itself. Then each two parts can be intersected like different curves, but for successive ones, which have an end in common. They are cut again, so that two parts with
-a common end that are left together are a simple arc, if there is a direction in which the curve goes on both sides of this end.
+A curve in parts that are simple: no part meets itself. Then each two parts can be intersected like different curves,
+but for successive ones, which have an end in common. They are cut again, so that two parts with a common end that are
+left together are a simple arc, if there is a direction in which the curve goes on both sides of this end.
 */
 template <int d>
 class Simple_arcs
 {
-  static constexpr int most_cuts = 20, most_regular_cuts = 6, most_trials = 20;   // of parts that shrink by 29/64 or 35/64
+  // of parts that shrink by 29/64 or 35/64
+  static constexpr int most_cuts = 20, most_regular_cuts = 6, most_trials = 20;
   using Range = Parameter_range;
 
   Budgeted_solver& m_solve;
@@ -57,7 +60,8 @@ public:
   std::size_t size() const { return m_arcs.size(); }
   const Spline_patch<d>& operator[](std::size_t i) const { return m_arcs[i].patch; }
 
-  // Parts that are not proved to be simple: points, what is close to a cusp, or what goes back on itself. Some of the arcs come from these.
+  // Parts that are not proved to be simple: points, what is close to a cusp, or what goes back on itself. Some of the
+  // arcs come from these.
   const std::vector<Spline_patch<d>>& others() const { return m_others; }
 
   // The number of the arc behind the end of an arc. On a closed curve the first one follows the last one.
@@ -79,7 +83,8 @@ public:
   // Whether two arcs have no common points but an end at which one goes over into the other.
   bool are_apart(std::size_t i, std::size_t j) const
   {
-    return m_arcs[i].source == m_arcs[j].source || (next(i) == j && m_arcs[i].is_apart_from_next) || (next(j) == i && m_arcs[j].is_apart_from_next);
+    return m_arcs[i].source == m_arcs[j].source || (next(i) == j && m_arcs[i].is_apart_from_next) ||
+        (next(j) == i && m_arcs[j].is_apart_from_next);
   }
 
 private:
@@ -97,7 +102,9 @@ private:
   void add_arcs(const Spline_patch<d>& piece, int cuts)
   {
     const auto directions = axis_directions<d>();
-    const bool is_simple = std::any_of(directions.begin(), directions.end(), [&](const auto& direction) { return is_increasing<d>(piece, direction); }) || has_simple_cusp(piece, m_solve);
+    const bool is_simple = std::any_of(directions.begin(), directions.end(),
+                                       [&](const auto& direction) { return is_increasing<d>(piece, direction); }) ||
+        has_simple_cusp(piece, m_solve);
     if (!is_simple && cuts > 0 && !piece.is_one_point()) {
       const Range range = piece.domain(0);
       const auto stop = cuts + most_regular_cuts == most_cuts ? place_of_stop(piece) : std::nullopt;
@@ -111,7 +118,8 @@ private:
       m_others.push_back(piece);
   }
 
-  // Where the curve stops, such as in a cusp, or to turn back, if that is inside of a piece. Rounded to the simplest number, which is the place itself where it is rational.
+  // Where the curve stops, such as in a cusp, or to turn back, if that is inside of a piece. Rounded to the simplest
+  // number, which is the place itself where it is rational.
   std::optional<Exact_rational> place_of_stop(const Spline_patch<d>& piece)
   {
     const auto zeros = zeros_of_derivative<d>(piece, m_solve);
@@ -123,7 +131,10 @@ private:
   }
 
   // Somewhat less than half of a range: in the middle of symmetric curves there are points that would be cut.
-  static Exact_rational first_part(const Range& range) { return Exact_rational((range.second - range.first) * 29 / 64); }
+  static Exact_rational first_part(const Range& range)
+  {
+    return Exact_rational((range.second - range.first) * 29 / 64);
+  }
 
   void cut_at_common_ends()
   {
@@ -153,8 +164,10 @@ private:
     all.back().is_apart_from_next = arc.is_apart_from_next;
   }
 
-  // Two successive arcs become a simple one in parts next to their common end, up to these parameters, if they go on along a common direction there. One of them may rest in the common end.
-  static std::optional<std::array<Exact_rational, 2>> simple_neighbourhood(Spline_patch<d> before, Spline_patch<d> after)
+  // Two successive arcs become a simple one in parts next to their common end, up to these parameters, if they go on
+  // along a common direction there. One of them may rest in the common end.
+  static std::optional<std::array<Exact_rational, 2>> simple_neighbourhood(Spline_patch<d> before,
+                                                                           Spline_patch<d> after)
   {
     const bool rests_before = before.is_one_point(), rests_after = after.is_one_point();
     if (rests_before && rests_after)
@@ -164,7 +177,8 @@ private:
       auto directions = axis_directions<d>();
       directions.push_back(direction_between<d>(chord_of(before), chord_of(after)));
       for (const Exact_vector<d>& direction : directions)
-        if ((rests_before || is_increasing<d>(before, direction)) && (rests_after || is_increasing<d>(after, direction)))
+        if ((rests_before || is_increasing<d>(before, direction)) &&
+            (rests_after || is_increasing<d>(after, direction)))
           return std::array{first.first, second.second};
       before = before.part(0, {Exact_rational(first.second - first_part(first)), first.second});
       after = after.part(0, {second.first, Exact_rational(second.first + first_part(second))});

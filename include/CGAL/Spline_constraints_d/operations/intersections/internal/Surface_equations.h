@@ -34,10 +34,13 @@ enum class Unknowns_of_surfaces { FEWEST, ALL_PARAMETERS };
 The equations of the common points of two surfaces, in as few unknowns as there are simple ones:
 
 - a parametric surface S and an implicit one: f(S(u,v)) = 0;
-- two parametric ones: A(u,v) = B(s,t); two height fields over the same coordinates: the difference of the heights, in the parameters of the first one;
-- two implicit ones, and one that ends at its box within a parametric one: the coordinates are unknowns, behind the parameters.
+- two parametric ones: A(u,v) = B(s,t); two height fields over the same coordinates: the difference of the heights, in
+  the parameters of the first one;
+- two implicit ones, and one that ends at its box within a parametric one: the coordinates are unknowns, behind the
+  parameters.
 
-Or those of the pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs.h: both surfaces are this one.
+Or those of the pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs.h: both
+surfaces are this one.
 
 - two parametric ones, where one is a part of the zeros of a polynomial: that of the other one, see Implicit_patch.
 
@@ -57,29 +60,44 @@ class Surface_equations
 
 public:
   //! \throws Invalid_input when both surfaces are implicit and their boxes have no more than a face in common.
-  Surface_equations(Surface_shape first, Surface_shape second, Unknowns_of_surfaces unknowns = Unknowns_of_surfaces::FEWEST) : m_surfaces{std::move(first), std::move(second)}
+  Surface_equations(Surface_shape first, Surface_shape second,
+                    Unknowns_of_surfaces unknowns = Unknowns_of_surfaces::FEWEST)
+    : m_surfaces{std::move(first), std::move(second)}
   {
     if (are_surfaces_apart())
       return;
-    const std::optional<Height_difference> heights = unknowns == Unknowns_of_surfaces::FEWEST ? height_difference() : std::nullopt;
+    const std::optional<Height_difference> heights =
+        unknowns == Unknowns_of_surfaces::FEWEST ? height_difference() : std::nullopt;
     if (heights) {
       m_parameters = heights->parameters;
       m_domain = heights->domain;
     } else
       number_unknowns();
-    if (std::all_of(m_domain.begin(), m_domain.end(), [](const Parameter_range& range) { return range.first <= range.second; }))
+    if (std::all_of(m_domain.begin(), m_domain.end(),
+                    [](const Parameter_range& range) { return range.first <= range.second; }))
       make_system(heights);
   }
 
-  // The equations of a surface with itself, on a part of its domain: the parameters of both points come first. Where pairs have no order, there is the direction in which they lie, too, whose two ends are the same. None: it does not meet itself.
-  Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs) : m_surfaces{surface, surface}, m_is_self_intersection(true), m_system(std::move(pairs)) { number_unknowns(); }
+  // The equations of a surface with itself, on a part of its domain: the parameters of both points come first. Where
+  // pairs have no order, there is the direction in which they lie, too, whose two ends are the same. None: it does not
+  // meet itself.
+  Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs)
+    : m_surfaces{surface, surface}, m_is_self_intersection(true), m_system(std::move(pairs))
+  {
+    number_unknowns();
+  }
 
   // Other equations of the common points of two parametric surfaces, in the same unknowns.
-  Surface_equations(const Surface_equations& surfaces, Constraint_system_d system) : Surface_equations(surfaces) { m_system = std::move(system); }
+  Surface_equations(const Surface_equations& surfaces, Constraint_system_d system) : Surface_equations(surfaces)
+  {
+    m_system = std::move(system);
+  }
 
-  // Other equations of two parametric surfaces, in the parameters of the one that is not given, and no others. No system: no common points.
+  // Other equations of two parametric surfaces, in the parameters of the one that is not given, and no others. No
+  // system: no common points.
   Surface_equations(const Surface_equations& surfaces, std::size_t inverted, std::optional<Constraint_system_d> system)
-    : m_surfaces(surfaces.m_surfaces), m_system(std::move(system)), m_inverse(std::make_shared<Patch_inverse>(surfaces.surface(inverted))), m_inverted(inverted)
+    : m_surfaces(surfaces.m_surfaces), m_system(std::move(system)),
+      m_inverse(std::make_shared<Patch_inverse>(surfaces.surface(inverted))), m_inverted(inverted)
   {
     for (int axis = 0; axis < 2; ++axis) {
       m_parameters[1 - inverted][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
@@ -90,7 +108,10 @@ public:
   const Surface_shape& surface(std::size_t index) const { return m_surfaces[index]; }
 
   // Whether the unknowns are the parameters of two parametric surfaces, each of which has its own.
-  bool has_all_parameters() const { return is_parametric(0) && is_parametric(1) && m_domain.size() == 4 && !m_is_self_intersection; }
+  bool has_all_parameters() const
+  {
+    return is_parametric(0) && is_parametric(1) && m_domain.size() == 4 && !m_is_self_intersection;
+  }
 
   // Whether coordinates in space are unknowns, too.
   bool has_coordinates() const { return m_has_coordinates; }
@@ -119,14 +140,22 @@ public:
   // In doubles. \pre It is parametric.
   std::array<double, 2> parameters(std::size_t surface, const std::vector<double>& unknowns) const
   {
-    return is_inverted(surface) ? (*m_inverse)(point(unknowns)) : std::array<double, 2>{parameter(surface, 0)(unknowns), parameter(surface, 1)(unknowns)};
+    return is_inverted(surface)
+        ? (*m_inverse)(point(unknowns))
+        : std::array<double, 2>{parameter(surface, 0)(unknowns), parameter(surface, 1)(unknowns)};
   }
 
   // How a parameter of a surface depends on the unknowns. \pre It has unknowns.
   const Affine_function& parameter(std::size_t surface, int axis) const { return m_parameters[surface][axis]; }
-  Parameter_range parameter_domain(std::size_t surface, int axis) const { return m_surfaces[surface].patch->domain(axis); }
+  Parameter_range parameter_domain(std::size_t surface, int axis) const
+  {
+    return m_surfaces[surface].patch->domain(axis);
+  }
 
-  bool is_closed(std::size_t surface, int axis) const { return is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis); }
+  bool is_closed(std::size_t surface, int axis) const
+  {
+    return is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis);
+  }
 
   // The unknowns whose two ends are a seam.
   std::vector<std::size_t> closed_unknowns() const
@@ -150,13 +179,15 @@ public:
         for (const int side : {0, 1}) {
           const Parameter_range range = parameter_domain(k, axis);
           const Exact_rational& value = side == 0 ? range.first : range.second;
-          if (m_surfaces[k].patch->pole(axis, value))   // height fields, whose parameters are functions of the unknowns, have none
+          // height fields, whose parameters are functions of the unknowns, have none
+          if (m_surfaces[k].patch->pole(axis, value))
             result.push_back({k, axis, side, m_parameters[k][axis].unknown, value});
         }
     return result;
   }
 
-  // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.
+  // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are
+  // ordered.
   std::vector<std::size_t> exchange() const
   {
     const std::vector<std::size_t> directions = directions_of_pairs();
@@ -180,7 +211,8 @@ private:
   std::vector<std::size_t> directions_of_pairs() const
   {
     constexpr int direction = 4;
-    return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction} : std::vector<std::size_t>{};
+    return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction}
+                                                                                   : std::vector<std::size_t>{};
   }
 
   bool are_surfaces_apart() const
@@ -191,7 +223,9 @@ private:
 
   std::optional<Height_difference> height_difference() const
   {
-    return is_parametric(0) && is_parametric(1) ? internal::Intersections::height_difference(*m_surfaces[0].patch, *m_surfaces[1].patch) : std::nullopt;
+    return is_parametric(0) && is_parametric(1)
+        ? internal::Intersections::height_difference(*m_surfaces[0].patch, *m_surfaces[1].patch)
+        : std::nullopt;
   }
 
   // The parameters of the parametric surfaces, then the coordinates, if need be.
@@ -218,7 +252,8 @@ private:
       for (const Surface_shape& surface : m_surfaces)
         if (const auto bounds = surface.bounds()) {
           const auto [lower, upper] = std::pair((*bounds)[i].lower, (*bounds)[i].upper);
-          range = range ? Parameter_range((std::max)(range->first, lower), (std::min)(range->second, upper)) : Parameter_range(lower, upper);
+          range = range ? Parameter_range((std::max)(range->first, lower), (std::min)(range->second, upper))
+                        : Parameter_range(lower, upper);
         }
       m_domain.push_back(*range);
     }
@@ -231,7 +266,9 @@ private:
       ranges.push_back({Bound(lower), Bound(upper)});
     const std::vector<Unknown> u = unknowns(ranges);
     m_system.emplace(m_domain);
-    for (const Constraint& equation : heights ? heights->equations(u) : m_has_coordinates ? in_coordinates(u) : in_parameters(u))
+    for (const Constraint& equation : heights ? heights->equations(u)
+             : m_has_coordinates              ? in_coordinates(u)
+                                              : in_parameters(u))
       m_system->add(equation);
   }
 

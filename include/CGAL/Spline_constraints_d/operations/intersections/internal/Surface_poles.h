@@ -34,11 +34,15 @@ inline bool are_orthogonal(const Exact_vector<3>& a, const Exact_vector<3>& b) {
 inline Vector_of_functions<3> tangents_across(const Spline_patch<3>& surface, int axis, int side)
 {
   const std::vector<Exact_rational> breaks = surface.breaks(axis);
-  return surface.one_sided_tangent(axis, side == 0 ? Parameter_range(breaks[0], breaks[1]) : Parameter_range(breaks[breaks.size() - 2], breaks.back()), side);
+  return surface.one_sided_tangent(axis,
+                                   side == 0 ? Parameter_range(breaks[0], breaks[1])
+                                             : Parameter_range(breaks[breaks.size() - 2], breaks.back()),
+                                   side);
 }
 
 // Two vectors that span what the derivatives across a pole span, if that is a plane.
-inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis, int side)
+inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis,
+                                                                      int side)
 {
   const Vector_of_functions<3> tangent = tangents_across(surface, axis, side);
   const std::vector<Exact_rational> along = surface.breaks(1 - axis);
@@ -48,19 +52,22 @@ inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spli
   std::vector<Exact_vector<3>> values;   // as many as determine a polynomial on each piece
   for (std::size_t i = 1; i < along.size(); ++i)
     for (int k = 0; k <= degree; ++k) {
-      const std::array<Exact_rational, 1> u{Exact_rational(along[i - 1] + (along[i] - along[i - 1]) * (2 * k + 1) / (2 * degree + 2))};
+      const std::array<Exact_rational, 1> u{
+          Exact_rational(along[i - 1] + (along[i] - along[i - 1]) * (2 * k + 1) / (2 * degree + 2))};
       values.push_back({tangent[0](u), tangent[1](u), tangent[2](u)});
     }
   for (const Exact_vector<3>& other : values)
     if (const Exact_vector<3> normal = exact_cross(values[0], other); normal != Exact_vector<3>{}) {
-      const bool is_plane = std::all_of(values.begin(), values.end(), [&](const Exact_vector<3>& x) { return are_orthogonal(normal, x); });
+      const bool is_plane = std::all_of(values.begin(), values.end(),
+                                        [&](const Exact_vector<3>& x) { return are_orthogonal(normal, x); });
       return is_plane ? std::optional(std::array<Exact_vector<3>, 2>{values[0], other}) : std::nullopt;
     }
   return std::nullopt;
 }
 
 // Bounds of the derivatives across a pole, at the parameters in a range along it.
-inline Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int axis, int side, const Parameter_range& range)
+inline Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int axis, int side,
+                                           const Parameter_range& range)
 {
   const Vector_of_functions<3> tangent = tangents_across(surface, axis, side);
   Vector_bounds<3> result;
@@ -68,7 +75,8 @@ inline Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int a
     if (range.first == range.second)
       result[i] = Rational_interval(tangent[i](std::array{range.first}));
     else
-      result[i] = Rational_interval(least_and_greatest(tangent[i].restricted(0, range.first, range.second).coefficients()));
+      result[i] =
+          Rational_interval(least_and_greatest(tangent[i].restricted(0, range.first, range.second).coefficients()));
   return result;
 }
 

@@ -34,7 +34,9 @@ struct Surface_shape
 
   explicit Surface_shape(Spline_patch<3> surface) : patch(std::move(surface))
   {
-    const auto to_double = [](const Exact_function& f) { return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); }); };
+    const auto to_double = [](const Exact_function& f) {
+      return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
+    };
     for (int i = 0; i < 3; ++i)
       rounded[i] = to_double(patch->numerators()[i]);
     rounded[3] = to_double(patch->weight());
@@ -42,14 +44,18 @@ struct Surface_shape
 
   explicit Surface_shape(Power_polynomial f) : polynomial(std::move(f)) {}
 
-  Surface_shape(const Implicit_surface_3& surface, bool ends) : polynomial(surface.polynomial()), box(Vector_bounds<3>()), ends_at_box(ends)
+  Surface_shape(const Implicit_surface_3& surface, bool ends)
+    : polynomial(surface.polynomial()), box(Vector_bounds<3>()), ends_at_box(ends)
   {
     for (int i = 0; i < 3; ++i)
       (*box)[i] = Rational_interval(surface.box()[i]);
   }
 
   // A box that has all points; none of an unbounded surface.
-  std::optional<Vector_bounds<3>> bounds() const { return !patch ? box : is_in_hull() ? hull_of_control_points() : patch->values(); }
+  std::optional<Vector_bounds<3>> bounds() const
+  {
+    return !patch ? box : is_in_hull() ? hull_of_control_points() : patch->values();
+  }
 
   // Whether its zeros in other bounds are not all points of the surface.
   bool ends_within(const Vector_bounds<3>& other) const
@@ -61,7 +67,10 @@ struct Surface_shape
   }
 
   // \pre It is parametric.
-  std::array<Exact_rational, 3> point(const std::vector<Exact_rational>& parameters) const { return (*patch)(parameters); }
+  std::array<Exact_rational, 3> point(const std::vector<Exact_rational>& parameters) const
+  {
+    return (*patch)(parameters);
+  }
 
   std::array<double, 3> point(std::vector<double> parameters) const
   {
@@ -105,7 +114,8 @@ template <SplineKernel K>
 Surface_shape surface_shape(const CGAL::Plane_3<K>& plane)
 {
   const auto number = [](const auto& x) { return converted_number<Exact_rational>(x); };
-  Power_polynomial f = linear_polynomial<4>({number(plane.a()), number(plane.b()), number(plane.c()), number(plane.d())});
+  Power_polynomial f =
+      linear_polynomial<4>({number(plane.a()), number(plane.b()), number(plane.c()), number(plane.d())});
   if (f.is_constant())
     throw Invalid_input("intersection_curves: the plane is degenerate");
   return Surface_shape(std::move(f));
@@ -131,8 +141,11 @@ struct Surface_kernel<Implicit_surface_3>
   using type = void;
 };
 
-template <class A, class B, class Kernel_a = typename Surface_kernel<A>::type, class Kernel_b = typename Surface_kernel<B>::type>
-using Common_surface_kernel = std::conditional_t<!std::same_as<Kernel_a, void>, Kernel_a, std::conditional_t<!std::same_as<Kernel_b, void>, Kernel_b, CGAL::Simple_cartesian<double>>>;
+template <class A, class B, class Kernel_a = typename Surface_kernel<A>::type,
+          class Kernel_b = typename Surface_kernel<B>::type>
+using Common_surface_kernel =
+    std::conditional_t<!std::same_as<Kernel_a, void>, Kernel_a,
+                       std::conditional_t<!std::same_as<Kernel_b, void>, Kernel_b, CGAL::Simple_cartesian<double>>>;
 
 template <class Surface>
 inline constexpr bool is_unbounded_surface = false;
@@ -145,7 +158,9 @@ template <class A, class B>
 concept Surface_pair = requires(const A& a, const B& b) {
   surface_shape(a);
   surface_shape(b);
-} && !(is_unbounded_surface<A> && is_unbounded_surface<B>) && std::same_as<Common_surface_kernel<A, B>, Common_surface_kernel<B, A>>;
+}
+&&!(is_unbounded_surface<A> &&
+    is_unbounded_surface<B>)&&std::same_as<Common_surface_kernel<A, B>, Common_surface_kernel<B, A>>;
 
 } // namespace Intersections
 } // namespace internal

@@ -27,10 +27,13 @@ inline Vector_function<3> derivative_of_numerators(const Spline_patch<3>& patch,
   return Vector_function<3>(result);
 }
 
-// The tangent planes n0 x + n1 y + n2 z + n3 = 0 of a polynomial piece X/w of a surface: n is the vector at right angles to (X, w) and to its two derivatives, which is a positive multiple of the normal and without denominators.
+// The tangent planes n0 x + n1 y + n2 z + n3 = 0 of a polynomial piece X/w of a surface: n is the vector at right
+// angles to (X, w) and to its two derivatives, which is a positive multiple of the normal and without denominators.
 inline std::array<Exact_function, 4> tangent_plane(const Spline_patch<3>& cell)
 {
-  const Vector_function<3> x(cell.numerators()), along_u = derivative_of_numerators(cell, 0), along_v = derivative_of_numerators(cell, 1), across = cross(along_u, along_v);
+  const Vector_function<3> x(cell.numerators()), along_u = derivative_of_numerators(cell, 0),
+                                                 along_v = derivative_of_numerators(cell, 1),
+                                                 across = cross(along_u, along_v);
   Vector_function<3> normal = across;
   if (cell.is_rational()) {
     const Scalar_function w = cell.weight(), w_u = cell.weight().derivative(0), w_v = cell.weight().derivative(1);
@@ -40,7 +43,8 @@ inline std::array<Exact_function, 4> tangent_plane(const Spline_patch<3>& cell)
   return {n[0], n[1], n[2], -dot(x, across).function()};
 }
 
-// Positive multiples of <S_uu,n>, <S_uv,n>, <S_vv,n> for a polynomial piece S = X/w with the normal n. With the tangent plane p, <p,(X,w)_uu> = w <S_uu,n>, and so on, as p is orthogonal to (X,w) and its first derivatives.
+// Positive multiples of <S_uu,n>, <S_uv,n>, <S_vv,n> for a polynomial piece S = X/w with the normal n. With the tangent
+// plane p, <p,(X,w)_uu> = w <S_uu,n>, and so on, as p is orthogonal to (X,w) and its first derivatives.
 inline std::array<Exact_function, 3> second_form(const Spline_patch<3>& cell)
 {
   const std::array<Exact_function, 4> plane = tangent_plane(cell);
@@ -56,19 +60,25 @@ inline std::array<Exact_function, 3> second_form(const Spline_patch<3>& cell)
 }
 
 // The tangent planes of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
-inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch) { return continuous_parts(Cell_functions<4>(patch, tangent_plane), true); }
+inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch)
+{
+  return continuous_parts(Cell_functions<4>(patch, tangent_plane), true);
+}
 
 // A positive multiple of the derivative of a polynomial piece of a surface by a parameter.
 inline Vector_of_functions<3> tangent_direction(const Spline_patch<3>& cell, int axis)
 {
   const Vector_function<3> slope = derivative_of_numerators(cell, axis);
-  return cell.is_rational() ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions() : slope.functions();
+  return cell.is_rational()
+      ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions()
+      : slope.functions();
 }
 
 // The directions of the derivative of a surface by a parameter.
 inline std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis)
 {
-  return continuous_parts(Cell_functions<3>(patch, [axis](const Spline_patch<3>& cell) { return tangent_direction(cell, axis); }), true);
+  return continuous_parts(
+      Cell_functions<3>(patch, [axis](const Spline_patch<3>& cell) { return tangent_direction(cell, axis); }), true);
 }
 
 // A part of a surface with continuous fields of normals and tangents, of any length.
@@ -86,11 +96,13 @@ struct Oriented_patch
 inline std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch)
 {
   const std::vector<Continuous_part<4>> planes = tangent_planes(patch);
-  const std::array<std::vector<Continuous_part<3>>, 2> tangents{tangent_directions(patch, 0), tangent_directions(patch, 1)};
+  const std::array<std::vector<Continuous_part<3>>, 2> tangents{tangent_directions(patch, 0),
+                                                                tangent_directions(patch, 1)};
   std::vector<Oriented_patch> result;
   const auto is_cut = [&](const auto& parts) {
     for (std::size_t i = 0; parts.size() > 1 && i < parts.size(); ++i) {
-      std::vector<Oriented_patch> part = oriented_patches(patch.part({parts[i].functions.domain(0), parts[i].functions.domain(1)}));
+      std::vector<Oriented_patch> part =
+          oriented_patches(patch.part({parts[i].functions.domain(0), parts[i].functions.domain(1)}));
       std::move(part.begin(), part.end(), std::back_inserter(result));
     }
     return parts.size() > 1;
@@ -103,7 +115,12 @@ inline std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch
     return patch.is_closed(axis) && ratio && *ratio > 0;
   };
   const auto [x, y, z, offset] = own.splines();
-  return {{patch, own, {x, y, z}, {tangents[0].front().functions.splines(), tangents[1].front().functions.splines()}, {is_seam(0), is_seam(1)}, own.is_zero()}};
+  return {{patch,
+           own,
+           {x, y, z},
+           {tangents[0].front().functions.splines(), tangents[1].front().functions.splines()},
+           {is_seam(0), is_seam(1)},
+           own.is_zero()}};
 }
 
 } // namespace Intersections

@@ -28,7 +28,8 @@ struct Curve_end
   friend bool operator==(const Curve_end&, const Curve_end&) = default;
 };
 
-// Joins curves where one goes on in another one: `next(end)` is the end that an end is the same point as, if there is one, and the other way round.
+// Joins curves where one goes on in another one: `next(end)` is the end that an end is the same point as, if there is
+// one, and the other way round.
 template <class Next>
 std::vector<Intersection_curve> chains_of_curves(const std::vector<bool>& is_closed, const Next& next)
 {
@@ -39,7 +40,8 @@ std::vector<Intersection_curve> chains_of_curves(const std::vector<bool>& is_clo
     for (Curve_end begin = first;;) {
       is_used[begin.curve] = true;
       joined.arcs.push_back({begin.curve, begin.side == 1});
-      const std::optional<Curve_end> other = joined.is_closed ? std::nullopt : next(Curve_end{begin.curve, 1 - begin.side});
+      const std::optional<Curve_end> other =
+          joined.is_closed ? std::nullopt : next(Curve_end{begin.curve, 1 - begin.side});
       joined.is_closed = joined.is_closed || other == first;
       if (!other || joined.is_closed)
         return joined;
@@ -54,16 +56,19 @@ std::vector<Intersection_curve> chains_of_curves(const std::vector<bool>& is_clo
   return result;
 }
 
-// For each end of some curves (by curve and side) the one that it is the same point as; and those of the given ends that do not have just one such partner.
+// For each end of some curves (by curve and side) the one that it is the same point as; and those of the given ends
+// that do not have just one such partner.
 struct Matched_ends
 {
   std::vector<std::array<std::optional<Curve_end>, 2>> next;
   std::vector<Curve_end> unmatched;
 };
 
-// Matches ends, each with a place, by `may_be(place, other)`. The place where a curve goes on is known to be among the given ones, so if there is just one that may be it, and the other way round, they are the same point.
+// Matches ends, each with a place, by `may_be(place, other)`. The place where a curve goes on is known to be among the
+// given ones, so if there is just one that may be it, and the other way round, they are the same point.
 template <class Place, class May_be>
-Matched_ends matched_ends(const std::vector<std::pair<Curve_end, Place>>& ends, std::size_t number_of_curves, const May_be& may_be)
+Matched_ends matched_ends(const std::vector<std::pair<Curve_end, Place>>& ends, std::size_t number_of_curves,
+                          const May_be& may_be)
 {
   std::vector<std::vector<std::size_t>> partners(ends.size());
   for (std::size_t i = 0; i < ends.size(); ++i)
@@ -91,7 +96,8 @@ std::vector<Curve> joined_curves(const std::vector<Curve>& curves, const Matched
   for (const Curve& curve : curves)
     is_closed.push_back(curve.is_closed);
   std::vector<Curve> result;
-  for (const Intersection_curve& chain : chains_of_curves(is_closed, [&](const Curve_end& end) { return ends.next[end.curve][static_cast<std::size_t>(end.side)]; })) {
+  for (const Intersection_curve& chain : chains_of_curves(
+           is_closed, [&](const Curve_end& end) { return ends.next[end.curve][static_cast<std::size_t>(end.side)]; })) {
     result.push_back({{}, chain.is_closed});
     for (const Intersection_arc& link : chain.arcs) {
       auto arcs = curves[link.index].arcs;

@@ -26,7 +26,8 @@ namespace internal {
 namespace Intersections {
 
 // The polynomial with given values at as many parameters, on a range.
-inline Exact_function interpolant(std::span<const Exact_rational> at, std::vector<Exact_rational> values, const Parameter_range& range)
+inline Exact_function interpolant(std::span<const Exact_rational> at, std::vector<Exact_rational> values,
+                                  const Parameter_range& range)
 {
   const std::size_t count = at.size();
   for (std::size_t r = 1; r < count; ++r)   // divided differences
@@ -38,14 +39,18 @@ inline Exact_function interpolant(std::span<const Exact_rational> at, std::vecto
       power[i] = Exact_rational(power[i - 1] - power[i] * at[k]);
     power[0] = Exact_rational(values[k] - power[0] * at[k]);
   }
-  return Exact_function::from_tensor(Bernstein_tensor<Exact_rational>::from_power_on_box({static_cast<int>(count) - 1}, power, std::array<Parameter_range, 1>{range}), {range});
+  return Exact_function::from_tensor(Bernstein_tensor<Exact_rational>::from_power_on_box(
+                                         {static_cast<int>(count) - 1}, power, std::array<Parameter_range, 1>{range}),
+                                     {range});
 }
 
 /*
-A curve that runs along a surface, C(t) = S(q(t)), where q is a polynomial of low degree: a line where one parameter is constant, another line of the domain, a curve that was made on the surface.
+A curve that runs along a surface, C(t) = S(q(t)), where q is a polynomial of low degree: a line where one parameter is
+constant, another line of the domain, a curve that was made on the surface.
 
-The parameters on the surface of some points of the curve give q. They need not be proved: whether C(t) = S(q(t)) is decided exactly. Between breaks of both sides it is an equation of polynomials, and
-holds everywhere if it holds at as many parameters as its degree, and one more.
+The parameters on the surface of some points of the curve give q. They need not be proved: whether C(t) = S(q(t)) is
+decided exactly. Between breaks of both sides it is an equation of polynomials, and holds everywhere if it holds at as
+many parameters as its degree, and one more.
 */
 class Curve_along_surface
 {
@@ -66,7 +71,9 @@ public:
     std::array<Point, 2> ends;
   };
 
-  Curve_along_surface(Spline_patch<3> curve, Spline_patch<3> surface, Budgeted_solver& solve) : m_curve(std::move(curve)), m_surface(std::move(surface)), m_solve(solve) {}
+  Curve_along_surface(Spline_patch<3> curve, Spline_patch<3> surface, Budgeted_solver& solve)
+    : m_curve(std::move(curve)), m_surface(std::move(surface)), m_solve(solve)
+  {}
 
   // From points with parameters in a range.
   std::vector<Overlap> operator()(const Parameter_range& range) const
@@ -101,11 +108,13 @@ private:
     const Spline_patch<3> point(m_curve(std::array<Exact_rational, 1>{t}));
     std::vector<Point> result;
     for (const Common_point& found : Intersection_finder<3>(Patch_pair<3>(point, m_surface), m_solve)())
-      result.push_back({simplest_rational_between(found.parameters[0].first, found.parameters[0].second), simplest_rational_between(found.parameters[1].first, found.parameters[1].second)});
+      result.push_back({simplest_rational_between(found.parameters[0].first, found.parameters[0].second),
+                        simplest_rational_between(found.parameters[1].first, found.parameters[1].second)});
     return result;
   }
 
-  static std::vector<std::vector<Point>> with_next(const std::vector<std::vector<Point>>& choices, const std::vector<Point>& points)
+  static std::vector<std::vector<Point>> with_next(const std::vector<std::vector<Point>>& choices,
+                                                   const std::vector<Point>& points)
   {
     std::vector<std::vector<Point>> result;
     for (const std::vector<Point>& choice : choices)
@@ -150,12 +159,17 @@ private:
     return result;
   }
 
-  static Point point_on(const Path& path, const Exact_rational& t) { return {path[0](std::array{t}), path[1](std::array{t})}; }
+  static Point point_on(const Path& path, const Exact_rational& t)
+  {
+    return {path[0](std::array{t}), path[1](std::array{t})};
+  }
 
   bool is_on_surface(const Path& path, const Exact_rational& t) const
   {
     const Point point = point_on(path, t);
-    const auto is_within = [&](int axis) { return m_surface.domain(axis).first <= point[axis] && point[axis] <= m_surface.domain(axis).second; };
+    const auto is_within = [&](int axis) {
+      return m_surface.domain(axis).first <= point[axis] && point[axis] <= m_surface.domain(axis).second;
+    };
     return is_within(0) && is_within(1);
   }
 
@@ -203,20 +217,29 @@ private:
     return true;
   }
 
-  bool are_same_at(const Path& path, const Exact_rational& t) const { return is_on_surface(path, t) && m_curve(std::array{t}) == m_surface(point_on(path, t)); }
+  bool are_same_at(const Path& path, const Exact_rational& t) const
+  {
+    return is_on_surface(path, t) && m_curve(std::array{t}) == m_surface(point_on(path, t));
+  }
 };
 
-// With what there is beside the overlaps: the rest of the curve. They are looked for in the longest range where something is undecided.
-inline std::optional<std::vector<Common_point>> common_points_of_curve_along_surface(const Patch_pair<3>& pair, const std::vector<Common_point>& points, Budgeted_solver& solve)
+// With what there is beside the overlaps: the rest of the curve. They are looked for in the longest range where
+// something is undecided.
+inline std::optional<std::vector<Common_point>>
+common_points_of_curve_along_surface(const Patch_pair<3>& pair, const std::vector<Common_point>& points,
+                                     Budgeted_solver& solve)
 {
-  const std::size_t curve = pair[0].number_of_parameters() == 1 ? 0 : 1, parameter = pair.first_parameter(curve), first_of_surface = pair.first_parameter(1 - curve);
+  const std::size_t curve = pair[0].number_of_parameters() == 1 ? 0 : 1, parameter = pair.first_parameter(curve),
+                    first_of_surface = pair.first_parameter(1 - curve);
   Parameter_range longest(Exact_rational(0), Exact_rational(0));
   for (const Common_point& point : points)
-    if (const Parameter_range& range = point.parameters[parameter]; point.kind == Intersection_kind::UNDECIDED && longest.second - longest.first < range.second - range.first)
+    if (const Parameter_range& range = point.parameters[parameter];
+        point.kind == Intersection_kind::UNDECIDED && longest.second - longest.first < range.second - range.first)
       longest = range;
   if (longest.first == longest.second)
     return std::nullopt;
-  const std::vector<Curve_along_surface::Overlap> overlaps = Curve_along_surface(pair[curve], pair[1 - curve], solve)(longest);
+  const std::vector<Curve_along_surface::Overlap> overlaps =
+      Curve_along_surface(pair[curve], pair[1 - curve], solve)(longest);
   if (overlaps.empty())
     return std::nullopt;
 
@@ -227,13 +250,15 @@ inline std::optional<std::vector<Common_point>> common_points_of_curve_along_sur
       const Parameter_range& range = point.parameters[first_of_surface + axis];
       return range.first <= overlap.ends[side][axis] && overlap.ends[side][axis] <= range.second;
     };
-    return point.kind != Intersection_kind::UNDECIDED && point.parameters[parameter] == Parameter_range(t, t) && holds(0) && holds(1);
+    return point.kind != Intersection_kind::UNDECIDED && point.parameters[parameter] == Parameter_range(t, t) &&
+        holds(0) && holds(1);
   };
   const auto add_rest = [&](const Parameter_range& rest) {
     if (!(rest.first < rest.second))
       return;
     for (Common_point& point : Intersection_finder<3>(pair.with(curve, pair[curve].part(0, rest)), solve)())
-      if (std::none_of(overlaps.begin(), overlaps.end(), [&](const auto& overlap) { return is_end(point, overlap, 0) || is_end(point, overlap, 1); }))
+      if (std::none_of(overlaps.begin(), overlaps.end(),
+                       [&](const auto& overlap) { return is_end(point, overlap, 0) || is_end(point, overlap, 1); }))
         result.push_back(std::move(point));
   };
   Exact_rational begin = pair[curve].domain(0).first;
@@ -246,7 +271,8 @@ inline std::optional<std::vector<Common_point>> common_points_of_curve_along_sur
   }
   add_rest({begin, pair[curve].domain(0).second});
   drop_ends_of_overlaps(pair, result);
-  std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+  std::sort(result.begin(), result.end(),
+            [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
   return result;
 }
 
@@ -260,7 +286,8 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
       Budgeted_solver limited = solve.limited(many_nodes);
       std::vector<Common_point> points = Intersection_finder<3>(pair, limited)();
       solve.add_work_of(limited);
-      const bool is_complete = std::none_of(points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });
+      const bool is_complete = std::none_of(
+          points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });
       if (is_complete)
         return points;
       if (auto others = common_points_of_curve_along_surface(pair, points, solve))

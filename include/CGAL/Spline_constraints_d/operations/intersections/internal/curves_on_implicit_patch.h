@@ -37,17 +37,21 @@ struct Range_of_side
 inline Range_of_side range_of_side(const Power_polynomial& side, const Spline_patch<3>& surface)
 {
   bool is_positive = true, is_negative = true;
-  std::array<std::array<bool, 2>, 2> is_edge{{{true, true}, {true, true}}};   // where alone it is zero, and negative elsewhere
+  // where alone it is zero, and negative elsewhere
+  std::array<std::array<bool, 2>, 2> is_edge{{{true, true}, {true, true}}};
   for_each_cell(surface, [&](const Patch_cell& cell) {
     const auto value = composed(side, 1, cell.functions);
     const auto [least, greatest] = value.bounds();
     is_positive = is_positive && least >= 0;
     is_negative = is_negative && greatest < 0;
-    const auto zeros = [](const auto& tensor) { return std::count(tensor.coefficients().begin(), tensor.coefficients().end(), Exact_rational(0)); };
+    const auto zeros = [](const auto& tensor) {
+      return std::count(tensor.coefficients().begin(), tensor.coefficients().end(), Exact_rational(0));
+    };
     for (const int axis : {0, 1})
       for (const int end : {0, 1}) {
         const auto face = value.face(axis, end);
-        const bool vanishes_on_face = zeros(face) == static_cast<std::ptrdiff_t>(face.coefficients().size()) && zeros(value) == zeros(face) && greatest == 0;
+        const bool vanishes_on_face = zeros(face) == static_cast<std::ptrdiff_t>(face.coefficients().size()) &&
+            zeros(value) == zeros(face) && greatest == 0;
         is_edge[axis][end] = is_edge[axis][end] && (cell.is_at_edge[axis][end] ? vanishes_on_face : greatest < 0);
       }
   });
@@ -63,9 +67,12 @@ inline Range_of_side range_of_side(const Power_polynomial& side, const Spline_pa
 }
 
 /*
-The common points of two parametric surfaces A and B where A is a part of the zeros of a polynomial, see Implicit_patch: the curves f(B(s,t)) = 0 where the sides are not negative, which are on A as a whole or not at all. They are all on A, or there is no answer.
+The common points of two parametric surfaces A and B where A is a part of the zeros of a polynomial, see Implicit_patch:
+the curves f(B(s,t)) = 0 where the sides are not negative, which are on A as a whole or not at all. They are all on A,
+or there is no answer.
 
-Where B has no point on the positive side of an edge of A but those of one of its own edges, they are all that both may have in common; they are, if f is zero on this edge.
+Where B has no point on the positive side of an edge of A but those of one of its own edges, they are all that both may
+have in common; they are, if f is zero on this edge.
 */
 class Curves_on_implicit_patch
 {
@@ -100,7 +107,8 @@ public:
   std::optional<Solved_part> operator()(const Solver_options& options) const
   {
     if (m_is_apart)
-      return Solved_part{Surface_equations(m_surfaces, m_implicit, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
+      return Solved_part{Surface_equations(m_surfaces, m_implicit, std::nullopt),
+                         Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
     const std::optional<Constraint_system_d> equations = system();
     if (!equations)
       return std::nullopt;
@@ -108,8 +116,10 @@ public:
     Curve_search search{.closed_unknowns = surfaces.closed_unknowns()};
     for (const Surface_pole& pole : surfaces.poles())
       search.points.emplace_back(pole.unknown, pole.value);
-    const std::vector<Common_pole> poles = Common_poles(surfaces, [&](std::size_t) { return &m_a.polynomial(); }, options)();
-    if (!std::all_of(poles.begin(), poles.end(), [&](const Common_pole& common) { return is_within_sides(common.pole); }))
+    const std::vector<Common_pole> poles = Common_poles(
+        surfaces, [&](std::size_t) { return &m_a.polynomial(); }, options)();
+    if (!std::all_of(poles.begin(), poles.end(),
+                     [&](const Common_pole& common) { return is_within_sides(common.pole); }))
       return std::nullopt;
     Solved_part result = joined_at_poles(std::move(surfaces), all_curves(*equations, options, search), poles);
     return are_on_patch(result.surfaces, result.solutions) ? std::optional(std::move(result)) : std::nullopt;
@@ -118,7 +128,8 @@ public:
 private:
   std::optional<Constraint_system_d> system() const
   {
-    const Constraint_system_d incidence = Surface_equations(Surface_shape(m_a.polynomial()), Surface_shape(m_b)).system();
+    const Constraint_system_d incidence =
+        Surface_equations(Surface_shape(m_a.polynomial()), Surface_shape(m_b)).system();
     std::optional<Constraint_system_d> result = m_edge ? equation_of_edge(incidence) : incidence;
     if (!m_is_known || !result)
       return std::nullopt;
@@ -148,7 +159,8 @@ private:
   bool is_within_sides(const Surface_pole& pole) const
   {
     const auto point = m_b.pole(pole.axis, pole.value);
-    return std::all_of(m_a.sides().begin(), m_a.sides().end(), [&](const Power_polynomial& side) { return side(*point) > 0; });
+    return std::all_of(m_a.sides().begin(), m_a.sides().end(),
+                       [&](const Power_polynomial& side) { return side(*point) > 0; });
   }
 
   bool are_on_patch(const Surface_equations& surfaces, const Curve_solution_set_d& solutions) const
@@ -160,17 +172,26 @@ private:
     const auto is_vertex_on_patch = [&](std::size_t i) { return is_on_patch(solutions.vertices()[i].box); };
     const auto is_curve_on_patch = [&](const Solution_curve& curve) {
       const std::vector<std::size_t> vertices = curve.vertices();
-      const bool has_point = std::any_of(vertices.begin(), vertices.end(), is_vertex_on_patch) || std::any_of(curve.pieces.begin(), curve.pieces.end(), [&](const Curve_piece& piece) {
-        return is_line(piece) && is_on_patch({{middle_of(piece.box[0]), middle_of(piece.box[0])}, {middle_of(piece.box[1]), middle_of(piece.box[1])}});
-      });
-      return has_point && std::none_of(curve.pieces.begin(), curve.pieces.end(), [&](const Curve_piece& piece) { return has_tips(piece.box); });
+      const bool has_point = std::any_of(vertices.begin(), vertices.end(), is_vertex_on_patch) ||
+          std::any_of(curve.pieces.begin(), curve.pieces.end(), [&](const Curve_piece& piece) {
+                               return is_line(piece) &&
+                                   is_on_patch({{middle_of(piece.box[0]), middle_of(piece.box[0])},
+                                                {middle_of(piece.box[1]), middle_of(piece.box[1])}});
+                             });
+      return has_point && std::none_of(curve.pieces.begin(), curve.pieces.end(), [&](const Curve_piece& piece) {
+               return has_tips(piece.box);
+             });
     };
-    return std::all_of(solutions.curves().begin(), solutions.curves().end(), is_curve_on_patch) && std::all_of(solutions.points().begin(), solutions.points().end(), is_vertex_on_patch) &&
-           std::all_of(solutions.singular_points().begin(), solutions.singular_points().end(), is_vertex_on_patch);
+    return std::all_of(solutions.curves().begin(), solutions.curves().end(), is_curve_on_patch) &&
+        std::all_of(solutions.points().begin(), solutions.points().end(), is_vertex_on_patch) &&
+        std::all_of(solutions.singular_points().begin(), solutions.singular_points().end(), is_vertex_on_patch);
   }
 
   // It has all points of its box.
-  static bool is_line(const Curve_piece& piece) { return piece.box[0].first == piece.box[0].second || piece.box[1].first == piece.box[1].second; }
+  static bool is_line(const Curve_piece& piece)
+  {
+    return piece.box[0].first == piece.box[0].second || piece.box[1].first == piece.box[1].second;
+  }
 
   Vector_bounds<3> bounds(const Exact_ranges& box) const { return m_b.part(box).values(); }
 
@@ -181,7 +202,8 @@ private:
       return false;
     const Vector_bounds<3> values = bounds(box);
     const auto has = [&](const std::array<Exact_rational, 3>& tip) {
-      return values[0].lower <= tip[0] && tip[0] <= values[0].upper && values[1].lower <= tip[1] && tip[1] <= values[1].upper && values[2].lower <= tip[2] && tip[2] <= values[2].upper;
+      return values[0].lower <= tip[0] && tip[0] <= values[0].upper && values[1].lower <= tip[1] &&
+          tip[1] <= values[1].upper && values[2].lower <= tip[2] && tip[2] <= values[2].upper;
     };
     if (std::none_of(m_a.tips().begin(), m_a.tips().end(), has))
       return false;

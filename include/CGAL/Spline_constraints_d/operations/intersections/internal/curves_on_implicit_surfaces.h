@@ -26,8 +26,9 @@ namespace internal {
 namespace Intersections {
 
 /*
-The polynomial F of least degree, up to four, that is zero at all points of a surface, if there is one up to a factor: linear algebra in its coefficients finds it from points of the surface, and it is proved
-exactly. So planes, quadrics and tori are found. It is homogeneous in the numerators and the weight.
+The polynomial F of least degree, up to four, that is zero at all points of a surface, if there is one up to a factor:
+linear algebra in its coefficients finds it from points of the surface, and it is proved exactly. So planes, quadrics
+and tori are found. It is homogeneous in the numerators and the weight.
 */
 class Implicit_form
 {
@@ -65,7 +66,8 @@ public:
     if (value != 0)
       return false;
     const Exact_function f = derivative(powers_in(patch), 4);
-    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& c) { return c == 0; });
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(),
+                       [](const Exact_rational& c) { return c == 0; });
   }
 
   // The gradient of F along a patch, times a power of the weight.
@@ -91,7 +93,8 @@ private:
     return result;
   }
 
-  // Such that F is zero at points of the surface; false if there is no such F, by ranks modulo a prime, or more than one. A conic on the surface is on F if 2 degree + 1 of its points are.
+  // Such that F is zero at points of the surface; false if there is no such F, by ranks modulo a prime, or more than
+  // one. A conic on the surface is on F if 2 degree + 1 of its points are.
   bool find_coefficients(const Spline_patch<3>& surface)
   {
     const std::size_t n = m_exponents.size();
@@ -99,7 +102,10 @@ private:
     std::vector<Exact_rational> rows;
     for (int i = 0; i <= 2 * m_degree; ++i)
       for (int j = 0; j <= 2 * m_degree; ++j) {
-        const auto at = [&](int axis, int k) { return Exact_rational(surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * (2 * k + 1) / 32); };
+        const auto at = [&](int axis, int k) {
+          return Exact_rational(surface.domain(axis).first +
+                                (surface.domain(axis).second - surface.domain(axis).first) * (2 * k + 1) / 32);
+        };
         const std::vector<Exact_rational> monomials = monomials_at(surface(std::array{at(0, i), at(1, j)}));
         Big_integer denominator(1);
         for (const Exact_rational& m : monomials)
@@ -120,14 +126,19 @@ private:
   bool set_null_vector(std::vector<Exact_rational> rows)
   {
     const std::size_t n = m_exponents.size();
-    const auto size = [](const Exact_rational& x) { return x == 0 ? 0.0 : 1.0 / static_cast<double>(bit_length(numerator_of(x)) + bit_length(denominator_of(x))); };
+    const auto size = [](const Exact_rational& x) {
+      return x == 0 ? 0.0 : 1.0 / static_cast<double>(bit_length(numerator_of(x)) + bit_length(denominator_of(x)));
+    };
     const std::vector<int> row_of = gauss_jordan(rows, n, n, n - 1, size);
     const auto free = std::find(row_of.begin(), row_of.end(), -1);
     if (row_of.empty() || free == row_of.end())
       return false;
     m_coefficients.assign(n, Exact_rational(0));
     for (std::size_t j = 0; j < n; ++j)
-      m_coefficients[j] = row_of[j] < 0 ? Exact_rational(1) : Exact_rational(-rows[static_cast<std::size_t>(row_of[j]) * n + static_cast<std::size_t>(free - row_of.begin())]);
+      m_coefficients[j] = row_of[j] < 0
+          ? Exact_rational(1)
+          : Exact_rational(
+                -rows[static_cast<std::size_t>(row_of[j]) * n + static_cast<std::size_t>(free - row_of.begin())]);
     return true;
   }
 
@@ -157,7 +168,8 @@ private:
         if (e[i] > 0)
           term = term ? *term * powers[i][e[i]] : powers[i][e[i]];
       const Exact_rational coefficient(m_coefficients[k] * factor);
-      const Exact_function scaled = term ? *term * coefficient : Exact_function(powers[3][1] * Exact_rational(0) + coefficient);
+      const Exact_function scaled =
+          term ? *term * coefficient : Exact_function(powers[3][1] * Exact_rational(0) + coefficient);
       sum = sum ? *sum + scaled : scaled;
     }
     return sum ? *sum : Exact_function(powers[3][1] * Exact_rational(0));
@@ -165,8 +177,9 @@ private:
 };
 
 /*
-A curve and a surface on which a polynomial F is zero. Away from the edges of the surface its normal and the gradient of F are proved not to be zero, so around each of its points there it is all of the zeros of F. Between two common points with the edges the curve
-therefore runs within the surface, or outside of it, which is decided at one of its points.
+A curve and a surface on which a polynomial F is zero. Away from the edges of the surface its normal and the gradient of
+F are proved not to be zero, so around each of its points there it is all of the zeros of F. Between two common points
+with the edges the curve therefore runs within the surface, or outside of it, which is decided at one of its points.
 */
 class Curve_on_implicit_surface
 {
@@ -190,7 +203,8 @@ class Curve_on_implicit_surface
 
 public:
   Curve_on_implicit_surface(const Patch_pair<3>& pair, Budgeted_solver& solve)
-    : m_pair(pair), m_curve_index(pair[0].number_of_parameters() == 1 ? 0 : 1), m_curve(pair[m_curve_index]), m_surface(pair[1 - m_curve_index]), m_solve(solve)
+    : m_pair(pair), m_curve_index(pair[0].number_of_parameters() == 1 ? 0 : 1), m_curve(pair[m_curve_index]),
+      m_surface(pair[1 - m_curve_index]), m_solve(solve)
   {}
 
   // None if they are not of this kind, or something is not decided.
@@ -217,15 +231,21 @@ private:
     for (std::size_t i = 1; i < u.size(); ++i)
       for (std::size_t j = 1; j < v.size(); ++j) {
         const Spline_patch<3> cell = m_surface.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}});
-        const Vector_of_functions<3> a = tangent_direction(cell, 0), b = tangent_direction(cell, 1), c = form.gradient(cell);
-        const Exact_function determinant = c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) + c[2] * (a[0] * b[1] - a[1] * b[0]);
-        if (!has_one_sign(determinant.restricted(0, u[i - 1], u[i]).restricted(1, v[j - 1], v[j]), {is_edge(0, i == 1), is_edge(0, i + 1 == u.size()), is_edge(1, j == 1), is_edge(1, j + 1 == v.size())}, sign))
+        const Vector_of_functions<3> a = tangent_direction(cell, 0), b = tangent_direction(cell, 1),
+                                     c = form.gradient(cell);
+        const Exact_function determinant = c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) +
+            c[2] * (a[0] * b[1] - a[1] * b[0]);
+        if (!has_one_sign(
+                determinant.restricted(0, u[i - 1], u[i]).restricted(1, v[j - 1], v[j]),
+                {is_edge(0, i == 1), is_edge(0, i + 1 == u.size()), is_edge(1, j == 1), is_edge(1, j + 1 == v.size())},
+                sign))
           return false;
       }
     return true;
   }
 
-  // No coefficient has the other sign, and on the cell, and each of its sides and corners that is not on an edge of the surface, one is not zero: there f is not zero but at the ends.
+  // No coefficient has the other sign, and on the cell, and each of its sides and corners that is not on an edge of the
+  // surface, one is not zero: there f is not zero but at the ends.
   static bool has_one_sign(const Exact_function& f, const std::array<bool, 4>& is_edge, int& sign)
   {
     const std::size_t rows = f.size(0), columns = f.size(1);
@@ -275,7 +295,10 @@ private:
         }
       }
     std::sort(result.begin(), result.end(), [](const Event& x, const Event& y) { return x.range < y.range; });
-    const auto are_same = [](const Event& x, const Event& y) { return x.range == y.range && x.range.first == x.range.second; };   // at a corner
+    // at a corner
+    const auto are_same = [](const Event& x, const Event& y) {
+      return x.range == y.range && x.range.first == x.range.second;
+    };
     result.erase(std::unique(result.begin(), result.end(), are_same), result.end());
     for (std::size_t i = 1; i < result.size(); ++i)
       if (!(result[i - 1].range.second < result[i].range.first))
@@ -290,7 +313,8 @@ private:
     case Intersection_kind::TRANSVERSAL:
     case Intersection_kind::END_POINT: return true;
     case Intersection_kind::TANGENT: return point.parameters[0].first == point.parameters[0].second;
-    case Intersection_kind::UNDECIDED: return point.solution && point.solution->reason() == Undecided_reason::OVERDETERMINED;
+    case Intersection_kind::UNDECIDED:
+      return point.solution && point.solution->reason() == Undecided_reason::OVERDETERMINED;
     case Intersection_kind::OVERLAP: break;
     }
     return false;
@@ -299,7 +323,11 @@ private:
   // A common point with an edge, with all parameters; at a pole one of them is free.
   Common_point on_surface(const Common_point& found, int axis, const Exact_rational& value) const
   {
-    Common_point result{found.kind == Intersection_kind::TRANSVERSAL ? Intersection_kind::END_POINT : found.kind, {}, std::vector<bool>(3, false), std::nullopt, false};
+    Common_point result{found.kind == Intersection_kind::TRANSVERSAL ? Intersection_kind::END_POINT : found.kind,
+                        {},
+                        std::vector<bool>(3, false),
+                        std::nullopt,
+                        false};
     Parameter_box own{m_surface.domain(0), m_surface.domain(1)};
     own[axis] = {value, value};
     if (found.parameters.size() > 1)
@@ -308,7 +336,8 @@ private:
     result.is_at_end[m_pair.first_parameter(m_curve_index)] = found.is_at_end[0];
     result.is_at_end[m_pair.first_parameter(1 - m_curve_index) + static_cast<std::size_t>(axis)] = true;
     if (found.parameters.size() > 1)
-      result.is_at_end[m_pair.first_parameter(1 - m_curve_index) + static_cast<std::size_t>(1 - axis)] = found.is_at_end[1];
+      result.is_at_end[m_pair.first_parameter(1 - m_curve_index) + static_cast<std::size_t>(1 - axis)] =
+          found.is_at_end[1];
     return result;
   }
 
@@ -324,13 +353,17 @@ private:
     std::vector<Stretch> result;
     const auto [begin, end] = m_curve.domain(0);
     for (std::size_t i = 0; i <= events.size(); ++i) {
-      const Parameter_range range(i == 0 ? begin : events[i - 1].range.second, i == events.size() ? end : events[i].range.first);
+      const Parameter_range range(i == 0 ? begin : events[i - 1].range.second,
+                                  i == events.size() ? end : events[i].range.first);
       if (!(range.first < range.second))
         continue;
       const Exact_rational third((range.second - range.first) / 3);
-      const Exact_rational t = simplest_rational_between(Exact_rational(range.first + third), Exact_rational(range.second - third));
-      const std::vector<Common_point> found = Intersection_finder<3>(Patch_pair<3>(Spline_patch<3>(m_curve(std::array{t})), m_surface), m_solve)();
-      const bool is_on_surface = std::any_of(found.begin(), found.end(), [](const Common_point& x) { return x.kind != Intersection_kind::UNDECIDED; });
+      const Exact_rational t =
+          simplest_rational_between(Exact_rational(range.first + third), Exact_rational(range.second - third));
+      const std::vector<Common_point> found =
+          Intersection_finder<3>(Patch_pair<3>(Spline_patch<3>(m_curve(std::array{t})), m_surface), m_solve)();
+      const bool is_on_surface = std::any_of(
+          found.begin(), found.end(), [](const Common_point& x) { return x.kind != Intersection_kind::UNDECIDED; });
       if (!is_on_surface && !found.empty())
         return std::nullopt;
       result.push_back({i, is_on_surface});
@@ -352,13 +385,16 @@ private:
       const std::size_t last = stretches[k - 1].next_event;
       for (std::size_t i = first == 0 ? 0 : first - 1; i < events.size() && i <= last; ++i)
         is_on_overlap[i] = true;
-      const Parameter_range range(first == 0 ? begin : events[first - 1].range.first, last == events.size() ? end : events[last].range.second);
-      result.push_back({Intersection_kind::OVERLAP, with_curve(range, {m_surface.domain(0), m_surface.domain(1)}), std::vector<bool>(3, false), std::nullopt, false});
+      const Parameter_range range(first == 0 ? begin : events[first - 1].range.first,
+                                  last == events.size() ? end : events[last].range.second);
+      result.push_back({Intersection_kind::OVERLAP, with_curve(range, {m_surface.domain(0), m_surface.domain(1)}),
+                        std::vector<bool>(3, false), std::nullopt, false});
     }
     for (std::size_t i = 0; i < events.size(); ++i)
       if (!is_on_overlap[i])
         result.push_back(events[i].point);
-    std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+    std::sort(result.begin(), result.end(),
+              [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;
   }
 };

@@ -26,8 +26,9 @@ namespace Intersections {
 /*
 The polynomial f of a given degree with f(S) = 0, for a surface S = X/w, if there is one up to a factor.
 
-On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f, which are solved exactly on
-the first piece, and f is composed with all of them.
+On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if
+this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f, which are solved exactly
+on the first piece, and f is composed with all of them.
 */
 class Implicit_equation
 {
@@ -94,7 +95,8 @@ private:
     for (const Exact_rational& x : u)
       for (const Exact_rational& y : v) {
         const std::array parameters{x, y};
-        if (!visit({m_surface.numerators()[0](parameters), m_surface.numerators()[1](parameters), m_surface.numerators()[2](parameters), m_surface.weight()(parameters)}))
+        if (!visit({m_surface.numerators()[0](parameters), m_surface.numerators()[1](parameters),
+                    m_surface.numerators()[2](parameters), m_surface.weight()(parameters)}))
           return;
       }
   }
@@ -125,7 +127,8 @@ private:
     }
     std::vector<Number> result;
     for (const auto& [i, j, k] : m_monomials)
-      result.push_back(product(product(powers[0][i], powers[1][j]), product(powers[2][k], powers[3][m_degree - i - j - k])));
+      result.push_back(
+          product(product(powers[0][i], powers[1][j]), product(powers[2][k], powers[3][m_degree - i - j - k])));
     return result;
   }
 
@@ -142,7 +145,8 @@ private:
   }
 };
 
-// The polynomial of the least degree, which is at most four, that is zero on a surface; nothing if there is none: planes, quadrics, cubic ruled surfaces, tori and cyclides have one.
+// The polynomial of the least degree, which is at most four, that is zero on a surface; nothing if there is none:
+// planes, quadrics, cubic ruled surfaces, tori and cyclides have one.
 inline std::optional<Power_polynomial> implicit_equation(const Spline_patch<3>& surface)
 {
   constexpr int most = 4;

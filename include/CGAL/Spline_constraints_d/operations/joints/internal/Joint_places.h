@@ -31,7 +31,9 @@ namespace internal {
 namespace Joints {
 
 /*
-Places are points of joints of curves, and pieces what is between two joints. Places near others are joined with them, and those near a piece are moved onto it: after both places in which that ends, so that nothing they are on is moved later.
+Places are points of joints of curves, and pieces what is between two joints. Places near others are joined with them,
+and those near a piece are moved onto it: after both places in which that ends, so that nothing they are on is moved
+later.
 */
 template <RationalSplineKernel Kernel>
 class Joint_places
@@ -68,14 +70,16 @@ class Joint_places
   std::vector<Place> m_places;
   std::vector<Piece> m_pieces;
   std::vector<std::map<std::size_t, std::size_t>> m_place_of;    // of each curve and joint
-  std::vector<std::vector<std::size_t>> m_keepers;               // of each control point: the place where a tangent depends on it, that it has in common with others
+  // of each control point: the place where a tangent depends on it, that it has in common with others
+  std::vector<std::vector<std::size_t>> m_keepers;
 
 public:
   Joint_control_points<Kernel> points;
   std::size_t joints = 0, left = 0;
 
   Joint_places(std::vector<Curve> curves, double most_distance, double most_angle)
-    : m_most_distance(most_distance), m_most_squared_distance(squared(most_distance)), m_most_squared_sine(squared(std::sin(most_angle))), points(std::move(curves))
+    : m_most_distance(most_distance), m_most_squared_distance(squared(most_distance)),
+      m_most_squared_sine(squared(std::sin(most_angle))), points(std::move(curves))
   {
     make_places();
     make_pieces();
@@ -123,16 +127,21 @@ private:
     for (std::size_t i = 0; i < m_places.size(); ++i)
       for (const Joint_side& a : m_places[i].sides)
         for (const Joint_side& b : m_places[i].sides)
-          if ((a.curve != b.curve || a.joint != b.joint || a.is_forward != b.is_forward) && CGAL::determinant(points.direction(a), points.direction(b)) == 0)
+          if ((a.curve != b.curve || a.joint != b.joint || a.is_forward != b.is_forward) &&
+              CGAL::determinant(points.direction(a), points.direction(b)) == 0)
             m_keepers[a.curve][points.next(a)] = i;
   }
 
-  std::size_t place_after_joining(std::size_t place) const { return place == none || m_places[place].joined_with == none ? place : m_places[place].joined_with; }
+  std::size_t place_after_joining(std::size_t place) const
+  {
+    return place == none || m_places[place].joined_with == none ? place : m_places[place].joined_with;
+  }
 
   Box box_of(const CGAL::Bbox_2& b, double margin, std::size_t index) const
   {
     const double infinity = std::numeric_limits<double>::infinity(), wide = std::nextafter(margin, infinity);
-    double lower[]{std::nextafter(b.xmin() - wide, -infinity), std::nextafter(b.ymin() - wide, -infinity)}, upper[]{std::nextafter(b.xmax() + wide, infinity), std::nextafter(b.ymax() + wide, infinity)};
+    double lower[]{std::nextafter(b.xmin() - wide, -infinity), std::nextafter(b.ymin() - wide, -infinity)},
+        upper[]{std::nextafter(b.xmax() + wide, infinity), std::nextafter(b.ymax() + wide, infinity)};
     return Box(lower, upper, index);
   }
 
@@ -143,14 +152,18 @@ private:
     for (std::size_t i = 0; i < m_places.size(); ++i)
       boxes.push_back(box_of(m_places[i].point.bbox(), m_most_distance / 2, i));
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) { pairs.emplace_back((std::max)(a.info(), b.info()), (std::min)(a.info(), b.info())); });
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      pairs.emplace_back((std::max)(a.info(), b.info()), (std::min)(a.info(), b.info()));
+    });
     std::sort(pairs.begin(), pairs.end());
     for (auto pair = pairs.begin(); pair != pairs.end();) {
       const std::size_t place = pair->first;
       std::optional<std::pair<FT, std::size_t>> nearest;
       for (; pair != pairs.end() && pair->first == place; ++pair)
-        if (const std::size_t other = pair->second; m_places[other].joined_with == none && !are_ends_of_piece(place, other))
-          if (const FT distance = CGAL::squared_distance(m_places[place].point, m_places[other].point); !(distance > m_most_squared_distance) && (!nearest || distance < nearest->first))
+        if (const std::size_t other = pair->second;
+            m_places[other].joined_with == none && !are_ends_of_piece(place, other))
+          if (const FT distance = CGAL::squared_distance(m_places[place].point, m_places[other].point);
+              !(distance > m_most_squared_distance) && (!nearest || distance < nearest->first))
             nearest = {distance, other};
       if (nearest)
         join(place, nearest->second);
@@ -159,7 +172,9 @@ private:
 
   bool are_ends_of_piece(std::size_t place, std::size_t other) const
   {
-    const auto is_other_end = [&](const Joint_side& side) { return place_after_joining(place_at(points.opposite(side))) == other; };
+    const auto is_other_end = [&](const Joint_side& side) {
+      return place_after_joining(place_at(points.opposite(side))) == other;
+    };
     return std::any_of(m_places[place].sides.begin(), m_places[place].sides.end(), is_other_end);
   }
 
@@ -176,10 +191,12 @@ private:
     move(place, m_places[other].point);
     m_places[place].joined_with = other;
     m_places[place].state = State::DONE;
-    m_places[other].sides.insert(m_places[other].sides.end(), m_places[place].sides.begin(), m_places[place].sides.end());
+    m_places[other].sides.insert(m_places[other].sides.end(), m_places[place].sides.begin(),
+                                 m_places[place].sides.end());
   }
 
-  // Moves joints, and the control points next to them that nothing else depends on, so that curves keep their directions there, and stay flat where they are. Straight pieces stay straight.
+  // Moves joints, and the control points next to them that nothing else depends on, so that curves keep their
+  // directions there, and stay flat where they are. Straight pieces stay straight.
   void move(std::size_t place, const Point& to)
   {
     const Vector way = to - m_places[place].point;
@@ -200,9 +217,13 @@ private:
     m_places[place].point = to;
   }
 
-  static std::size_t following(const Joint_side& side, std::size_t index) { return side.is_forward ? index + 1 : index - 1; }
+  static std::size_t following(const Joint_side& side, std::size_t index)
+  {
+    return side.is_forward ? index + 1 : index - 1;
+  }
 
-  // The control point that the direction of a side depends on, and those behind it that are in this direction but for rounding.
+  // The control point that the direction of a side depends on, and those behind it that are in this direction but for
+  // rounding.
   std::vector<std::size_t> flat_points(const Joint_side& side) const
   {
     const std::size_t last = points.opposite(side).joint;
@@ -212,7 +233,8 @@ private:
     std::vector<std::size_t> result{points.next(side)};
     while (result.back() != last) {
       const std::size_t i = following(side, result.back());
-      const FT height = CGAL::determinant(direction, Vector(along[i] - joint)), most = converted_number<FT>(rounding * (std::max)(magnitude(joint), magnitude(along[i])));
+      const FT height = CGAL::determinant(direction, Vector(along[i] - joint)),
+               most = converted_number<FT>(rounding * (std::max)(magnitude(joint), magnitude(along[i])));
       if (height * height > most * most * direction.squared_length())
         break;
       result.push_back(i);
@@ -223,12 +245,17 @@ private:
   // Where a control point of a straight piece is on the way to its other end.
   FT share_of_way(const Joint_side& side, std::size_t index) const
   {
-    const Vector chord = points.joint(points.opposite(side)) - points.joint(side), part = points.points(side.curve)[index] - points.joint(side);
+    const Vector chord = points.joint(points.opposite(side)) - points.joint(side),
+                 part = points.points(side.curve)[index] - points.joint(side);
     const FT length = chord.squared_length();
     return length == 0 ? FT(0) : FT(part * chord / length);
   }
 
-  bool is_kept_by_none_but(std::size_t place, std::size_t curve, std::size_t index) const { return m_keepers[curve][index] == none || place_after_joining(m_keepers[curve][index]) == place_after_joining(place); }
+  bool is_kept_by_none_but(std::size_t place, std::size_t curve, std::size_t index) const
+  {
+    return m_keepers[curve][index] == none ||
+        place_after_joining(m_keepers[curve][index]) == place_after_joining(place);
+  }
 
   // Of each place, the pieces whose distance from it is not greater than the given one. Copies of a piece count once.
   void find_near_pieces()
@@ -246,20 +273,27 @@ private:
       pieces.push_back(box_of(box, 0, i));
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::box_intersection_d(places.begin(), places.end(), pieces.begin(), pieces.end(), [&](const Box& a, const Box& b) { pairs.emplace_back(a.info(), b.info()); });
+    CGAL::box_intersection_d(places.begin(), places.end(), pieces.begin(), pieces.end(),
+                             [&](const Box& a, const Box& b) { pairs.emplace_back(a.info(), b.info()); });
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [place, piece] : pairs)
-      if (is_near(place, piece) && std::none_of(m_places[place].near_pieces.begin(), m_places[place].near_pieces.end(), [&, &piece = piece](std::size_t other) { return are_copies(piece, other); }))
+      if (is_near(place, piece) &&
+          std::none_of(m_places[place].near_pieces.begin(), m_places[place].near_pieces.end(),
+                       [&, &piece = piece](std::size_t other) { return are_copies(piece, other); }))
         m_places[place].near_pieces.push_back(piece);
   }
 
-  Curve curve_of(std::size_t piece) const { return points.between(m_pieces[piece].curve, m_pieces[piece].first, m_pieces[piece].last); }
+  Curve curve_of(std::size_t piece) const
+  {
+    return points.between(m_pieces[piece].curve, m_pieces[piece].first, m_pieces[piece].last);
+  }
 
   bool is_near(std::size_t place, std::size_t piece) const
   {
     const Point& p = m_places[place].point;
     for (const std::size_t end : m_pieces[piece].places)
-      if (!(CGAL::squared_distance(p, m_places[place_after_joining(end)].point) > m_most_squared_distance))   // joined, if it could be
+      // joined, if it could be
+      if (!(CGAL::squared_distance(p, m_places[place_after_joining(end)].point) > m_most_squared_distance))
         return false;
     const Curve curve = curve_of(piece);
     return !(CGAL::squared_distance(p, curve(nearest_parameter(curve, p))) > m_most_squared_distance);
@@ -268,8 +302,12 @@ private:
   bool are_copies(std::size_t a, std::size_t b) const
   {
     const Curve one = curve_of(a), other = curve_of(b);
-    const auto are_same = [](const Curve& p, const Curve& q) { return p.control_points() == q.control_points() && p.control_weights() == q.control_weights() && p.size() == static_cast<std::size_t>(p.degree() + 1); };
-    return one.degree() == other.degree() && one.size() == other.size() && (are_same(one, other) || are_same(one.reversed(), other));
+    const auto are_same = [](const Curve& p, const Curve& q) {
+      return p.control_points() == q.control_points() && p.control_weights() == q.control_weights() &&
+          p.size() == static_cast<std::size_t>(p.degree() + 1);
+    };
+    return one.degree() == other.degree() && one.size() == other.size() &&
+        (are_same(one, other) || are_same(one.reversed(), other));
   }
 
   // Of the point of a curve that is nearest to another one, rounded.
@@ -285,7 +323,8 @@ private:
     return nearest->second;
   }
 
-  // Of the point that has the simplest parameter of those as near to the nearest one as that is to the given point, or as coordinates are rounded; none in the ends.
+  // Of the point that has the simplest parameter of those as near to the nearest one as that is to the given point, or
+  // as coordinates are rounded; none in the ends.
   std::optional<FT> simplest_parameter(const Curve& curve, const Point& point, const FT& nearest) const
   {
     constexpr int most_halvings = 60;
@@ -293,10 +332,13 @@ private:
     if (nearest == begin || nearest == end)
       return std::nullopt;
     const FT error = converted_number<FT>(0x1p-50 * CGAL::to_double(CGAL::abs(nearest)));
-    if (const FT t = simplest_number(FT(nearest - error), FT(nearest + error)); begin < t && t < end && curve(t) == point)
+    if (const FT t = simplest_number(FT(nearest - error), FT(nearest + error));
+        begin < t && t < end && curve(t) == point)
       return t;
     const Point foot = curve(nearest);
-    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(point, foot))), way = (std::min)(m_most_distance, (std::max)(distance, rounding * magnitude(curve))), speed = std::sqrt(CGAL::to_double(curve.tangent(nearest).squared_length()));
+    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(point, foot))),
+                 way = (std::min)(m_most_distance, (std::max)(distance, rounding * magnitude(curve))),
+                 speed = std::sqrt(CGAL::to_double(curve.tangent(nearest).squared_length()));
     FT width = (std::min)(FT(nearest - begin), FT(end - nearest)) / 2;
     if (speed > 0 && way / speed < CGAL::to_double(width))
       width = converted_number<FT>(way / speed);
@@ -308,10 +350,17 @@ private:
     return nearest;
   }
 
-  static FT simplest_number(const FT& lower, const FT& upper) { return converted_number<FT>(simplest_rational_between(converted_number<Exact_rational>(lower), converted_number<Exact_rational>(upper))); }
+  static FT simplest_number(const FT& lower, const FT& upper)
+  {
+    return converted_number<FT>(
+        simplest_rational_between(converted_number<Exact_rational>(lower), converted_number<Exact_rational>(upper)));
+  }
 
   // The greatest absolute value of a coordinate.
-  static double magnitude(const Point& p) { return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y()))); }
+  static double magnitude(const Point& p)
+  {
+    return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y())));
+  }
 
   static double magnitude(const Curve& curve)
   {
@@ -321,7 +370,8 @@ private:
     return result;
   }
 
-  // Moves a place onto the piece near it, after the ends of that, and aligns directions. Returns whether it has its final point: not yet, where it is the begin of a circle of places of which each one depends on the next one.
+  // Moves a place onto the piece near it, after the ends of that, and aligns directions. Returns whether it has its
+  // final point: not yet, where it is the begin of a circle of places of which each one depends on the next one.
   bool settle(std::size_t place)
   {
     if (m_places[place].state != State::WAITING)
@@ -348,7 +398,8 @@ private:
   {
     const std::vector<Joint_side> sides = m_places[place].sides;
     for (const Joint_side& side : sides)
-      if (const std::size_t end = place_after_joining(place_at(points.opposite(side))); end != none && !m_places[end].near_pieces.empty() && points.is_straight(side))
+      if (const std::size_t end = place_after_joining(place_at(points.opposite(side)));
+          end != none && !m_places[end].near_pieces.empty() && points.is_straight(side))
         settle(end);
     joints += align(place);
   }
@@ -385,17 +436,24 @@ private:
     return moved.value_or(0);
   }
 
-  // Gives the same tangent to sides of a place that nearly have it, but for some: that of a curve that keeps its tangent, or of a straight piece. Returns whether anything was moved.
+  // Gives the same tangent to sides of a place that nearly have it, but for some: that of a curve that keeps its
+  // tangent, or of a straight piece. Returns whether anything was moved.
   bool align(std::size_t place, const std::vector<Joint_side>& others = {})
   {
     std::vector<Joint_side> sides = m_places[place].sides;
-    std::erase_if(sides, [&](const Joint_side& side) { return std::find(others.begin(), others.end(), side) != others.end(); });
-    const auto rank = [&](const Joint_side& side) { return points.is_straight(side) ? 1 : m_keepers[side.curve][points.next(side)] != none ? 0 : 2; };
-    std::stable_sort(sides.begin(), sides.end(), [&](const Joint_side& a, const Joint_side& b) { return rank(a) < rank(b); });
+    std::erase_if(
+        sides, [&](const Joint_side& side) { return std::find(others.begin(), others.end(), side) != others.end(); });
+    const auto rank = [&](const Joint_side& side) {
+      return points.is_straight(side) ? 1 : m_keepers[side.curve][points.next(side)] != none ? 0 : 2;
+    };
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](const Joint_side& a, const Joint_side& b) { return rank(a) < rank(b); });
     std::vector<Joint_side> first_ones;   // with different tangents
     bool is_any = false;
     for (const Joint_side& side : sides) {
-      const auto common = std::find_if(first_ones.begin(), first_ones.end(), [&](const Joint_side& first) { return are_nearly_parallel(points.direction(side), points.direction(first)); });
+      const auto common = std::find_if(first_ones.begin(), first_ones.end(), [&](const Joint_side& first) {
+        return are_nearly_parallel(points.direction(side), points.direction(first));
+      });
       if (common == first_ones.end())
         first_ones.push_back(side);
       else {
@@ -414,7 +472,8 @@ private:
     return a != CGAL::NULL_VECTOR && b != CGAL::NULL_VECTOR && !(determinant * determinant > most);
   }
 
-  // Moves the next control point onto a tangent, and where the curve is flat those behind it; all of a straight piece, or nothing. Returns how many were moved; no number if the next one is not on the tangent and has to stay.
+  // Moves the next control point onto a tangent, and where the curve is flat those behind it; all of a straight piece,
+  // or nothing. Returns how many were moved; no number if the next one is not on the tangent and has to stay.
   std::optional<int> straighten(const Joint_side& side, std::size_t place, const Vector& tangent)
   {
     const std::size_t last = points.opposite(side).joint;
@@ -443,7 +502,8 @@ private:
     if (index != opposite.joint)
       return is_kept_by_none_but(place, side.curve, index);
     const std::size_t end = place_at(opposite);
-    return end != none && m_places[end].joined_with == none && m_places[end].sides.size() == 1 && m_places[end].near_pieces.empty();
+    return end != none && m_places[end].joined_with == none && m_places[end].sides.size() == 1 &&
+        m_places[end].near_pieces.empty();
   }
 };
 

@@ -16,13 +16,15 @@ namespace Spline_constraints {
 namespace internal {
 namespace Loci {
 
-// A point on the boundary of a part of the plane of two parameters, where the next part has the same solutions: ranges of both parameters, and two points of a line that it lies on.
+// A point on the boundary of a part of the plane of two parameters, where the next part has the same solutions: ranges
+// of both parameters, and two points of a line that it lies on.
 struct Joint_place
 {
   std::array<std::pair<Exact_rational, Exact_rational>, 2> ranges;
   std::array<Exact_vector<2>, 2> line;
 
-  // Whether both may be the same point: on the same line, and within ranges that meet. All solutions on the line are known on both of its sides, so if a place meets just one, they are the same.
+  // Whether both may be the same point: on the same line, and within ranges that meet. All solutions on the line are
+  // known on both of its sides, so if a place meets just one, they are the same.
   bool may_be(const Joint_place& other) const
   {
     for (const Exact_vector<2>& p : other.line)

@@ -25,8 +25,9 @@ namespace internal {
 namespace Loci {
 
 /*
-A bilinear map from unknowns s, h in [0,1] to pairs of parameters, by the images of the corners. Where a side of the square is mapped to one pair that satisfies an equation by nature, or to the diagonal u = v,
-what is left of the equation after division by the distance from the side tells how the other solutions go on there: a blow-up.
+A bilinear map from unknowns s, h in [0,1] to pairs of parameters, by the images of the corners. Where a side of the
+square is mapped to one pair that satisfies an equation by nature, or to the diagonal u = v, what is left of the
+equation after division by the distance from the side tells how the other solutions go on there: a blow-up.
 */
 class Pair_chart
 {
@@ -41,7 +42,10 @@ public:
   Double_pair parameters(const std::vector<double>& unknowns) const
   {
     const auto corner = [&](std::size_t k, std::size_t i) { return to_nearest_double(m_corners[k][i]); };
-    const auto parameter = [&](std::size_t i) { return std::lerp(std::lerp(corner(0, i), corner(1, i), unknowns[0]), std::lerp(corner(2, i), corner(3, i), unknowns[0]), unknowns[1]); };
+    const auto parameter = [&](std::size_t i) {
+      return std::lerp(std::lerp(corner(0, i), corner(1, i), unknowns[0]),
+                       std::lerp(corner(2, i), corner(3, i), unknowns[0]), unknowns[1]);
+    };
     return {parameter(0), parameter(1)};
   }
 
@@ -66,7 +70,9 @@ public:
     const Power_polynomial s = Power_polynomial::variable(0), h = Power_polynomial::variable(1), one(Exact_rational(1));
     std::vector<Power_polynomial> parameters;
     for (const std::size_t i : {0, 1}) {
-      const auto side = [&](std::size_t k) { return (one - s) * Power_polynomial(m_corners[k][i]) + s * Power_polynomial(m_corners[k + 1][i]); };
+      const auto side = [&](std::size_t k) {
+        return (one - s) * Power_polynomial(m_corners[k][i]) + s * Power_polynomial(m_corners[k + 1][i]);
+      };
       parameters.push_back((one - h) * side(0) + h * side(2));
     }
     const Power_polynomial composition = composed(numerator_polynomial(formula), parameters);
@@ -82,7 +88,9 @@ private:
       std::vector<Exact_rational> values;
       for (const Exact_rational& s : {box[0].first, box[0].second})
         for (const Exact_rational& h : {box[1].first, box[1].second}) {
-          const auto side = [&](std::size_t k) { return Exact_rational((1 - s) * m_corners[k][i] + s * m_corners[k + 1][i]); };
+          const auto side = [&](std::size_t k) {
+            return Exact_rational((1 - s) * m_corners[k][i] + s * m_corners[k + 1][i]);
+          };
           values.push_back(Exact_rational((1 - h) * side(0) + h * side(2)));
         }
       const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
@@ -100,7 +108,8 @@ inline Pair_chart chart_of_piece(const Differentiated_map& piece)
 }
 
 // The pairs on two different pieces, in the order of the curve. Common ends of them are blown up.
-inline std::vector<Pair_chart> charts_of_pieces(const Differentiated_map& first, const Differentiated_map& second, bool is_next, bool is_next_across_seam)
+inline std::vector<Pair_chart> charts_of_pieces(const Differentiated_map& first, const Differentiated_map& second,
+                                                bool is_next, bool is_next_across_seam)
 {
   std::vector<Pair_chart> result;
   // The corner and the one opposite to it.
@@ -109,14 +118,17 @@ inline std::vector<Pair_chart> charts_of_pieces(const Differentiated_map& first,
     result.push_back(Pair_chart({corner, corner, Exact_pair{other[0], corner[1]}, other}));
   };
   const auto add_rectangle = [&](const Exact_rational& begin, const Exact_rational& end) {
-    result.push_back(Pair_chart({Exact_pair{begin, second.begin()}, Exact_pair{end, second.begin()}, Exact_pair{begin, second.end()}, Exact_pair{end, second.end()}}));
+    result.push_back(Pair_chart({Exact_pair{begin, second.begin()}, Exact_pair{end, second.begin()},
+                                 Exact_pair{begin, second.end()}, Exact_pair{end, second.end()}}));
   };
   if (!is_next && !is_next_across_seam) {
     add_rectangle(first.begin(), first.end());
     return result;
   }
-  const Exact_rational share = Exact_rational(5) / 7, length = first.end() - first.begin();   // not the whole: symmetric curves have solutions along the diagonal of the rectangle
-  const Exact_rational cut = is_next ? Exact_rational(first.end() - share * length) : Exact_rational(first.begin() + share * length);
+  // not the whole: symmetric curves have solutions along the diagonal of the rectangle
+  const Exact_rational share = Exact_rational(5) / 7, length = first.end() - first.begin();
+  const Exact_rational cut =
+      is_next ? Exact_rational(first.end() - share * length) : Exact_rational(first.begin() + share * length);
   if (is_next_across_seam)
     add_triangles({first.begin(), second.end()}, {cut, second.begin()});
   else

@@ -32,7 +32,8 @@ inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * 
 inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline Double_pair rounded_pair(const Exact_pair& p) { return {to_nearest_double(p[0]), to_nearest_double(p[1])}; }
 
-// Points of two curves with the derivatives there. Their difference is rounded once, since the points may be next to each other.
+// Points of two curves with the derivatives there. Their difference is rounded once, since the points may be next to
+// each other.
 struct Pair_of_points
 {
   std::array<Double_pair, 2> points, tangents;
@@ -40,12 +41,17 @@ struct Pair_of_points
   Double_pair second_derivative{};   // of the first curve, where it is known
 };
 
-inline Pair_of_points pair_of_points(const Differentiated_map& first, const Differentiated_map& second, const Double_pair& parameters)
+inline Pair_of_points pair_of_points(const Differentiated_map& first, const Differentiated_map& second,
+                                     const Double_pair& parameters)
 {
-  const auto place = [](const Differentiated_map& curve, double t) { return (std::max)(curve.begin(), (std::min)(Exact_rational(t), curve.end())); };
+  const auto place = [](const Differentiated_map& curve, double t) {
+    return (std::max)(curve.begin(), (std::min)(Exact_rational(t), curve.end()));
+  };
   const Exact_rational u = place(first, parameters[0]), v = place(second, parameters[1]);
   const Exact_pair p = first.at(0, u), q = second.at(0, v);
-  Pair_of_points result{{rounded_pair(p), rounded_pair(q)}, {rounded_pair(first.at(1, u)), rounded_pair(second.at(1, v))}, rounded_pair({Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])})};
+  Pair_of_points result{{rounded_pair(p), rounded_pair(q)},
+                        {rounded_pair(first.at(1, u)), rounded_pair(second.at(1, v))},
+                        rounded_pair({Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])})};
   if (first.order() >= 2)
     result.second_derivative = rounded_pair(first.at(2, u));
   return result;
@@ -57,9 +63,13 @@ struct Pair_of_parts
   Differentiated_map first, second;
   std::function<Double_pair(const std::vector<double>&)> parameters;
   std::vector<std::size_t> closed_unknowns;   // those at both ends of whose ranges the equation has the same solutions
-  std::function<std::optional<Joint_place>(const Curve_vertex::Exact_box&)> place = {};   // where a curve goes on in another part, if it may, in a solution on the boundary
+  // where a curve goes on in another part, if it may, in a solution on the boundary
+  std::function<std::optional<Joint_place>(const Curve_vertex::Exact_box&)> place = {};
 
-  Pair_of_points points(const std::vector<double>& unknowns) const { return pair_of_points(first, second, parameters(unknowns)); }
+  Pair_of_points points(const std::vector<double>& unknowns) const
+  {
+    return pair_of_points(first, second, parameters(unknowns));
+  }
 };
 
 // A range of the length of the derivative. \throws Invalid_input when it may be zero; the message says where.
@@ -71,13 +81,20 @@ inline Exact_range speed_range(const Differentiated_map& curve, const std::strin
 
 // Calls visit(parts, u, v) for each two parts of two curves, whose parameters are the unknowns u and v.
 template <class Visit>
-void visit_pairs_of_parts(const std::vector<Smooth_part>& first_parts, const std::vector<Smooth_part>& second_parts, const Visit& visit)
+void visit_pairs_of_parts(const std::vector<Smooth_part>& first_parts, const std::vector<Smooth_part>& second_parts,
+                          const Visit& visit)
 {
   for (const Smooth_part& first : first_parts)
     for (const Smooth_part& second : second_parts) {
-      Pair_of_parts parts{first.curve, second.curve, [](const std::vector<double>& unknowns) { return Double_pair{unknowns[0], unknowns[1]}; }, {}};
+      Pair_of_parts parts{first.curve,
+                          second.curve,
+                          [](const std::vector<double>& unknowns) {
+                            return Double_pair{unknowns[0], unknowns[1]};
+                          },
+                          {}};
       for (const std::size_t k : {0, 1})
-        if (const Differentiated_map& curve = k == 0 ? first.curve : second.curve; curve.map().is_closed() && have_common_tangent(curve, curve))
+        if (const Differentiated_map& curve = k == 0 ? first.curve : second.curve;
+            curve.map().is_closed() && have_common_tangent(curve, curve))
           parts.closed_unknowns.push_back(k);
       const auto [u, v] = Spline_constraints::parameters(first.curve.map(), second.curve.map());
       visit(parts, u, v);

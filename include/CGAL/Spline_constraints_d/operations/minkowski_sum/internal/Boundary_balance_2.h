@@ -20,7 +20,9 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-Which curves between vertices are boundaries of a region that is on the left of these, as far as it follows from what is known of others: the boundary of a region is made of cycles, so as many of its curves end in each vertex as begin there. What ends where nothing begins is no boundary.
+Which curves between vertices are boundaries of a region that is on the left of these, as far as it follows from what is
+known of others: the boundary of a region is made of cycles, so as many of its curves end in each vertex as begin there.
+What ends where nothing begins is no boundary.
 
 A vertex may stand for several points that are not told apart, with all that is between them.
 */
@@ -33,12 +35,14 @@ class Boundary_balance_2
   };
 
   std::vector<Curve> m_curves;
-  std::map<std::size_t, std::array<std::vector<std::size_t>, 2>> m_stars;   // of each vertex, the curves that begin there and those that end
+  // of each vertex, the curves that begin there and those that end
+  std::map<std::size_t, std::array<std::vector<std::size_t>, 2>> m_stars;
   std::set<std::size_t> m_exceptions;
 
 public:
   // Curves by the vertices at their begins and ends, and vertices where there may be others.
-  Boundary_balance_2(const std::vector<std::array<std::size_t, 2>>& curves, std::set<std::size_t> exceptions) : m_exceptions(std::move(exceptions))
+  Boundary_balance_2(const std::vector<std::array<std::size_t, 2>>& curves, std::set<std::size_t> exceptions)
+    : m_exceptions(std::move(exceptions))
   {
     for (const std::array<std::size_t, 2>& vertices : curves) {
       for (const std::size_t e : {0, 1})
@@ -93,9 +97,11 @@ private:
     return result;
   }
 
-  void settle(const std::vector<std::size_t>& ends, bool are_ends_boundaries, const std::vector<std::size_t>& begins, bool are_begins_boundaries, std::vector<std::size_t>& vertices)
+  void settle(const std::vector<std::size_t>& ends, bool are_ends_boundaries, const std::vector<std::size_t>& begins,
+              bool are_begins_boundaries, std::vector<std::size_t>& vertices)
   {
-    for (const auto& [curves, value] : {std::pair(&ends, are_ends_boundaries), std::pair(&begins, are_begins_boundaries)})
+    for (const auto& [curves, value] :
+         {std::pair(&ends, are_ends_boundaries), std::pair(&begins, are_begins_boundaries)})
       for (const std::size_t i : *curves)
         if (Curve& curve = m_curves[i]; !curve.is_boundary) {
           curve.is_boundary = value;

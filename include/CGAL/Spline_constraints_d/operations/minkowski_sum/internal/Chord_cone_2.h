@@ -16,8 +16,11 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-The directions of the chords from an end of a curve that turns to one side, by at most 45 degrees, or not at all: those between its first and its last direction, without both; or the only one. Two curves with a common end, whose cones have no direction in common, have no other common point. This is
-decided exactly, so that the curves may be tangential in the end and their curvatures may be the same there, as those of a segment and a cubic whose first three control points are on a line.
+The directions of the chords from an end of a curve that turns to one side, by at most 45 degrees, or not at all: those
+between its first and its last direction, without both; or the only one. Two curves with a common end, whose cones have
+no direction in common, have no other common point. This is decided exactly, so that the curves may be tangential in the
+end and their curvatures may be the same there, as those of a segment and a cubic whose first three control points are
+on a line.
 */
 class Chord_cone_2
 {
@@ -40,7 +43,8 @@ public:
       for (const Exact_pair& e : b.m_directions)
         if (sign_of(exact_dot(d, e)) < 0)
           return true;
-    const int after = sign_of(exact_cross(a.m_directions[1], b.m_directions[0])), before = sign_of(exact_cross(b.m_directions[1], a.m_directions[0]));
+    const int after = sign_of(exact_cross(a.m_directions[1], b.m_directions[0])),
+              before = sign_of(exact_cross(b.m_directions[1], a.m_directions[0]));
     return (after >= 0 || before >= 0) && !(a.is_single() && b.is_single() && after == 0);
   }
 

@@ -28,12 +28,17 @@ struct Common_inflection
 };
 
 /*
-The inflections that two regions have in common, as where a region is added to itself. Sums C(u) + C(v) with common directions are those with u = v, and a fold: let m and s be half of the sum and of the difference of v and u, A and D the means
+The inflections that two regions have in common, as where a region is added to itself. Sums C(u) + C(v) with common
+directions are those with u = v, and a fold: let m and s be half of the sum and of the difference of v and u, A and D
+the means
 
   A = (C'(u) + C'(v)) / 2,   D = (C'(v) - C'(u)) / 2s,   C'(u) x C'(v) = 2 s A x D.
 
-All are smooth functions of m and q = s^2, and Q = A x D = 0 is the graph of a function m(q) where Q_m = A_m x D + A x D_m is not zero. Along it the sum moves with the derivative 2 m_q A + D, where m_q = -Q_q / Q_m, A_q is half of a third derivative, and D_q is a sixth of a fourth one. Both branches, v > u and v < u, are the same points: a curve that begins in the
-sum of the inflections. It belongs to the convolution, as the sum of the curvatures is positive, if the arc that turns to the right runs in its direction.
+All are smooth functions of m and q = s^2, and Q = A x D = 0 is the graph of a function m(q) where Q_m = A_m x D + A x
+D_m is not zero. Along it the sum moves with the derivative 2 m_q A + D, where m_q = -Q_q / Q_m, A_q is half of a third
+derivative, and D_q is a sixth of a fourth one. Both branches, v > u and v < u, are the same points: a curve that begins
+in the sum of the inflections. It belongs to the convolution, as the sum of the curvatures is positive, if the arc that
+turns to the right runs in its direction.
 */
 class Common_inflections_2
 {
@@ -55,7 +60,9 @@ public:
   {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < m_inflections.size(); ++i) {
-      const auto reaches = [&](std::size_t k) { return elements[k] + 1 >= m_inflections[i].elements[k] && elements[k] <= m_inflections[i].elements[k] + 1; };
+      const auto reaches = [&](std::size_t k) {
+        return elements[k] + 1 >= m_inflections[i].elements[k] && elements[k] <= m_inflections[i].elements[k] + 1;
+      };
       if (reaches(0) && reaches(1))
         result.push_back(i);
     }
@@ -71,7 +78,9 @@ private:
       return false;
     const Region_element &before = all[i - 1], &behind = all[i + 1];
     const auto turns = [](const Region_element& e, Turn turn) { return !e.is_corner && e.turn == turn; };
-    return before.arc == all[i].arc && behind.arc == all[i].arc && ((turns(before, Turn::LEFT) && turns(behind, Turn::RIGHT)) || (turns(before, Turn::RIGHT) && turns(behind, Turn::LEFT)));
+    return before.arc == all[i].arc && behind.arc == all[i].arc &&
+        ((turns(before, Turn::LEFT) && turns(behind, Turn::RIGHT)) ||
+         (turns(before, Turn::RIGHT) && turns(behind, Turn::LEFT)));
   }
 
   static bool are_same(const Region_elements_2& first, std::size_t i, const Region_elements_2& second, std::size_t j)
@@ -81,7 +90,8 @@ private:
       if (a.begin != b.begin || a.end != b.end)
         return false;
     }
-    return translation(first.arcs()[first.elements()[i].arc], second.arcs()[second.elements()[j].arc], false).has_value();
+    return translation(first.arcs()[first.elements()[i].arc], second.arcs()[second.elements()[j].arc], false)
+        .has_value();
   }
 
   void add(const Region_elements_2& region, const std::array<std::size_t, 2>& elements)
@@ -92,8 +102,10 @@ private:
     const Range range = region.elements()[i].range;
     const Site_arc_2& arc = region.arcs()[before.arc];
     for (double width = 0.25; width > least_width; width /= 2) {
-      const Range near{(std::max)(range.begin - width, before.range.begin), (std::min)(range.end + width, behind.range.end)};
-      if (const int sign = direction_of_fold(arc, near); sign != 0 && has_other_directions(arc, range, near.begin) && has_other_directions(arc, range, near.end)) {
+      const Range near{(std::max)(range.begin - width, before.range.begin),
+                       (std::min)(range.end + width, behind.range.end)};
+      if (const int sign = direction_of_fold(arc, near);
+          sign != 0 && has_other_directions(arc, range, near.begin) && has_other_directions(arc, range, near.end)) {
         m_inflections.push_back({elements, range, near, (sign > 0) == (before.turn == Turn::LEFT)});
         return;
       }
@@ -101,9 +113,13 @@ private:
   }
 
   // Whether no direction in a range is that of a point.
-  static bool has_other_directions(const Site_arc_2& arc, const Range& range, double t) { return certain_sign(cross(arc.jet(range, 1)[1], arc.jet({t, t}, 1)[1])) != 0; }
+  static bool has_other_directions(const Site_arc_2& arc, const Range& range, double t)
+  {
+    return certain_sign(cross(arc.jet(range, 1)[1], arc.jet({t, t}, 1)[1])) != 0;
+  }
 
-  // Whether the fold runs with the arc (1) or against it (-1), if both parameters are in a range; 0 if that is not certain.
+  // Whether the fold runs with the arc (1) or against it (-1), if both parameters are in a range; 0 if that is not
+  // certain.
   static int direction_of_fold(const Site_arc_2& arc, const Range& range)
   {
     const Curve_jet c = arc.jet(range, 4);

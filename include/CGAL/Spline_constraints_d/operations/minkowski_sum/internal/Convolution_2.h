@@ -28,10 +28,12 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-The part of the convolution of two boundaries that the boundary of the Minkowski sum is on: sums of points with the same direction, where the sum of both curvatures is not negative. Elsewhere the regions, one of them
-reflected, overlap near their contact. So both do not turn to the right, or rest in a reflex corner.
+The part of the convolution of two boundaries that the boundary of the Minkowski sum is on: sums of points with the same
+direction, where the sum of both curvatures is not negative. Elsewhere the regions, one of them reflected, overlap near
+their contact. So both do not turn to the right, or rest in a reflex corner.
 
-Where directions of both regions are the same at joints or on straight parts, those of the first region are taken for slightly farther to the left. So each sum of straight parts is two pieces, one after the other.
+Where directions of both regions are the same at joints or on straight parts, those of the first region are taken for
+slightly farther to the left. So each sum of straight parts is two pieces, one after the other.
 */
 class Convolution_2
 {
@@ -42,7 +44,8 @@ class Convolution_2
   std::vector<Interval_pair> m_doubtful;
 
 public:
-  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior) : m_regions{&first, &second}, m_interior(interior), m_inflections(first, second)
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior)
+    : m_regions{&first, &second}, m_interior(interior), m_inflections(first, second)
   {
     for (std::size_t i = 0; i < first.elements().size(); ++i)
       for (std::size_t j = 0; j < second.elements().size(); ++j)
@@ -51,18 +54,24 @@ public:
 
   const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
 
-  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is not certain, and that are not proved to be inside of the sum either.
+  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is
+  // not certain, and that are not proved to be inside of the sum either.
   const std::vector<Interval_pair>& doubtful() const { return m_doubtful; }
 
 private:
-  const Region_element& element(std::size_t region, std::size_t index) const { return m_regions[region]->elements()[index]; }
+  const Region_element& element(std::size_t region, std::size_t index) const
+  {
+    return m_regions[region]->elements()[index];
+  }
 
   void add_sums(const std::array<std::size_t, 2>& elements)
   {
     const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
-    if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) || (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
+    if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) ||
+        (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
       return;
-    const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
+    const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner,
+               can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
     if (can_first_turn || can_second_turn)
       add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
     else if (!m_inflections.next_to(elements).empty())
@@ -77,19 +86,22 @@ private:
       m_doubtful.push_back(box);
   }
 
-  // Of two elements that turn to the left the one with the larger curvature is the turning one: where the curvature is nearly zero, the point is not a smooth function of the direction.
+  // Of two elements that turn to the left the one with the larger curvature is the turning one: where the curvature is
+  // nearly zero, the point is not a smooth function of the direction.
   double curvature(std::size_t region, const Region_element& element) const
   {
     if (element.is_corner)
       return std::numeric_limits<double>::infinity();
     const auto at = [&](double t) {
       const Tangent_jet jet = tangent_jet(m_regions[region]->arcs()[element.arc], {t, t});
-      return jet.turn().inf() / (jet.speed.sup() * std::pow(jet.squared_length().inf(), 1.5));   // infinite where the derivative is zero
+      // infinite where the derivative is zero
+      return jet.turn().inf() / (jet.speed.sup() * std::pow(jet.squared_length().inf(), 1.5));
     };
     return (std::min)(at(element.range.begin), at(element.range.end));
   }
 
-  // Elements with a common direction turn by less than 45 degrees each, so that all of their directions are within 90 degrees of each other.
+  // Elements with a common direction turn by less than 45 degrees each, so that all of their directions are within 90
+  // degrees of each other.
   static bool may_have_common_direction(const Region_element& a, const Region_element& b)
   {
     for (const Exact_pair& d : a.exact_directions)
@@ -99,7 +111,8 @@ private:
     return true;
   }
 
-  // A small part with an inflection, and an element that does not turn to the left, or is one like that too: common directions, unless the sum of both curvatures is negative.
+  // A small part with an inflection, and an element that does not turn to the left, or is one like that too: common
+  // directions, unless the sum of both curvatures is negative.
   void add_unknown_sums(const std::array<std::size_t, 2>& elements, std::size_t unknown)
   {
     constexpr double least_width = 0x1p-20, least_straight_width = 0x1p-8;
@@ -115,9 +128,12 @@ private:
       const Range part = todo.back();
       todo.pop_back();
       const Tangent_jet q = tangent_jet(m_regions[1 - unknown]->arcs()[b.arc], part);
-      if (certain_sign(cross(p.tangent, q.tangent)) != 0 || certain_sign(q.speed * curvature(p) + p.speed * curvature(q)) < 0)
+      if (certain_sign(cross(p.tangent, q.tangent)) != 0 ||
+          certain_sign(q.speed * curvature(p) + p.speed * curvature(q)) < 0)
         continue;
-      const bool is_cut = b.turn == Turn::RIGHT ? part.width() > least_width : b.turn == Turn::STRAIGHT && part.width() > least_straight_width && !CGAL::certainly(m_interior.contains(p.point + q.point));
+      const bool is_cut = b.turn == Turn::RIGHT ? part.width() > least_width
+                                                : b.turn == Turn::STRAIGHT && part.width() > least_straight_width &&
+              !CGAL::certainly(m_interior.contains(p.point + q.point));
       if (is_cut) {
         todo.push_back({part.begin, part.middle()});
         todo.push_back({part.middle(), part.end});
@@ -126,14 +142,16 @@ private:
     }
   }
 
-  // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the right.
+  // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the
+  // right.
   struct Side
   {
     int sign;
     bool is_tie;
   };
 
-  Side side(std::size_t turning, const Region_element& a, std::size_t a_end, const Region_element& b, std::size_t b_end) const
+  Side side(std::size_t turning, const Region_element& a, std::size_t a_end, const Region_element& b,
+            std::size_t b_end) const
   {
     int sign = certain_sign(cross(a.directions[a_end], b.directions[b_end]));
     if (sign == 0)
@@ -166,7 +184,8 @@ private:
   }
 
   // Extends a piece of the moving element to an inflection that both regions have in common.
-  void set_inflection(std::size_t index, std::size_t moving, std::size_t region, std::array<Convolution_end, 2>& ends) const
+  void set_inflection(std::size_t index, std::size_t moving, std::size_t region,
+                      std::array<Convolution_end, 2>& ends) const
   {
     const Common_inflection& inflection = m_inflections[index];
     const std::size_t e = moving < inflection.elements[region] ? 1 : 0;
@@ -175,15 +194,19 @@ private:
     ends[e].inflection = index;
   }
 
-  // Where the moving element has begun (e = 0) to have common directions with the turning one, or ceases to (e = 1): in its end, or inside in the first or last direction of the turning element.
-  std::optional<Convolution_end> end_of_piece(const std::array<std::size_t, 2>& elements, std::size_t turning, std::size_t e) const
+  // Where the moving element has begun (e = 0) to have common directions with the turning one, or ceases to (e = 1): in
+  // its end, or inside in the first or last direction of the turning element.
+  std::optional<Convolution_end> end_of_piece(const std::array<std::size_t, 2>& elements, std::size_t turning,
+                                              std::size_t e) const
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
     const std::size_t limit = (b.turn != Turn::RIGHT) == (e == 0) ? 0 : 1;
     const int inside = limit == 0 ? 1 : -1;
     const Side here = side(turning, a, limit, b, e), there = side(turning, a, limit, b, 1 - e);
     Convolution_end result{};
-    const auto set_joint = [&](std::size_t region, int end) { result.joints[region] = m_regions[region]->joint(elements[region], end); };
+    const auto set_joint = [&](std::size_t region, int end) {
+      result.joints[region] = m_regions[region]->joint(elements[region], end);
+    };
     const double end = e == 0 ? b.range.begin : b.range.end;
     if (here.sign == inside || here.is_tie) {
       if (here.sign != inside && there.sign != inside)
@@ -204,20 +227,25 @@ private:
     return result;
   }
 
-  // Where an element has a direction that it passes once, and behind which its own directions are on the left (sign 1) or right (-1).
-  Range parameter_of_direction(std::size_t region, const Region_element& element, const Exact_pair& direction, int sign) const
+  // Where an element has a direction that it passes once, and behind which its own directions are on the left (sign 1)
+  // or right (-1).
+  Range parameter_of_direction(std::size_t region, const Region_element& element, const Exact_pair& direction,
+                               int sign) const
   {
     constexpr double enough = 0x1p-40;
     const Range result = parameter_of_direction<Interval>(region, element.arc, element.range, direction, sign);
-    return result.width() > enough ? parameter_of_direction<Fine_interval>(region, element.arc, result, direction, sign) : result;
+    return result.width() > enough ? parameter_of_direction<Fine_interval>(region, element.arc, result, direction, sign)
+                                   : result;
   }
 
   // In a range, with the signs that a number type tells.
   template <Enclosing_number Number>
-  Range parameter_of_direction(std::size_t region, std::size_t index, Range result, const Exact_pair& exact_direction, int sign) const
+  Range parameter_of_direction(std::size_t region, std::size_t index, Range result, const Exact_pair& exact_direction,
+                               int sign) const
   {
     const auto& arc = m_regions[region]->template arc<Number>(index);
-    const std::array<Number, 2> direction{interval_of<Number>(exact_direction[0]), interval_of<Number>(exact_direction[1])};
+    const std::array<Number, 2> direction{interval_of<Number>(exact_direction[0]),
+                                          interval_of<Number>(exact_direction[1])};
     for (bool is_shorter = true; is_shorter;) {
       is_shorter = false;
       for (const double part : {0.5, 0.25, 0.75}) {
@@ -246,20 +274,24 @@ private:
       last = -side_of_inflection(1 - turning, b, a.exact_directions[1]);
     if (first < 0 || last < 0)
       return;
-    std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
+    std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}},
+                                        Convolution_end{{b.range.end, b.range.end}, {}}};
     for (std::size_t e = 0; e < 2; ++e) {
       ends[e].direction = b.exact_directions[e];
       ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
     }
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
-    if (first > 0 && last > 0 && (a.is_corner || piece.sign_of_speed(b.range) > 0 || piece.sign_of_speed<Fine_interval>(b.range) > 0))
+    if (first > 0 && last > 0 &&
+        (a.is_corner || piece.sign_of_speed(b.range) > 0 || piece.sign_of_speed<Fine_interval>(b.range) > 0))
       m_pieces.push_back(piece);
     else
       add_doubtful(piece(b.range).point);
   }
 
   /*
-  On which side of a direction those of a small part with an inflection are, if it is exactly that of the inflection, in a rational parameter: 1 on the left, -1 on the right. There an arc turns back, so that its directions are on one side; no others need to be told apart in this point.
+  On which side of a direction those of a small part with an inflection are, if it is exactly that of the inflection, in
+  a rational parameter: 1 on the left, -1 on the right. There an arc turns back, so that its directions are on one side;
+  no others need to be told apart in this point.
   */
   int side_of_inflection(std::size_t region, const Region_element& element, const Exact_pair& direction) const
   {
@@ -272,28 +304,39 @@ private:
     const std::array<Exact_rational, 1> at{*t};
     if (sign_of(side(at)) != 0 || sign_of(change(at)) != 0)
       return 0;
-    const std::vector<Exact_rational> c = change.derivative(0).restricted(0, to_rational(element.range.begin), to_rational(element.range.end)).coefficients();
+    const std::vector<Exact_rational> c =
+        change.derivative(0)
+            .restricted(0, to_rational(element.range.begin), to_rational(element.range.end))
+            .coefficients();
     const int sign = sign_of(c.front());
     return std::all_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == sign; }) ? sign : 0;
   }
 
-  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further. At a simple zero, a cusp, the regions cross in third order, so that it is inside, too; so a part may end there, somewhere in a range.
+  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the
+  // moving arc. What is inside of the sum, as most zeros of it are, need not be cut further. At a simple zero, a cusp,
+  // the regions cross in third order, so that it is inside, too; so a part may end there, somewhere in a range.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
     constexpr double least_width = 0x1p-44, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
     const Curvature_sign_2 sign(piece);
-    constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
+    // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the
+    // same tangent as an inflection of both regions
+    constexpr int most_idle_rounds = 2;
     std::vector<Range> convex, cusps, unknown{without_fold(piece, convex)};
     int idle_rounds = 0;
-    for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
+    for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() &&
+         width >= least_width && total_width(unknown) <= most_parts * width;
+         width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
         append_by_sign(sign, range, width, convex, parts);
       if (total_width(parts) < enough * total_width(unknown))
-        std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+        std::erase_if(parts,
+                      [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
       else
         ++idle_rounds;
-      std::erase_if(parts, [&](const Range& part) { return separate_by_cusp(sign, part, piece.range(), convex, cusps); });
+      std::erase_if(parts,
+                    [&](const Range& part) { return separate_by_cusp(sign, part, piece.range(), convex, cusps); });
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)
@@ -313,8 +356,10 @@ private:
     }
   }
 
-  // Whether the sum of both curvatures has one zero in a part, not next to an end of the piece, and the signs around this are known.
-  static bool separate_by_cusp(const Curvature_sign_2& sign, const Range& part, const Range& all, std::vector<Range>& convex, std::vector<Range>& cusps)
+  // Whether the sum of both curvatures has one zero in a part, not next to an end of the piece, and the signs around
+  // this are known.
+  static bool separate_by_cusp(const Curvature_sign_2& sign, const Range& part, const Range& all,
+                               std::vector<Range>& convex, std::vector<Range>& cusps)
   {
     const std::optional<Curvature_sign_2::Cusp> cusp = sign.only_cusp(part);
     if (!cusp || cusp->range.begin <= all.begin || cusp->range.end >= all.end)
@@ -326,7 +371,8 @@ private:
     return true;
   }
 
-  // A piece without its part next to an inflection that both regions have in common, where the sign is known; this is a convex one, if that is positive.
+  // A piece without its part next to an inflection that both regions have in common, where the sign is known; this is a
+  // convex one, if that is positive.
   Range without_fold(const Convolution_piece_2& piece, std::vector<Range>& convex) const
   {
     constexpr int most_halvings = 16;
@@ -336,7 +382,10 @@ private:
         const Common_inflection& inflection = m_inflections[*index];
         double share = 1;
         for (int k = 0; k < most_halvings; ++k, share /= 2) {
-          const double from = e == 0 ? piece.end(0).range.end : piece.end(1).range.begin, far = e == 0 ? (std::min)(inflection.near.end, result.end) : (std::max)(inflection.near.begin, result.begin), t = from + share * (far - from);
+          const double from = e == 0 ? piece.end(0).range.end : piece.end(1).range.begin,
+                       far = e == 0 ? (std::min)(inflection.near.end, result.end)
+                                    : (std::max)(inflection.near.begin, result.begin),
+                       t = from + share * (far - from);
           const Range u = piece.turning_range({t, t});
           if (!(inflection.near.begin <= u.begin && u.end <= inflection.near.end))
             continue;
@@ -350,7 +399,8 @@ private:
   }
 
   // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.
-  void append_by_sign(const Curvature_sign_2& sign_of, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
+  void append_by_sign(const Curvature_sign_2& sign_of, const Range& range, double width, std::vector<Range>& positive,
+                      std::vector<Range>& unknown) const
   {
     const int sign = sign_of(range);
     if (sign != 0 || range.width() <= width) {
@@ -364,7 +414,8 @@ private:
 
   static double total_width(const std::vector<Range>& ranges)
   {
-    return std::accumulate(ranges.begin(), ranges.end(), 0.0, [](double sum, const Range& range) { return sum + range.width(); });
+    return std::accumulate(ranges.begin(), ranges.end(), 0.0,
+                           [](double sum, const Range& range) { return sum + range.width(); });
   }
 
   // Appends a range, or joins it with the last one.

@@ -26,9 +26,11 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-The pieces of a convolution, cut where they cross, touch, or end in others. Outside of the cuts they have nothing in common, but inside of the sum.
+The pieces of a convolution, cut where they cross, touch, or end in others. Outside of the cuts they have nothing in
+common, but inside of the sum.
 
-Crossings are found with intervals of doubles. Where these do not tell, rational points are tried first, and then the level above doubles.
+Crossings are found with intervals of doubles. Where these do not tell, rational points are tried first, and then the
+level above doubles.
 */
 class Convolution_cuts_2
 {
@@ -60,7 +62,8 @@ private:
   Vertex_classes m_vertices{0};
 
 public:
-  Convolution_cuts_2(const std::vector<Convolution_piece_2>& pieces, const Sum_interior_2& interior) : m_interior(interior), m_graph(pieces)
+  Convolution_cuts_2(const std::vector<Convolution_piece_2>& pieces, const Sum_interior_2& interior)
+    : m_interior(interior), m_graph(pieces)
   {
     find_meetings();
     make_cuts();
@@ -93,11 +96,13 @@ private:
   {
     m_curves.clear();
     for (const Convolution_piece_2& piece : m_graph.pieces())
-      m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range(), [&piece](double t) { return piece.fine_point(t); });
+      m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range(),
+                            [&piece](double t) { return piece.fine_point(t); });
     m_meetings.clear();
     for (std::size_t i = 0; i < m_curves.size(); ++i)
       for (std::size_t j = i + 1; j < m_curves.size(); ++j)
-        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j) && !go_on_over_inflection(i, j) && !go_on_over_inflection(j, i))
+        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j) &&
+            !go_on_over_inflection(i, j) && !go_on_over_inflection(j, i))
           if (std::vector<Crossing_2> crossings = crossings_of<Interval>(i, j); !crossings.empty())
             m_meetings.push_back({{i, j}, std::move(crossings), false});
   }
@@ -106,7 +111,8 @@ private:
   template <Enclosing_number Number>
   std::vector<Crossing_2> crossings_of(std::size_t i, std::size_t j) const
   {
-    std::vector<Crossing_2> result = Basic_crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))();
+    std::vector<Crossing_2> result =
+        Basic_crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))();
     std::erase_if(result, [&](const Crossing_2& crossing) {
       if (crossing.is_certain)
         return false;
@@ -128,15 +134,24 @@ private:
     return false;
   }
 
-  // Whether one piece goes on as the other one, over a small part of a moving arc that holds an inflection, and all three run forward along one direction: then they do not meet. Of the first and the last piece this is known from the directions of their ends, between which they turn, or from bounds of all their directions.
+  // Whether one piece goes on as the other one, over a small part of a moving arc that holds an inflection, and all
+  // three run forward along one direction: then they do not meet. Of the first and the last piece this is known from
+  // the directions of their ends, between which they turn, or from bounds of all their directions.
   bool go_on_over_inflection(std::size_t i, std::size_t j) const
   {
     for (std::size_t k = 0; k < m_curves.size(); ++k)
-      if (!m_graph.pieces()[k].is_convex() && m_graph.vertex(k, 0) == m_graph.vertex(i, 1) && m_graph.vertex(k, 1) == m_graph.vertex(j, 0)) {
-        const Interval_pair directions = m_curves[k].whole().direction(), one{Interval(directions[0].inf()), Interval(directions[1].inf())};
+      if (!m_graph.pieces()[k].is_convex() && m_graph.vertex(k, 0) == m_graph.vertex(i, 1) &&
+          m_graph.vertex(k, 1) == m_graph.vertex(j, 0)) {
+        const Interval_pair directions = m_curves[k].whole().direction(),
+                            one{Interval(directions[0].inf()), Interval(directions[1].inf())};
         const auto runs_forward = [&](std::size_t piece) {
           const auto& ends = m_graph.pieces()[piece].ends();
-          const bool are_ends_forward = m_graph.pieces()[piece].is_convex() && std::all_of(ends.begin(), ends.end(), [&](const Convolution_end& end) { return end.direction && certain_sign(dot(one, {interval_of((*end.direction)[0]), interval_of((*end.direction)[1])})) > 0; });
+          const bool are_ends_forward =
+              m_graph.pieces()[piece].is_convex() &&
+              std::all_of(ends.begin(), ends.end(), [&](const Convolution_end& end) {
+                return end.direction &&
+                    certain_sign(dot(one, {interval_of((*end.direction)[0]), interval_of((*end.direction)[1])})) > 0;
+              });
           return are_ends_forward || certain_sign(dot(one, m_curves[piece].whole().direction())) > 0;
         };
         if (certain_sign(dot(one, directions)) > 0 && runs_forward(i) && runs_forward(j))
@@ -164,7 +179,8 @@ private:
     m_cuts.clear();
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
       const Range range = m_curves[i].range(), inner = m_curves[i].inner_range();
-      m_cuts.push_back({Cut{{range.begin, inner.begin}, m_graph.vertex(i, 0), true}, Cut{{inner.end, range.end}, m_graph.vertex(i, 1), true}});
+      m_cuts.push_back({Cut{{range.begin, inner.begin}, m_graph.vertex(i, 0), true},
+                        Cut{{inner.end, range.end}, m_graph.vertex(i, 1), true}});
     }
     for (const Meeting& meeting : m_meetings)
       for (const Crossing_2& crossing : meeting.crossings) {
@@ -198,14 +214,16 @@ private:
     for_each_uncertain_cut([&](std::size_t i, const Cut& cut, const Interval_pair&) {
       const Convolution_piece_2& piece = m_graph.pieces()[i];
       const Range inner = piece.inner_range();
-      if (const auto t = Convolution_piece_2::simple_number(cut.range); t && to_rational(inner.begin) < *t && *t < to_rational(inner.end))
+      if (const auto t = Convolution_piece_2::simple_number(cut.range);
+          t && to_rational(inner.begin) < *t && *t < to_rational(inner.end))
         if (const auto point = piece.exact_point(*t))
           result.push_back(*point);
     });
     return result;
   }
 
-  // Finds crossings that are not decided, or not told apart, on the level above doubles. Returns whether there are any that were not found there before.
+  // Finds crossings that are not decided, or not told apart, on the level above doubles. Returns whether there are any
+  // that were not found there before.
   bool refine_meetings()
   {
     std::vector<char> is_to_be_refined(m_meetings.size(), false);
@@ -213,11 +231,14 @@ private:
       for (std::size_t m = 0; m < m_meetings.size(); ++m)
         for (const std::size_t k : {0, 1})
           if (const Meeting& meeting = m_meetings[m]; meeting.pieces[k] == i && !meeting.is_fine)
-            is_to_be_refined[m] = is_to_be_refined[m] || std::any_of(meeting.crossings.begin(), meeting.crossings.end(), [&](const Crossing_2& crossing) { return crossing.ranges[k].meets(cut.range); });
+            is_to_be_refined[m] = is_to_be_refined[m] ||
+                std::any_of(meeting.crossings.begin(), meeting.crossings.end(),
+                            [&](const Crossing_2& crossing) { return crossing.ranges[k].meets(cut.range); });
     });
     for (std::size_t m = 0; m < m_meetings.size(); ++m)
       if (is_to_be_refined[m])
-        m_meetings[m] = {m_meetings[m].pieces, crossings_of<Fine_interval>(m_meetings[m].pieces[0], m_meetings[m].pieces[1]), true};
+        m_meetings[m] = {m_meetings[m].pieces,
+                         crossings_of<Fine_interval>(m_meetings[m].pieces[0], m_meetings[m].pieces[1]), true};
     return std::find(is_to_be_refined.begin(), is_to_be_refined.end(), true) != is_to_be_refined.end();
   }
 

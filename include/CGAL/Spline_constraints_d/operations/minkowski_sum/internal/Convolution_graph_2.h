@@ -21,8 +21,9 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-Pieces of a convolution, cut where they pass rational points that others end in, so that pieces which are the same along a part are the same as a whole. One of those with the same direction is kept, and none of those with
-opposite directions, as the sum is on both sides then. Ends that are proved to be the same point have the same number.
+Pieces of a convolution, cut where they pass rational points that others end in, so that pieces which are the same along
+a part are the same as a whole. One of those with the same direction is kept, and none of those with opposite
+directions, as the sum is on both sides then. Ends that are proved to be the same point have the same number.
 */
 class Convolution_graph_2
 {
@@ -71,7 +72,10 @@ private:
     return result;
   }
 
-  static bool ends_in(const Convolution_piece_2& piece, const Exact_pair& point) { return piece.end(0).point == point || piece.end(1).point == point; }
+  static bool ends_in(const Convolution_piece_2& piece, const Exact_pair& point)
+  {
+    return piece.end(0).point == point || piece.end(1).point == point;
+  }
 
   bool split_at(const Exact_pair& point, std::vector<Interval_pair>& boxes)
   {
@@ -139,15 +143,18 @@ private:
   // Whether two pieces are the same curve with the same direction.
   static bool are_equal(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
-    return (are_same(p, 0, q, 0) && are_same(p, 1, q, 1) && are_on_same_curve(p, q, false)) || have_equal_ranges(p, q) || have_same_directions(p, q, false);
+    return (are_same(p, 0, q, 0) && are_same(p, 1, q, 1) && are_on_same_curve(p, q, false)) ||
+        have_equal_ranges(p, q) || have_same_directions(p, q, false);
   }
 
   static bool are_opposite(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
-    return (are_same(p, 0, q, 1) && are_same(p, 1, q, 0) && are_on_same_curve(p, q, true)) || have_same_directions(p, q, true);
+    return (are_same(p, 0, q, 1) && are_same(p, 1, q, 0) && are_on_same_curve(p, q, true)) ||
+        have_same_directions(p, q, true);
   }
 
-  // Of two pieces with the same ends. Circles through two points are the same if they have the same tangent in one of them.
+  // Of two pieces with the same ends. Circles through two points are the same if they have the same tangent in one of
+  // them.
   static bool are_on_same_curve(const Convolution_piece_2& p, const Convolution_piece_2& q, bool are_opposite)
   {
     if (p.is_straight() || q.is_straight())
@@ -164,12 +171,16 @@ private:
     if (p.has_corner() != q.has_corner())
       return false;
     const auto moving = translation(p.moving_arc(), q.moving_arc(), are_opposite);
-    const auto turning = p.has_corner() ? std::optional(exact_difference(q.turning_arc().at(1), p.turning_arc().at(1))) : translation(p.turning_arc(), q.turning_arc(), are_opposite);
-    return moving && turning && sign_of((*moving)[0] + (*turning)[0]) == 0 && sign_of((*moving)[1] + (*turning)[1]) == 0;
+    const auto turning = p.has_corner() ? std::optional(exact_difference(q.turning_arc().at(1), p.turning_arc().at(1)))
+                                        : translation(p.turning_arc(), q.turning_arc(), are_opposite);
+    return moving && turning && sign_of((*moving)[0] + (*turning)[0]) == 0 &&
+        sign_of((*moving)[1] + (*turning)[1]) == 0;
   }
 
   /*
-  Where ends are not rational, but those of sums of the same curves, and have the same directions, or opposite ones: elements that overlap have each direction once together. Turning arcs, which turn to the left, are not there in opposite directions.
+  Where ends are not rational, but those of sums of the same curves, and have the same directions, or opposite ones:
+  elements that overlap have each direction once together. Turning arcs, which turn to the left, are not there in
+  opposite directions.
   */
   static bool have_same_directions(const Convolution_piece_2& p, const Convolution_piece_2& q, bool are_opposite)
   {
@@ -183,19 +194,27 @@ private:
       return (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && a.range.begin < other.end && other.begin < a.range.end;
     };
     const bool have_corners = p.has_corner() && q.has_corner();
-    return (have_corners || (!are_opposite && !p.has_corner() && !q.has_corner() && overlap(p.turning_element(), q.turning_element(), false))) && overlap(p.moving_element(), q.moving_element(), are_opposite) && have_same_operands(p, q, are_opposite);
+    return (have_corners ||
+            (!are_opposite && !p.has_corner() && !q.has_corner() &&
+             overlap(p.turning_element(), q.turning_element(), false))) &&
+        overlap(p.moving_element(), q.moving_element(), are_opposite) && have_same_operands(p, q, are_opposite);
   }
 
-  // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at the same parameter of the moving arc, which is a number or the only cusp in its range.
+  // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at
+  // the same parameter of the moving arc, which is a number or the only cusp in its range.
   static bool have_equal_ranges(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
     for (const int e : {0, 1}) {
       const Convolution_end &a = p.end(e), &b = q.end(e);
-      const bool has_direction = a.direction && b.direction && are_parallel(*a.direction, *b.direction), is_at_inflection = a.inflection && a.inflection == b.inflection, is_cut = !a.direction && !b.direction && a.inflection == b.inflection;
-      if (a.range.begin != b.range.begin || a.range.end != b.range.end || !(has_direction || is_at_inflection || is_cut))
+      const bool has_direction = a.direction && b.direction && are_parallel(*a.direction, *b.direction),
+                 is_at_inflection = a.inflection && a.inflection == b.inflection,
+                 is_cut = !a.direction && !b.direction && a.inflection == b.inflection;
+      if (a.range.begin != b.range.begin || a.range.end != b.range.end ||
+          !(has_direction || is_at_inflection || is_cut))
         return false;
     }
-    const Range &turning = p.turning_element().range, &other = q.turning_element().range;   // which has each direction once
+    // which has each direction once
+    const Range &turning = p.turning_element().range, &other = q.turning_element().range;
     return turning.begin == other.begin && turning.end == other.end && have_same_operands(p, q, false);
   }
 };

@@ -24,10 +24,16 @@ namespace internal {
 namespace Minkowski_sum {
 
 // Whether two vectors have the same direction.
-inline bool are_parallel(const Exact_pair& a, const Exact_pair& b) { return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0; }
+inline bool are_parallel(const Exact_pair& a, const Exact_pair& b)
+{
+  return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0;
+}
 
 // The tangent of half of the angle between two directions.
-inline Interval tangent_of_half_angle(const Interval_pair& a, const Interval_pair& b) { return cross(a, b) / (CGAL::sqrt(squared_norm(a) * squared_norm(b)) + dot(a, b)); }
+inline Interval tangent_of_half_angle(const Interval_pair& a, const Interval_pair& b)
+{
+  return cross(a, b) / (CGAL::sqrt(squared_norm(a) * squared_norm(b)) + dot(a, b));
+}
 
 // The diagonal of a box.
 inline Interval diameter(const Interval_pair& box)
@@ -41,13 +47,15 @@ struct Convolution_end
 {
   Range range;
   std::array<std::optional<std::size_t>, 2> joints;
-  std::optional<Exact_pair> direction{};   // of the piece, in the exact end; not where a piece is cut somewhere near a cusp
+  // of the piece, in the exact end; not where a piece is cut somewhere near a cusp
+  std::optional<Exact_pair> direction{};
   std::optional<Exact_pair> point{};       // if it is found to be rational
   std::optional<std::size_t> inflection{}; // that both regions have in common there
 };
 
 /*
-The sums of the points of two elements with the same direction. One of them, the turning one, turns to the left, so that it has one point for each direction; the parameter is that of the other one, the moving arc.
+The sums of the points of two elements with the same direction. One of them, the turning one, turns to the left, so that
+it has one point for each direction; the parameter is that of the other one, the moving arc.
 */
 class Convolution_piece_2
 {
@@ -58,8 +66,11 @@ class Convolution_piece_2
   bool m_is_double = false;   // the same arc, with the same parameter
 
 public:
-  Convolution_piece_2(const std::array<const Region_elements_2*, 2>& regions, const std::array<std::size_t, 2>& elements, std::size_t turning, const std::array<Convolution_end, 2>& ends)
-    : m_regions(regions), m_elements(elements), m_turning(turning), m_ends(ends), m_is_double((ends[0].inflection || ends[1].inflection) && element(0).turn == element(1).turn)
+  Convolution_piece_2(const std::array<const Region_elements_2*, 2>& regions,
+                      const std::array<std::size_t, 2>& elements, std::size_t turning,
+                      const std::array<Convolution_end, 2>& ends)
+    : m_regions(regions), m_elements(elements), m_turning(turning), m_ends(ends),
+      m_is_double((ends[0].inflection || ends[1].inflection) && element(0).turn == element(1).turn)
   {}
 
   const std::array<Convolution_end, 2>& ends() const { return m_ends; }
@@ -74,7 +85,9 @@ public:
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
 
-  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents, or of an arc and its reflection, as from both halves of an arc that is symmetric about its inflection. The turning element has each direction once.
+  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents, or of
+  // an arc and its reflection, as from both halves of an arc that is symmetric about its inflection. The turning
+  // element has each direction once.
   bool is_point() const
   {
     if (has_corner() || moving_element().turn != Turn::RIGHT)
@@ -82,7 +95,8 @@ public:
     const auto &a = turning_arc().circle(), &b = moving_arc().circle();
     const double reflected = 1 - inner_range().middle();
     const Range& all = turning_element().range;
-    return (a && b && a->second == b->second) || (all.begin < reflected && reflected < all.end && are_reflected(turning_arc(), moving_arc()));
+    return (a && b && a->second == b->second) ||
+        (all.begin < reflected && reflected < all.end && are_reflected(turning_arc(), moving_arc()));
   }
 
   bool is_circular() const { return moving_arc().circle() && (has_corner() || turning_arc().circle()); }
@@ -112,18 +126,23 @@ public:
   {
     for (Convolution_end& end : m_ends)
       if (end.direction && !end.point)
-        if (const std::optional<Exact_rational> t = simple_number(end.range); t && are_parallel(*end.direction, moving_arc().tangent_at(*t)))
+        if (const std::optional<Exact_rational> t = simple_number(end.range);
+            t && are_parallel(*end.direction, moving_arc().tangent_at(*t)))
           end.point = exact_point(*t);
   }
 
-  // The point where the parameter is this number, if the parameter of the turning arc there is found to be rational too.
+  // The point where the parameter is this number, if the parameter of the turning arc there is found to be rational
+  // too.
   std::optional<Exact_pair> exact_point(const Exact_rational& t) const
   {
     const Exact_pair b = moving_arc().at(t);
     Exact_rational u(1);
     if (!has_corner()) {
       const Exact_pair direction = moving_arc().tangent_at(t);
-      const std::optional<Exact_rational> candidate = m_is_double ? t : simple_number(turning_parameter<Interval>({interval_of(direction[0]), interval_of(direction[1])}, turning_element().range));
+      const std::optional<Exact_rational> candidate = m_is_double
+          ? t
+          : simple_number(turning_parameter<Interval>({interval_of(direction[0]), interval_of(direction[1])},
+                                                      turning_element().range));
       if (!candidate || !are_parallel(direction, turning_arc().tangent_at(*candidate)))
         return std::nullopt;
       u = *candidate;
@@ -136,25 +155,30 @@ public:
   std::optional<Exact_rational> parameter_of(const Exact_pair& point) const
   {
     const Interval_pair p{interval_of(point[0]), interval_of(point[1])};
-    const std::optional<Range> first = outermost_place(p, range(), true), last = first ? outermost_place(p, range(), false) : first;
+    const std::optional<Range> first = outermost_place(p, range(), true),
+                               last = first ? outermost_place(p, range(), false) : first;
     if (!last)
       return std::nullopt;
     const Range inner = inner_range(), place = united(*first, *last);
     if (!(inner.begin < place.end && place.begin < inner.end))
       return std::nullopt;
-    const std::optional<Exact_rational> t = moving_arc().is_segment() ? parameter_on_line(point, to_rational(place.middle())) : simple_number(place);
+    const std::optional<Exact_rational> t =
+        moving_arc().is_segment() ? parameter_on_line(point, to_rational(place.middle())) : simple_number(place);
     if (!t || !(to_rational(inner.begin) < *t && *t < to_rational(inner.end)) || exact_point(*t) != point)
       return std::nullopt;
     return t;
   }
 
-  // A rational number with few digits in a range. Where a number there is known to have a certain property, it is likely to be this one, if any.
+  // A rational number with few digits in a range. Where a number there is known to have a certain property, it is
+  // likely to be this one, if any.
   static std::optional<Exact_rational> simple_number(const Range& range)
   {
     constexpr double most_width = 0x1p-12;
     if (range.is_number())
       return to_rational(range.begin);
-    return range.width() < most_width ? std::optional(simplest_rational_between(to_rational(range.begin), to_rational(range.end))) : std::nullopt;
+    return range.width() < most_width
+        ? std::optional(simplest_rational_between(to_rational(range.begin), to_rational(range.end)))
+        : std::nullopt;
   }
 
   // A part between numbers, or cusps that are the only ones in these ranges: its new ends, which are not at joints.
@@ -169,7 +193,8 @@ public:
   }
 
   /*
-  The point, the direction, that of the moving arc, and the curvature. With parallel tangents a = l b of the two arcs and their derivatives m a and n b, the derivative of the sum is b times
+  The point, the direction, that of the moving arc, and the curvature. With parallel tangents a = l b of the two arcs
+  and their derivatives m a and n b, the derivative of the sum is b times
 
     n + m l^3 (b x b') / (a x a').
   */
@@ -177,14 +202,18 @@ public:
   {
     const Region_element &turning = element(m_turning), &moving = element(1 - m_turning);
     const Tangent_jet b = tangent_jet(moving_arc(), range);
-    const Interval square = b.squared_length(), turn = moving.turn == Turn::STRAIGHT ? Interval(0) : b.turn() / (square * CGAL::sqrt(square));
+    const Interval square = b.squared_length(),
+                   turn = moving.turn == Turn::STRAIGHT ? Interval(0) : b.turn() / (square * CGAL::sqrt(square));
     if (turning.is_corner)
       return {turning_arc().point({1, 1}) + b.point, b.tangent, b.speed, turn / b.speed};
     const Tangent_jet a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
     if (moving.turn == Turn::STRAIGHT)
       return {a.point + b.point, b.tangent, b.speed, turn};
-    const Interval ratio = dot(a.tangent, b.tangent) / square, speed = m_is_double ? Interval(2) * b.speed : b.speed + a.speed * ratio * CGAL::square(ratio) * (b.turn() / a.turn());
-    return {a.point + b.point, b.tangent, certain_sign(speed) == 0 && has_sum_of_curvatures() ? speed_near_cusp(range, speed) : speed, turn / speed};
+    const Interval ratio = dot(a.tangent, b.tangent) / square,
+                   speed = m_is_double ? Interval(2) * b.speed
+                                       : b.speed + a.speed * ratio * CGAL::square(ratio) * (b.turn() / a.turn());
+    return {a.point + b.point, b.tangent,
+            certain_sign(speed) == 0 && has_sum_of_curvatures() ? speed_near_cusp(range, speed) : speed, turn / speed};
   }
 
   // A part of the turning arc, and how far its parameter there is from the middle.
@@ -197,7 +226,9 @@ public:
     Range middle() const { return {around.middle(), around.middle()}; }
   };
 
-  // Where the turning arc has the direction b of the moving one at a number: at u + s, if u is near there and D is its tangent, with b x (D(u) + s D') = 0 for a derivative D' from between. Where that arc is nearly straight, doubles do not tell what is near, but the level above does.
+  // Where the turning arc has the direction b of the moving one at a number: at u + s, if u is near there and D is its
+  // tangent, with b x (D(u) + s D') = 0 for a derivative D' from between. Where that arc is nearly straight, doubles do
+  // not tell what is near, but the level above does.
   template <Enclosing_number Number>
   Turning_place<Number> turning_place(double t) const
   {
@@ -218,7 +249,8 @@ public:
     return result;
   }
 
-  // The point at a number, on the level above doubles: from that place, this is a(u) + s a'(u) + s^2/2 a'' with a'' from between.
+  // The point at a number, on the level above doubles: from that place, this is a(u) + s a'(u) + s^2/2 a'' with a''
+  // from between.
   Fine_pair fine_point(double t) const
   {
     const auto &a = arc_on_level<Fine_interval>(m_turning), &b = arc_on_level<Fine_interval>(1 - m_turning);
@@ -230,25 +262,32 @@ public:
     return point + near[0] + place.step * near[1] + CGAL::square(place.step) / Fine_interval(2) * between[2];
   }
 
-  // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
+  // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it
+  // certain.
   template <Enclosing_number Number = Interval>
   int sign_of_speed(const Range& range) const
   {
-    const auto b = tangent_jet(arc_on_level<Number>(1 - m_turning), range), a = tangent_jet(arc_on_level<Number>(m_turning), turning_range(range, in_doubles(b.tangent)));
+    const auto b = tangent_jet(arc_on_level<Number>(1 - m_turning), range),
+               a = tangent_jet(arc_on_level<Number>(m_turning), turning_range(range, in_doubles(b.tangent)));
     const Number ratio = dot(a.tangent, b.tangent) / b.squared_length();
     return certain_sign(b.speed * a.turn() + a.speed * ratio * CGAL::square(ratio) * b.turn());
   }
 
   /*
-  The same for polynomial arcs that are nearly straight, where products of bounds of derivatives do not tell how they turn: by the Bernstein coefficients of C' x C'', whose errors are small beside them. The moving arc turns to one side, so that parameters of the turning one are between those at both ends.
+  The same for polynomial arcs that are nearly straight, where products of bounds of derivatives do not tell how they
+  turn: by the Bernstein coefficients of C' x C'', whose errors are small beside them. The moving arc turns to one side,
+  so that parameters of the turning one are between those at both ends.
   */
   int sign_of_speed_by_turns(const Range& range) const
   {
     const auto is_simple = [](const Site_arc_2& arc) { return arc.is_polynomial() && !arc.has_singular_end(); };
     if (has_corner() || is_straight() || !is_convex() || !is_simple(turning_arc()) || !is_simple(moving_arc()))
       return 0;
-    const Range u = united(turning_place<Fine_interval>(range.begin).around, turning_place<Fine_interval>(range.end).around);
-    const auto turn = [&](std::size_t region, const Range& part) { return in_doubles(m_regions[region]->turn_polynomial(element(region).arc)(0, part)); };
+    const Range u =
+        united(turning_place<Fine_interval>(range.begin).around, turning_place<Fine_interval>(range.end).around);
+    const auto turn = [&](std::size_t region, const Range& part) {
+      return in_doubles(m_regions[region]->turn_polynomial(element(region).arc)(0, part));
+    };
     const Interval_pair a = turning_arc().direction_over(u), b = moving_arc().direction_over(range);
     const Interval ratio = dot(a, b) / squared_norm(b);
     return certain_sign(turn(m_turning, u) + ratio * CGAL::square(ratio) * turn(1 - m_turning, range));
@@ -262,11 +301,13 @@ public:
   }
 
   /*
-  The sum of both curvatures at a number, and its derivative over a range: with the angle p of the tangents, which is the same for both arcs, this is
+  The sum of both curvatures at a number, and its derivative over a range: with the angle p of the tangents, which is
+  the same for both arcs, this is
 
     k_b' + k_a' p_b' / p_a'.
 
-  So the sum is known over a range up to the square of its width. Any number where the derivative of an arc is zero in an end, or a number is not proved to be on the piece.
+  So the sum is known over a range up to the square of its width. Any number where the derivative of an arc is zero in
+  an end, or a number is not proved to be on the piece.
   */
   template <Enclosing_number Number>
   Number sum_of_curvatures(double t) const
@@ -275,7 +316,8 @@ public:
       return any_number<Number>();
     const auto& a = arc_on_level<Number>(m_turning);
     const auto place = turning_place<Number>(t);
-    return curvature_jet(arc_on_level<Number>(1 - m_turning), {t, t}).curvature + curvature_jet(a, place.middle()).curvature + place.step * curvature_jet(a, place.around).change;
+    return curvature_jet(arc_on_level<Number>(1 - m_turning), {t, t}).curvature +
+        curvature_jet(a, place.middle()).curvature + place.step * curvature_jet(a, place.around).change;
   }
 
   Interval change_of_curvatures(const Range& range) const
@@ -303,7 +345,8 @@ public:
   const Region_element& element(std::size_t region) const { return m_regions[region]->elements()[m_elements[region]]; }
   const Site_arc_2& arc(std::size_t region) const { return arc_on_level<Interval>(region); }
 
-  // Whether the ends of two pieces are the same, so that one goes on as the other one: if both regions are at the same joint, or corner; or one is, and the other one has its direction, which an element that turns has once.
+  // Whether the ends of two pieces are the same, so that one goes on as the other one: if both regions are at the same
+  // joint, or corner; or one is, and the other one has its direction, which an element that turns has once.
   static bool are_same(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end)
   {
     const auto have_common_place = [&](std::size_t region) {
@@ -312,10 +355,14 @@ public:
     };
     const auto have_common_direction = [&](std::size_t region) {   // that of a joint
       const auto &a = p.m_ends[p_end].joints[region], &b = q.m_ends[q_end].joints[region];
-      return a && b && *a == *b && p.m_elements[1 - region] == q.m_elements[1 - region] && p.element(1 - region).turn != Turn::STRAIGHT;
+      return a && b && *a == *b && p.m_elements[1 - region] == q.m_elements[1 - region] &&
+          p.element(1 - region).turn != Turn::STRAIGHT;
     };
     const auto &inflection = p.m_ends[p_end].inflection, &other = q.m_ends[q_end].inflection;
-    return (inflection && inflection == other) || (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1) || (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) || (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
+    return (inflection && inflection == other) || (have_common_place(0) && have_common_place(1)) ||
+        have_common_direction(0) || have_common_direction(1) ||
+        (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) ||
+        (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
   }
 
 private:
@@ -326,7 +373,8 @@ private:
     if (!p)
       return std::nullopt;
     const Exact_pair q = moving_arc().at(other);
-    return moving_arc().parameter_of_foot({Exact_rational(point[0] - (*p)[0] + q[0]), Exact_rational(point[1] - (*p)[1] + q[1])});
+    return moving_arc().parameter_of_foot(
+        {Exact_rational(point[0] - (*p)[0] + q[0]), Exact_rational(point[1] - (*p)[1] + q[1])});
   }
 
   // Near a cusp, where points move little, they are known better from one of them and the derivative.
@@ -352,29 +400,39 @@ private:
     return result ? result : outermost_place(point, is_first ? behind : before, is_first);
   }
 
-  bool has_sum_of_curvatures() const { return !has_corner() && !turning_arc().has_singular_end() && !moving_arc().has_singular_end(); }
+  bool has_sum_of_curvatures() const
+  {
+    return !has_corner() && !turning_arc().has_singular_end() && !moving_arc().has_singular_end();
+  }
 
   // The speed, which has bounds, is the sum of both curvatures divided by that of the turning arc.
   Interval speed_near_cusp(const Range& range, const Interval& bounds) const
   {
-    const Interval sum = sum_of_curvatures<Interval>(range.middle()) + change_of_curvatures(range) * (range.interval() - Interval(range.middle()));
+    const Interval sum = sum_of_curvatures<Interval>(range.middle()) +
+        change_of_curvatures(range) * (range.interval() - Interval(range.middle()));
     return common_part(bounds, sum / curvature_jet(turning_arc(), turning_range(range)).curvature);
   }
 
-  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements, which overlap, have once together.
-  static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end, std::size_t region)
+  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where
+  // this has a direction that its elements, which overlap, have once together.
+  static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end,
+                           std::size_t region)
   {
     const Region_element &a = p.element(region), &b = q.element(region);
     const auto &d = p.end(p_end).direction, &e = q.end(q_end).direction;
-    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin < 1 - b.range.begin && 1 - b.range.end < a.range.end && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
+    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) &&
+        p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin < 1 - b.range.begin &&
+        1 - b.range.end < a.range.end && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
   }
 
-  // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one point, that of the first one.
+  // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one
+  // point, that of the first one.
   std::optional<std::size_t> place(int end, std::size_t region) const
   {
     if (m_ends[end].joints[region])
       return m_regions[region]->place_of_joint(*m_ends[end].joints[region]);
-    return element(region).is_corner ? std::optional(m_regions[region]->place_of_joint(m_elements[region])) : std::nullopt;
+    return element(region).is_corner ? std::optional(m_regions[region]->place_of_joint(m_elements[region]))
+                                     : std::nullopt;
   }
 
   // With the direction of the moving arc. An end at an inflection is that of no element of the turning arc alone.
@@ -385,12 +443,14 @@ private:
     const Range& all = element(m_turning).range;
     Range result = turning_parameter(direction, all);
     for (const Convolution_end& end : m_ends)
-      if (const bool is_behind = end.range.middle() > all.middle(); end.inflection && (is_behind ? result.end == all.end : result.begin == all.begin))
+      if (const bool is_behind = end.range.middle() > all.middle();
+          end.inflection && (is_behind ? result.end == all.end : result.begin == all.begin))
         result = united(result, end.range);
     return result;
   }
 
-  // Where the turning arc has a direction within these bounds, in a range: a zero of a function that increases. By Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
+  // Where the turning arc has a direction within these bounds, in a range: a zero of a function that increases. By
+  // Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
   template <Enclosing_number Number>
   Range turning_parameter(const std::array<Number, 2>& direction, Range u) const
   {

@@ -22,7 +22,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Minkowski_sum {
 
-// Ranges of the parameters of two curves: with exactly one common point, where they cross; or not decided, with any number of them.
+// Ranges of the parameters of two curves: with exactly one common point, where they cross; or not decided, with any
+// number of them.
 struct Crossing_2
 {
   std::array<Range, 2> ranges;
@@ -37,8 +38,9 @@ struct Common_end
 };
 
 /*
-Where two curves cross, by subdivision of both. Parts are discarded if a line separates them. The derivatives of two parts that have no common direction have one common point at most, and Newton's
-method with intervals finds it, or proves that there is none. The number type is that of the points.
+Where two curves cross, by subdivision of both. Parts are discarded if a line separates them. The derivatives of two
+parts that have no common direction have one common point at most, and Newton's method with intervals finds it, or
+proves that there is none. The number type is that of the points.
 */
 template <Enclosing_number Number>
 class Basic_crossing_finder_2
@@ -46,7 +48,8 @@ class Basic_crossing_finder_2
   using Point = std::array<Number, 2>;
   using Part = Traced_curve_2::Part;
   using Pair = std::array<const Part*, 2>;
-  static constexpr std::size_t most_steps = 4000, most_pairs = 2048;   // more are next to each other only where curves touch
+  // more are next to each other only where curves touch
+  static constexpr std::size_t most_steps = 4000, most_pairs = 2048;
   static constexpr double least_width = std::same_as<Number, Interval> ? 0x1p-44 : 0x1p-50;
 
   std::array<Traced_view_2, 2> m_views;
@@ -55,15 +58,19 @@ class Basic_crossing_finder_2
   std::vector<Crossing_2> m_crossings;
 
 public:
-  Basic_crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
+  Basic_crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second,
+                          std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
     : m_views{first, second}, m_common_ends(std::move(common_ends)), m_is_first_enough(is_first_enough)
   {}
 
-  // All crossings other than common ends; or, on request, a certain one alone, if one is found. Undecided ones that are next to each other are one.
+  // All crossings other than common ends; or, on request, a certain one alone, if one is found. Undecided ones that are
+  // next to each other are one.
   std::vector<Crossing_2> operator()()
   {
-    std::deque<Pair> todo{{&m_views[0].curve().whole(), &m_views[1].curve().whole()}};   // large parts first: what is certain is found before what has to be cut again and again
-    for (std::size_t steps = 0; !todo.empty() && todo.size() <= most_pairs && steps <= most_steps && !is_done(); ++steps) {
+    // large parts first: what is certain is found before what has to be cut again and again
+    std::deque<Pair> todo{{&m_views[0].curve().whole(), &m_views[1].curve().whole()}};
+    for (std::size_t steps = 0; !todo.empty() && todo.size() <= most_pairs && steps <= most_steps && !is_done();
+         ++steps) {
       const Pair parts = todo.front();
       todo.pop_front();
       if (!are_separated(parts) && !are_joined(parts) && !solve_by_newton(parts))
@@ -94,7 +101,9 @@ public:
     if (!(inner.begin <= range.middle() && range.middle() <= inner.end))
       return false;
     const Interval_pair normal = turned_left(middle_of(part.direction()));
-    return certain_sign(dot(normal, box - part.middle_point()) - part.speed() * dot(normal, part.direction()) * (range.interval() - Interval(range.middle()))) != 0;
+    return certain_sign(dot(normal, box - part.middle_point()) -
+                        part.speed() * dot(normal, part.direction()) * (range.interval() - Interval(range.middle()))) !=
+        0;
   }
 
 private:
@@ -115,12 +124,16 @@ private:
     }
   }
 
-  static double extent(const Part& part) { return (std::max)(part.box()[0].sup() - part.box()[0].inf(), part.box()[1].sup() - part.box()[1].inf()); }
+  static double extent(const Part& part)
+  {
+    return (std::max)(part.box()[0].sup() - part.box()[0].inf(), part.box()[1].sup() - part.box()[1].inf());
+  }
   // Some vector within bounds; zero where these are not finite.
   static Interval_pair middle_of(const Interval_pair& v)
   {
     const double x = v[0].inf() / 2 + v[0].sup() / 2, y = v[1].inf() / 2 + v[1].sup() / 2;
-    return std::isfinite(x) && std::isfinite(y) ? Interval_pair{Interval(x), Interval(y)} : Interval_pair{Interval(0), Interval(0)};
+    return std::isfinite(x) && std::isfinite(y) ? Interval_pair{Interval(x), Interval(y)}
+                                                : Interval_pair{Interval(0), Interval(0)};
   }
 
   Point middle_point(std::size_t k, const Part& part) const { return m_views[k].template middle_point<Number>(part); }
@@ -139,7 +152,8 @@ private:
     return length > 0 ? Interval_pair{Interval(x / length), Interval(y / length)} : v;
   }
 
-  // By a line parallel to an axis or about tangential to one of the curves, whose points are middle + derivative * s by the mean value theorem.
+  // By a line parallel to an axis or about tangential to one of the curves, whose points are middle + derivative * s by
+  // the mean value theorem.
   bool are_separated(const Pair& parts) const
   {
     if (!may_meet(m_views[0].box(*parts[0]), m_views[1].box(*parts[1])))
@@ -148,17 +162,21 @@ private:
     if (!has_middle(0, parts[0]->range()) || !has_middle(1, parts[1]->range()))
       return false;
     const Interval_pair between = in_doubles(middle_point(0, *parts[0]) - middle_point(1, *parts[1]));
-    const auto step = [&](std::size_t k) { return parts[k]->speed() * (parts[k]->range().interval() - Interval(parts[k]->range().middle())); };
+    const auto step = [&](std::size_t k) {
+      return parts[k]->speed() * (parts[k]->range().interval() - Interval(parts[k]->range().middle()));
+    };
     return std::any_of(directions.begin(), directions.end(), [&](const Interval_pair& direction) {
       const Interval_pair normal = turned_left(middle_of(direction));
-      return certain_sign(dot(normal, between) + dot(normal, directions[0]) * step(0) - dot(normal, directions[1]) * step(1)) != 0;
+      return certain_sign(dot(normal, between) + dot(normal, directions[0]) * step(0) -
+                          dot(normal, directions[1]) * step(1)) != 0;
     });
   }
 
   void add_undecided(std::array<Range, 2> ranges)
   {
     for (std::size_t i = 0; i < m_crossings.size();)
-      if (const Crossing_2& other = m_crossings[i]; !other.is_certain && other.ranges[0].meets(ranges[0]) && other.ranges[1].meets(ranges[1])) {
+      if (const Crossing_2& other = m_crossings[i];
+          !other.is_certain && other.ranges[0].meets(ranges[0]) && other.ranges[1].meets(ranges[1])) {
         for (const std::size_t k : {0, 1})
           ranges[k] = united(ranges[k], other.ranges[k]);
         m_crossings.erase(m_crossings.begin() + static_cast<std::ptrdiff_t>(i));
@@ -171,7 +189,9 @@ private:
   // Whether the parts are next to a common end, which is all that they have in common.
   bool are_joined(const Pair& parts) const
   {
-    return std::any_of(m_common_ends.begin(), m_common_ends.end(), [&](const Common_end& end) { return is_at_end(0, end.ends[0], parts) && is_at_end(1, end.ends[1], parts) && meet_nowhere_else(end, parts); });
+    return std::any_of(m_common_ends.begin(), m_common_ends.end(), [&](const Common_end& end) {
+      return is_at_end(0, end.ends[0], parts) && is_at_end(1, end.ends[1], parts) && meet_nowhere_else(end, parts);
+    });
   }
 
   bool is_at_end(std::size_t k, int end, const Pair& parts) const
@@ -181,8 +201,10 @@ private:
   }
 
   /*
-  Two parts have one common point at most if they have no common directions; if they leave it to different sides of a line; or if they are tangential there and leave it to the same side, and the curvature of one is larger than that of the other one everywhere:
-  as graphs over a line, the sine of the angle of the direction is the integral of the curvature.
+  Two parts have one common point at most if they have no common directions; if they leave it to different sides of a
+  line; or if they are tangential there and leave it to the same side, and the curvature of one is larger than that of
+  the other one everywhere: as graphs over a line, the sine of the angle of the direction is the integral of the
+  curvature.
   */
   bool meet_nowhere_else(const Common_end& end, const Pair& parts) const
   {
@@ -196,9 +218,13 @@ private:
     }
     if (certain_sign(cross(directions[0], directions[1])) != 0)
       return true;
-    const std::array<Interval_pair, 2> units{unit_vector(middle_of(directions[0])), unit_vector(middle_of(directions[1]))};
-    const auto are_on_sides = [&](const Interval_pair& normal, int sign) { return certain_sign(dot(normal, directions[0])) == 1 && certain_sign(dot(normal, directions[1])) == sign; };
-    return are_on_sides(units[0] - units[1], -1) || (end.is_tangential && are_on_sides(units[0] + units[1], 1) && certain_sign(curvatures[0] - curvatures[1]) != 0);
+    const std::array<Interval_pair, 2> units{unit_vector(middle_of(directions[0])),
+                                             unit_vector(middle_of(directions[1]))};
+    const auto are_on_sides = [&](const Interval_pair& normal, int sign) {
+      return certain_sign(dot(normal, directions[0])) == 1 && certain_sign(dot(normal, directions[1])) == sign;
+    };
+    return are_on_sides(units[0] - units[1], -1) ||
+        (end.is_tangential && are_on_sides(units[0] + units[1], 1) && certain_sign(curvatures[0] - curvatures[1]) != 0);
   }
 
   // Returns whether it is decided if the parts cross.
@@ -211,16 +237,19 @@ private:
     std::array<Interval, 2> speeds{parts[0]->speed(), parts[1]->speed()};
     for (bool is_certain = false;;) {
       const Interval determinant = cross(directions[0], directions[1]);
-      if (certain_sign(determinant) == 0 || certain_sign(speeds[0]) == 0 || certain_sign(speeds[1]) == 0 || !has_middle(0, ranges[0]) || !has_middle(1, ranges[1]))
+      if (certain_sign(determinant) == 0 || certain_sign(speeds[0]) == 0 || certain_sign(speeds[1]) == 0 ||
+          !has_middle(0, ranges[0]) || !has_middle(1, ranges[1]))
         return false;
       const Interval_pair between = in_doubles(middles[1] - middles[0]);
-      const std::array<Interval, 2> steps{cross(between, directions[1]) / (determinant * speeds[0]), cross(between, directions[0]) / (determinant * speeds[1])};
+      const std::array<Interval, 2> steps{cross(between, directions[1]) / (determinant * speeds[0]),
+                                          cross(between, directions[0]) / (determinant * speeds[1])};
       bool is_inside = true, is_shorter = false;
       std::array<Range, 2> next;
       for (std::size_t k = 0; k < 2; ++k) {
         const Interval image = Interval(ranges[k].middle()) + steps[k];
         const Range& inner = m_views[k].curve().inner_range();
-        is_inside = is_inside && ranges[k].begin < image.inf() && image.sup() < ranges[k].end && inner.begin <= ranges[k].begin && ranges[k].end <= inner.end;
+        is_inside = is_inside && ranges[k].begin < image.inf() && image.sup() < ranges[k].end &&
+            inner.begin <= ranges[k].begin && ranges[k].end <= inner.end;
         next[k] = {(std::max)(image.inf(), ranges[k].begin), (std::min)(image.sup(), ranges[k].end)};
         if (next[k].begin > next[k].end)
           return true;

@@ -12,7 +12,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Minkowski_sum {
 
-// The curvature of an arc, its derivative, and that of the angle of the tangent, by the parameter of the arc, whose derivative is not zero.
+// The curvature of an arc, its derivative, and that of the angle of the tangent, by the parameter of the arc, whose
+// derivative is not zero.
 template <Enclosing_number Number>
 struct Basic_curvature_jet
 {
@@ -23,8 +24,10 @@ template <Enclosing_number Number>
 Basic_curvature_jet<Number> curvature_jet(const Basic_site_arc_2<Number>& arc, const Range& range)
 {
   const auto x = arc.jet(range, 3);
-  const Number square = squared_norm(x[1]), cube = square * CGAL::sqrt(square), cross_product = cross(x[1], x[2]), curvature = cross_product / cube;
-  return {curvature, cross(x[1], x[3]) / cube - Number(3) * dot(x[1], x[2]) / square * curvature, cross_product / square};
+  const Number square = squared_norm(x[1]), cube = square * CGAL::sqrt(square), cross_product = cross(x[1], x[2]),
+               curvature = cross_product / cube;
+  return {curvature, cross(x[1], x[3]) / cube - Number(3) * dot(x[1], x[2]) / square * curvature,
+          cross_product / square};
 }
 
 } // namespace Minkowski_sum

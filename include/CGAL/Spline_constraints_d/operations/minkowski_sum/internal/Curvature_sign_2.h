@@ -16,15 +16,20 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-The sign of the sum of both curvatures along a piece of two arcs, of which the moving one turns to the right. Where the derivatives over a range do not tell, its value in the middle and its derivative may, as near double zeros, where two cusps are next to each other, or nearly arise. That value is known from doubles, and, where these do not tell it as well as its difference from others, on the level above.
+The sign of the sum of both curvatures along a piece of two arcs, of which the moving one turns to the right. Where the
+derivatives over a range do not tell, its value in the middle and its derivative may, as near double zeros, where two
+cusps are next to each other, or nearly arise. That value is known from doubles, and, where these do not tell it as well
+as its difference from others, on the level above.
 
-In drawings, round corners are polynomial arcs next to circles; with a disk of the same radius the sum is nearly zero all along. Where the turning arc has the radius r, the sum has the sign of a polynomial,
+In drawings, round corners are polynomial arcs next to circles; with a disk of the same radius the sum is nearly zero
+all along. Where the turning arc has the radius r, the sum has the sign of a polynomial,
 
   |D|^6 - r^2 (D x D')^2,
 
 as long as the derivative D of the moving arc is a polynomial without zeros in the ends.
 
-Polynomial arcs that are nearly straight, but not along an axis, leave both open; there the Bernstein coefficients of D x D' of both arcs tell.
+Polynomial arcs that are nearly straight, but not along an axis, leave both open; there the Bernstein coefficients of D
+x D' of both arcs tell.
 */
 class Curvature_sign_2
 {
@@ -35,7 +40,8 @@ class Curvature_sign_2
 
   const Convolution_piece_2& m_piece;
   mutable std::optional<Polynomial> m_polynomial;   // made when the derivatives do not tell
-  mutable int m_failures = 0;                       // of the level above doubles: where the sum is zero all along, values do not tell
+  // of the level above doubles: where the sum is zero all along, values do not tell
+  mutable int m_failures = 0;
 
 public:
   // A zero of the sum in a range, where it changes its sign.
@@ -86,7 +92,8 @@ private:
   {
     if (m_failures > most_failures)
       return 0;
-    const Interval change = m_piece.change_of_curvatures(range) * (range.interval() - Interval(range.middle())), middle = m_piece.sum_of_curvatures<Interval>(range.middle());
+    const Interval change = m_piece.change_of_curvatures(range) * (range.interval() - Interval(range.middle())),
+                   middle = m_piece.sum_of_curvatures<Interval>(range.middle());
     const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
     if (const int sign = certain_sign(middle + change); sign != 0 || !(width(change) < width(middle)))
       return sign;
@@ -101,12 +108,17 @@ private:
     return sign != 0 ? sign : certain_sign(m_piece.sum_of_curvatures<Fine_interval>(t));
   }
 
-  bool has_polynomial() const { return m_piece.turning_arc().circle() && m_piece.moving_arc().is_polynomial() && !m_piece.moving_arc().has_singular_end(); }
+  bool has_polynomial() const
+  {
+    return m_piece.turning_arc().circle() && m_piece.moving_arc().is_polynomial() &&
+        !m_piece.moving_arc().has_singular_end();
+  }
 
   Exact_tensor exact_polynomial() const
   {
     const std::array<Exact_tensor, 2> d = m_piece.moving_arc().derivative_numerators();
-    const Exact_tensor square = d[0] * d[0] + d[1] * d[1], sixth = square * square * square, turn = d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0);
+    const Exact_tensor square = d[0] * d[0] + d[1] * d[1], sixth = square * square * square,
+                       turn = d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0);
     return sixth - (turn * turn * m_piece.turning_arc().circle()->second).elevated(sixth.degrees());
   }
 };

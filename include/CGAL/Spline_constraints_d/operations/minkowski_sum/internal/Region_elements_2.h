@@ -70,7 +70,8 @@ inline bool are_reflected(const Site_arc_2& a, const Site_arc_2& b)
   return true;
 }
 
-// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
+// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the
+// derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
 template <Enclosing_number Number>
 struct Basic_tangent_jet
 {
@@ -98,7 +99,8 @@ Basic_tangent_jet<Number> tangent_jet(const Basic_site_arc_2<Number>& arc, const
 // How the direction of a boundary changes along a part of it.
 enum class Turn { LEFT, RIGHT, STRAIGHT, UNKNOWN };
 
-// A part of a boundary along which its direction changes monotonically, by at most 45 degrees if to the left: a part of an arc, or the directions between the two arcs of a corner.
+// A part of a boundary along which its direction changes monotonically, by at most 45 degrees if to the left: a part of
+// an arc, or the directions between the two arcs of a corner.
 struct Region_element
 {
   Turn turn;
@@ -107,7 +109,8 @@ struct Region_element
   Range range;                                   // of the parameter of the arc
   std::array<Exact_pair, 2> exact_directions;    // at the begin and the end
   std::array<Interval_pair, 2> directions;
-  std::size_t previous = 0;                      // the element before; the joint of two elements has the number of the one that ends there
+  // the element before; the joint of two elements has the number of the one that ends there
+  std::size_t previous = 0;
 };
 
 /*
@@ -129,7 +132,8 @@ class Region_elements_2
 
   const std::vector<Boundary_loop_2>& m_loops;
   std::vector<Site_arc_2> m_arcs;
-  std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;   // the curve that an arc is a piece of, and the parameters at its ends
+  // the curve that an arc is a piece of, and the parameters at its ends
+  std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;
   std::vector<std::size_t> m_previous_arcs, m_next_arcs;                  // along the boundaries
   std::vector<Region_element> m_elements;
   std::vector<std::unique_ptr<Arc_on_demand>> m_fine_arcs;
@@ -167,7 +171,8 @@ public:
       return fine_arc(index);
   }
 
-  // D x D' of an arc, up to a positive factor, by its Bernstein coefficients: with its sign also where the arc is small or nearly straight. For one thread.
+  // D x D' of an arc, up to a positive factor, by its Bernstein coefficients: with its sign also where the arc is small
+  // or nearly straight. For one thread.
   const Basic_polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
   {
     Arc_on_demand& result = *m_fine_arcs[arc];
@@ -191,7 +196,10 @@ public:
   std::pair<std::size_t, double> origin(std::size_t arc, double t) const
   {
     const auto& [curve, ends] = m_origins[arc];
-    return {curve, t == 1 ? ends[1] : std::clamp(ends[0] + t * (ends[1] - ends[0]), (std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]))};
+    return {curve,
+            t == 1 ? ends[1]
+                   : std::clamp(ends[0] + t * (ends[1] - ends[0]), (std::min)(ends[0], ends[1]),
+                                (std::max)(ends[0], ends[1]))};
   }
 
   // Whether an arc is another one in the opposite direction.
@@ -209,7 +217,8 @@ private:
     for (const Boundary_piece& piece : loop.pieces()) {
       m_arcs.emplace_back(Homogeneous_piece{{0, 1}, piece.coordinates});
       m_fine_arcs.push_back(std::make_unique<Arc_on_demand>());
-      m_origins.push_back({piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
+      m_origins.push_back(
+          {piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
     }
     for (std::size_t i = first_arc; i < m_arcs.size(); ++i) {
       m_previous_arcs.push_back(i > first_arc ? i - 1 : m_arcs.size() - 1);
@@ -222,7 +231,10 @@ private:
   }
 
   // Whether the angle between two directions is at most 45 degrees.
-  static bool is_narrow(const Exact_pair& a, const Exact_pair& b) { return exact_dot(a, b) >= CGAL::abs(exact_cross(a, b)); }
+  static bool is_narrow(const Exact_pair& a, const Exact_pair& b)
+  {
+    return exact_dot(a, b) >= CGAL::abs(exact_cross(a, b));
+  }
 
   void add_parts(std::size_t arc, const Range& range)
   {
@@ -241,18 +253,22 @@ private:
       return;
     }
     if (!is_regular)
-      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) + " is zero, or nearly so, at parameter " + shortest_text(origin(arc, range.begin).second));
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) +
+                          " is zero, or nearly so, at parameter " + shortest_text(origin(arc, range.begin).second));
     add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
   }
 
-  // Where the derivatives do not tell, by the Bernstein coefficients of D x D', above doubles: of an arc that is small or nearly straight the derivatives do not tell over many parts of the least width.
+  // Where the derivatives do not tell, by the Bernstein coefficients of D x D', above doubles: of an arc that is small
+  // or nearly straight the derivatives do not tell over many parts of the least width.
   int certain_turn(std::size_t arc, const Tangent_jet& jet, const Range& range) const
   {
     constexpr double most_width = 0x1p-4;
     int sign = certain_sign(jet.turn());
     if (sign == 0 && range.width() <= most_width)
       sign = certain_sign(turn_polynomial(arc)(0, range));
-    return sign == 0 && range.width() <= most_width && (range.begin == 0 || range.end == 1) ? turn_at_end(m_arcs[arc], range) : sign;
+    return sign == 0 && range.width() <= most_width && (range.begin == 0 || range.end == 1)
+        ? turn_at_end(m_arcs[arc], range)
+        : sign;
   }
 
   // D x D', up to a positive factor.
@@ -262,15 +278,18 @@ private:
     return d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0);
   }
 
-  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
+  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end
+  // of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
   static int turn_at_end(const Site_arc_2& arc, const Range& range)
   {
-    const std::vector<Exact_rational> c = exact_turn(arc).restricted(0, to_rational(range.begin), to_rational(range.end)).coefficients();
+    const std::vector<Exact_rational> c =
+        exact_turn(arc).restricted(0, to_rational(range.begin), to_rational(range.end)).coefficients();
     const int inner = sign_of(range.begin == 0 ? c.back() : c.front());
     return std::any_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == -inner; }) ? 0 : inner;
   }
 
-  // The inner product of each two vectors within these bounds: positive if they are all within 90 degrees of each other.
+  // The inner product of each two vectors within these bounds: positive if they are all within 90 degrees of each
+  // other.
   static Interval squared_norm_of(const Interval_pair& v) { return dot(v, v); }
 
   // Up to its length.
@@ -278,18 +297,21 @@ private:
   {
     const Exact_pair d = m_arcs[arc].tangent_at(to_rational(t));
     if (sign_of(d[0]) == 0 && sign_of(d[1]) == 0)
-      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + shortest_text(origin(arc, t).second));
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " +
+                          shortest_text(origin(arc, t).second));
     return d;
   }
 
-  // In an end of a curve of which both sides are boundaries, the directions are those of a half-turn to the left. A cusp of a region may turn to either side.
+  // In an end of a curve of which both sides are boundaries, the directions are those of a half-turn to the left. A
+  // cusp of a region may turn to either side.
   void add_corner(std::size_t before, std::size_t after)
   {
     const Exact_pair d0 = direction(before, 1), d1 = direction(after, 0);
     const int turn = sign_of(exact_cross(d0, d1));
     const bool turns_back = turn == 0 && sign_of(exact_dot(d0, d1)) < 0;
     if (turns_back && !is_other_side(before, after))
-      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + shortest_text(origin(before, 1).second));
+      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) +
+                          " at parameter " + shortest_text(origin(before, 1).second));
     if (turn > 0 || turns_back)
       add_normal_cone(before, d0, d1);
     else if (turn < 0)
@@ -311,7 +333,8 @@ private:
     add_normal_cone(arc, between, d1);
   }
 
-  // A direction near the bisector of an angle above 45 degrees, and up to 180 degrees, to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.
+  // A direction near the bisector of an angle above 45 degrees, and up to 180 degrees, to the left. It has short
+  // coordinates, so that it is exactly that of another joint, or not nearly.
   static Exact_pair direction_between(const Exact_pair& d0, const Exact_pair& d1)
   {
     const auto unit = [](const Exact_pair& d) {
@@ -321,7 +344,9 @@ private:
     const auto a = unit(d0), b = unit(d1);
     const auto rounded = [](double x) { return to_rational(std::round(64 * x)); };
     const Exact_pair sum{rounded(a[0] + b[0]), rounded(a[1] + b[1])};
-    return sign_of(exact_cross(d0, sum)) > 0 && sign_of(exact_cross(sum, d1)) > 0 ? sum : Exact_pair{Exact_rational(-d0[1]), d0[0]};
+    return sign_of(exact_cross(d0, sum)) > 0 && sign_of(exact_cross(sum, d1)) > 0
+        ? sum
+        : Exact_pair{Exact_rational(-d0[1]), d0[0]};
   }
 
   // Adds an element, or puts it together with the last one.
@@ -333,7 +358,8 @@ private:
       m_elements.pop_back();
     }
     for (std::size_t k = 0; k < 2; ++k)
-      element.directions[k] = {interval_of(element.exact_directions[k][0]), interval_of(element.exact_directions[k][1])};
+      element.directions[k] = {interval_of(element.exact_directions[k][0]),
+                               interval_of(element.exact_directions[k][1])};
     m_elements.push_back(std::move(element));
   }
 };

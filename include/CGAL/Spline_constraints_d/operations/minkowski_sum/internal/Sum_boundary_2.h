@@ -33,8 +33,9 @@ namespace Minkowski_sum {
 /*
 The boundary of the Minkowski sum of two regions, as sections of the pieces of their convolution.
 
-The pieces are cut where they cross, or touch. Then each section, together with those that it alone goes on as, is on the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can leave
-one only in a vertex that others have too. One point beside a section tells which.
+The pieces are cut where they cross, or touch. Then each section, together with those that it alone goes on as, is on
+the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can
+leave one only in a vertex that others have too. One point beside a section tells which.
 */
 class Sum_boundary_2
 {
@@ -65,7 +66,9 @@ private:
   std::vector<Interval_pair> m_undecided;
 
 public:
-  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior) : m_interior(interior), m_cuts(convolution.pieces(), interior), m_size(size_of_all()), m_undecided(m_cuts.undecided())
+  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior)
+    : m_interior(interior), m_cuts(convolution.pieces(), interior), m_size(size_of_all()),
+      m_undecided(m_cuts.undecided())
   {
     m_undecided.insert(m_undecided.end(), convolution.doubtful().begin(), convolution.doubtful().end());
     m_chains = linked(boundary_sections(convolution.doubtful()), true);
@@ -99,14 +102,18 @@ private:
     for (std::size_t i = 0; i < curves().size(); ++i)
       for (std::size_t k = 1; k < m_cuts.cuts(i).size(); ++k) {
         const Convolution_cuts_2::Cut &a = m_cuts.cuts(i)[k - 1], &b = m_cuts.cuts(i)[k];
-        result.push_back({i, {a.range.end, b.range.begin}, {a.range.begin, b.range.end}, {m_cuts.vertex(a), m_cuts.vertex(b)}});
+        result.push_back(
+            {i, {a.range.end, b.range.begin}, {a.range.begin, b.range.end}, {m_cuts.vertex(a), m_cuts.vertex(b)}});
       }
     return result;
   }
 
   /*
-  The sections that are on the boundary. Each chain is, or is not, as a whole, and the boundary has the sum on the left; so what is known of some chains tells about others that they meet, as about the tiny ones at a joint that is nearly smooth, where points beside them tell nothing. All that a piece may have in common with
-  others is in its cuts, with their vertices, or inside of the sum; so each vertex, with all of its cuts, is balanced if nothing doubtful reaches it.
+  The sections that are on the boundary. Each chain is, or is not, as a whole, and the boundary has the sum on the left;
+  so what is known of some chains tells about others that they meet, as about the tiny ones at a joint that is nearly
+  smooth, where points beside them tell nothing. All that a piece may have in common with others is in its cuts, with
+  their vertices, or inside of the sum; so each vertex, with all of its cuts, is balanced if nothing doubtful reaches
+  it.
   */
   std::vector<Section> boundary_sections(const std::vector<Interval_pair>& doubtful)
   {
@@ -149,7 +156,8 @@ private:
   {
     double result = 0;
     for (const Section& section : chain.sections) {
-      const Interval_pair a = curves()[section.piece]({section.range.begin, section.range.begin}).point, b = curves()[section.piece]({section.range.end, section.range.end}).point;
+      const Interval_pair a = curves()[section.piece]({section.range.begin, section.range.begin}).point,
+                          b = curves()[section.piece]({section.range.end, section.range.end}).point;
       result = (std::max)({result, std::abs(a[0].inf() - b[0].inf()), std::abs(a[1].inf() - b[1].inf())});
     }
     return result;
@@ -161,7 +169,8 @@ private:
     if (!boxes.empty())
       for (std::size_t i = 0; i < curves().size(); ++i)
         for (const Convolution_cuts_2::Cut& cut : m_cuts.cuts(i))
-          if (const Interval_pair place = curves()[i](cut.range).point; std::any_of(boxes.begin(), boxes.end(), [&](const Interval_pair& box) { return may_meet(place, box); }))
+          if (const Interval_pair place = curves()[i](cut.range).point;
+              std::any_of(boxes.begin(), boxes.end(), [&](const Interval_pair& box) { return may_meet(place, box); }))
             result.insert(m_cuts.vertex(cut));
     return result;
   }
@@ -177,26 +186,32 @@ private:
 
   static std::vector<Section> long_first(std::vector<Section> sections)
   {
-    std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
+    std::sort(sections.begin(), sections.end(),
+              [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
     return sections;
   }
 
   /*
-  Whether the points on the right of a section are inside of the sum, as those on the left are: by a point so near that no other piece comes between. The piece itself does not, since its directions differ by less than
-  90 degrees from that in a point of the section. Points beside different places are tried, since the boundaries may touch for one.
+  Whether the points on the right of a section are inside of the sum, as those on the left are: by a point so near that
+  no other piece comes between. The piece itself does not, since its directions differ by less than
+  90 degrees from that in a point of the section. Points beside different places are tried, since the boundaries may
+  touch for one.
   */
   CGAL::Uncertain<bool> has_inside_beside(const Section& section) const
   {
     constexpr std::array<double, 4> places{0.5, 0.40625, 0.578125, 0.4609375};
     double distance = m_size / 128;
     for (int trial = 0; trial < most_trials; ++trial, distance /= 4) {
-      const double t = section.range.begin + places[static_cast<std::size_t>(trial) % places.size()] * section.range.width();
+      const double t =
+          section.range.begin + places[static_cast<std::size_t>(trial) % places.size()] * section.range.width();
       const Traced_jet jet = curves()[section.piece]({t, t});
       const Interval_pair& point = jet.point;
       const double x = jet.direction[0].inf(), y = jet.direction[1].inf(), length = std::hypot(x, y);
       if (!(length > 0) || !std::isfinite(length))
         continue;
-      const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
+      const Interval_pair p{Interval(point[0].inf() + distance * y / length),
+                            Interval(point[1].inf() - distance * x / length)},
+          between = hull(p, point);
       bool is_free = true;
       for (std::size_t i = 0; is_free && i < curves().size(); ++i)
         is_free = i == section.piece || Crossing_finder_2::is_apart(curves()[i], curves()[i].whole(), between);
@@ -208,12 +223,14 @@ private:
     return CGAL::Uncertain<bool>::indeterminate();
   }
 
-  // Sections one after the other: where one alone ends and one alone begins; or, of the boundary, so that the region is between them.
+  // Sections one after the other: where one alone ends and one alone begins; or, of the boundary, so that the region is
+  // between them.
   std::vector<Chain> linked(const std::vector<Section>& sections, bool are_boundary) const
   {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     const std::size_t n = sections.size();
-    std::map<std::size_t, std::array<std::vector<std::size_t>, 2>> stars;   // of each vertex, the sections that begin there and those that end
+    // of each vertex, the sections that begin there and those that end
+    std::map<std::size_t, std::array<std::vector<std::size_t>, 2>> stars;
     for (std::size_t i = 0; i < n; ++i)
       for (const std::size_t e : {0, 1})
         stars[sections[i].vertices[e]][e].push_back(i);
@@ -223,7 +240,9 @@ private:
       const auto& [begins, ends] = star;
       if (begins.size() != ends.size() || (begins.size() > 1 && !are_boundary))
         continue;
-      if (const auto successors = begins.size() == 1 ? std::optional(std::vector<std::size_t>{0}) : Vertex_star_2(rays(sections, ends, 1), rays(sections, begins, 0)).successors())
+      if (const auto successors = begins.size() == 1
+              ? std::optional(std::vector<std::size_t>{0})
+              : Vertex_star_2(rays(sections, ends, 1), rays(sections, begins, 0)).successors())
         for (std::size_t k = 0; k < ends.size(); ++k) {
           next[ends[k]] = begins[(*successors)[k]];
           has_previous[next[ends[k]]] = true;
@@ -243,12 +262,14 @@ private:
   }
 
   // How sections leave the vertex at their begin (0) or end (1): bounds for the range that it is in.
-  std::vector<Star_ray_2> rays(const std::vector<Section>& sections, const std::vector<std::size_t>& indices, std::size_t end) const
+  std::vector<Star_ray_2> rays(const std::vector<Section>& sections, const std::vector<std::size_t>& indices,
+                               std::size_t end) const
   {
     std::vector<Star_ray_2> result;
     for (const std::size_t i : indices) {
       const Range &range = sections[i].range, &outer = sections[i].outer_range;
-      const Traced_jet jet = curves()[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
+      const Traced_jet jet =
+          curves()[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
       if (end == 0)
         result.push_back({jet.direction, jet.curvature});
       else
@@ -277,13 +298,15 @@ private:
 
   void nest_chains()
   {
-    for (const std::size_t hole : find_outer_boundaries(m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); })) {
+    for (const std::size_t hole : find_outer_boundaries(
+             m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); })) {
       const Section& section = m_chains[hole].sections.front();
       m_undecided.push_back(curves()[section.piece](section.range).point);
     }
   }
 
-  // Whether a closed chain is around another one, if that is certain: around a point between the ends of a section, where chains do not meet.
+  // Whether a closed chain is around another one, if that is certain: around a point between the ends of a section,
+  // where chains do not meet.
   CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
   {
     constexpr std::size_t most_sections = 4;
@@ -296,16 +319,22 @@ private:
     return CGAL::Uncertain<bool>::indeterminate();
   }
 
-  // The angle along a closed chain. It goes on from one section to the next one in a vertex that is within the ranges of both ends.
+  // The angle along a closed chain. It goes on from one section to the next one in a vertex that is within the ranges
+  // of both ends.
   std::optional<double> turn_around_point(const Interval_pair& p, const Chain& chain) const
   {
     double result = 0;
     for (std::size_t k = 0; k < chain.sections.size(); ++k) {
       const Section &section = chain.sections[k], &next = chain.sections[(k + 1) % chain.sections.size()];
       const auto path = [&](const Range& range) { return curves()[section.piece](range).point; };
-      const auto way = [&](const Section& of, double from, double to) { return curves()[of.piece]({from, to}).point - p; };
+      const auto way = [&](const Section& of, double from, double to) {
+        return curves()[of.piece]({from, to}).point - p;
+      };
       const auto angle = turn_around(p, path, section.range.begin, section.range.end);
-      const auto angle_at_vertex = angle_within(hull(way(section, section.range.end, section.outer_range.end), way(next, next.outer_range.begin, next.range.begin)), way(section, section.range.end, section.range.end), way(next, next.range.begin, next.range.begin));
+      const auto angle_at_vertex = angle_within(hull(way(section, section.range.end, section.outer_range.end),
+                                                     way(next, next.outer_range.begin, next.range.begin)),
+                                                way(section, section.range.end, section.range.end),
+                                                way(next, next.range.begin, next.range.begin));
       if (!angle || !angle_at_vertex)
         return std::nullopt;
       result += *angle + *angle_at_vertex;
@@ -322,7 +351,8 @@ private:
     return result;
   }
 
-  // The area of the polygon of points of a closed chain, with some parts of each section, and of what is between it and the chain.
+  // The area of the polygon of points of a closed chain, with some parts of each section, and of what is between it and
+  // the chain.
   Interval twice_area(const Chain& chain, int parts) const
   {
     const Section& first = chain.sections.front();
@@ -347,7 +377,8 @@ private:
     return result;
   }
 
-  // Between a chord and its part of a piece, positive if this turns to the left: at most that of the triangle of the chord and both tangents.
+  // Between a chord and its part of a piece, positive if this turns to the left: at most that of the triangle of the
+  // chord and both tangents.
   Interval twice_area_of_segment(std::size_t index, const Range& from, const Range& to) const
   {
     const Convolution_piece_2& piece = m_cuts.pieces()[index];
@@ -355,7 +386,8 @@ private:
     if (!piece.is_convex())
       return Interval(-2, 2) * CGAL::square(diameter(curve(united(from, to)).point));
     const Interval squared_chord = squared_norm(curve(to).point - curve(from).point);
-    return hull(Interval(0), squared_chord / Interval(2) * tangent_of_half_angle(piece.direction(from), piece.direction(to)));
+    return hull(Interval(0),
+                squared_chord / Interval(2) * tangent_of_half_angle(piece.direction(from), piece.direction(to)));
   }
 };
 

@@ -26,7 +26,8 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-Which points are inside of the Minkowski sum of two regions A and B: p is if the interiors of A and p - B meet, where their boundaries cross, or one boundary is inside of the other region.
+Which points are inside of the Minkowski sum of two regions A and B: p is if the interiors of A and p - B meet, where
+their boundaries cross, or one boundary is inside of the other region.
 */
 class Sum_interior_2
 {
@@ -50,7 +51,8 @@ public:
           Range{0, 1}, Range{0, 1});
   }
 
-  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them. More is decided with points of boundaries farther away, which takes much longer.
+  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them.
+  // More is decided with points of boundaries farther away, which takes much longer.
   CGAL::Uncertain<bool> contains(const Interval_pair& p, Effort effort = Effort::USUAL) const
   {
     bool is_decided = true;
@@ -61,7 +63,8 @@ public:
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
         for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
-          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) || (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
+          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) ||
+              (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
             return true;
           else
             is_decided = false;
@@ -87,13 +90,18 @@ private:
   bool is_inside(std::size_t k, const Exact_pair& point) const
   {
     const std::vector<Boundary_loop_2>& loops = m_regions[k]->loops();
-    return std::accumulate(loops.begin(), loops.end(), 0, [&](int turns, const Boundary_loop_2& loop) { return turns + loop.winding_number(point); }) > 0;
+    return std::accumulate(loops.begin(), loops.end(), 0, [&](int turns, const Boundary_loop_2& loop) {
+             return turns + loop.winding_number(point);
+           }) > 0;
   }
 
   /*
-  Whether a point of one boundary, near a contact, is inside of the other region, reflected, wherever p is within its bounds. Regions that overlap next to the contact by less than these bounds, or on the other side of a joint, overlap by more farther away: so they do around most cusps of the convolution.
+  Whether a point of one boundary, near a contact, is inside of the other region, reflected, wherever p is within its
+  bounds. Regions that overlap next to the contact by less than these bounds, or on the other side of a joint, overlap
+  by more farther away: so they do around most cusps of the convolution.
   */
-  bool has_point_inside(const Interval_pair& p, const std::array<std::size_t, 2>& arcs, const std::array<Range, 2>& ranges) const
+  bool has_point_inside(const Interval_pair& p, const std::array<std::size_t, 2>& arcs,
+                        const std::array<Range, 2>& ranges) const
   {
     constexpr double least_step = 0x1p-10;
     for (double step = 0.25; step >= least_step; step /= 4)
@@ -101,8 +109,11 @@ private:
         for (const double way : {-step, step}) {
           const auto [arc, t] = place(k, arcs[k], ranges[k].middle() + way);
           const Interval_pair point = p - m_arcs[k][arc]({t, t}).point;
-          const auto is_apart = [&](const Traced_curve_2& curve) { return Crossing_finder_2::is_apart(curve, curve.whole(), point); };
-          if (std::all_of(m_arcs[1 - k].begin(), m_arcs[1 - k].end(), is_apart) && is_inside(1 - k, {to_rational(point[0].inf()), to_rational(point[1].inf())}))
+          const auto is_apart = [&](const Traced_curve_2& curve) {
+            return Crossing_finder_2::is_apart(curve, curve.whole(), point);
+          };
+          if (std::all_of(m_arcs[1 - k].begin(), m_arcs[1 - k].end(), is_apart) &&
+              is_inside(1 - k, {to_rational(point[0].inf()), to_rational(point[1].inf())}))
             return true;
         }
     return false;

@@ -19,8 +19,9 @@ namespace internal {
 namespace Minkowski_sum {
 
 /*
-Whether two curves cross where their derivatives do not tell, as where they have the same curvature in a common tangent. Both are graphs over a line there. If one is above the other one where their common part over the line
-begins, and below it where this ends, they cross between, somehow.
+Whether two curves cross where their derivatives do not tell, as where they have the same curvature in a common tangent.
+Both are graphs over a line there. If one is above the other one where their common part over the line begins, and below
+it where this ends, they cross between, somehow.
 */
 class Tangential_crossing_2
 {
@@ -56,11 +57,13 @@ private:
     std::array<bool, 2> is_backward;   // whether a curve runs against the direction
   };
 
-  // -1 if the order of the curves at both ends of their common part is certainly not the same, 1 if it is, and 0 if this is not known.
+  // -1 if the order of the curves at both ends of their common part is certainly not the same, 1 if it is, and 0 if
+  // this is not known.
   int sign_of_crossing(const std::array<Range, 2>& ranges) const
   {
     const std::array<Interval_pair, 2> tangents{m_views[0].direction(ranges[0]), m_views[1].direction(ranges[1])};
-    const double x = tangents[0][0].inf() / 2 + tangents[0][0].sup() / 2, y = tangents[0][1].inf() / 2 + tangents[0][1].sup() / 2, length = std::hypot(x, y);
+    const double x = tangents[0][0].inf() / 2 + tangents[0][0].sup() / 2,
+                 y = tangents[0][1].inf() / 2 + tangents[0][1].sup() / 2, length = std::hypot(x, y);
     if (!(length > 0) || !std::isfinite(length))
       return 0;
     const Interval_pair direction{Interval(x / length), Interval(y / length)};

@@ -21,9 +21,13 @@ namespace internal {
 namespace Minkowski_sum {
 
 inline bool may_meet(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
-inline bool may_meet(const Interval_pair& a, const Interval_pair& b) { return may_meet(a[0], b[0]) && may_meet(a[1], b[1]); }
+inline bool may_meet(const Interval_pair& a, const Interval_pair& b)
+{
+  return may_meet(a[0], b[0]) && may_meet(a[1], b[1]);
+}
 
-// A point of a curve, its direction, its derivative divided by this, and its curvature, if needed, or enclosures of them over a range. The direction is known well where the derivative is nearly zero, as near a cusp.
+// A point of a curve, its direction, its derivative divided by this, and its curvature, if needed, or enclosures of
+// them over a range. The direction is known well where the derivative is nearly zero, as near a cusp.
 struct Traced_jet
 {
   Interval_pair point, direction;
@@ -33,7 +37,9 @@ struct Traced_jet
 using Fine_pair = std::array<Fine_interval, 2>;
 
 /*
-A curve that is known by enclosures of its points and derivatives over ranges of its parameter, which are kept for the ranges that halving makes. Its points may be known on the level above doubles, too. This is enough to decide with more precision: what is between the points of two curves is small there, and is multiplied by little that is not.
+A curve that is known by enclosures of its points and derivatives over ranges of its parameter, which are kept for the
+ranges that halving makes. Its points may be known on the level above doubles, too. This is enough to decide with more
+precision: what is between the points of two curves is small there, and is multiplied by little that is not.
 */
 class Traced_curve_2
 {
@@ -70,7 +76,8 @@ private:
 public:
   // The curve over a range. Its ends may be known up to small ranges only: between these is the inner range.
   Traced_curve_2(Evaluation evaluation, const Range& range, const Range& inner, Fine_evaluation fine_evaluation = {})
-    : m_evaluation(std::move(evaluation)), m_fine_evaluation(std::move(fine_evaluation)), m_inner(inner), m_whole(std::make_unique<Part>(part(range)))
+    : m_evaluation(std::move(evaluation)), m_fine_evaluation(std::move(fine_evaluation)), m_inner(inner),
+      m_whole(std::make_unique<Part>(part(range)))
   {}
 
   const Part& whole() const { return *m_whole; }
@@ -83,7 +90,8 @@ public:
     if (!of.m_halves) {
       const auto& [begin, end] = of.m_range;
       const double middle = of.m_range.middle();
-      of.m_halves = std::make_unique<std::array<Part, 2>>(std::array<Part, 2>{part({begin, middle}), part({middle, end})});
+      of.m_halves =
+          std::make_unique<std::array<Part, 2>>(std::array<Part, 2>{part({begin, middle}), part({middle, end})});
     }
     return *of.m_halves;
   }
@@ -92,7 +100,9 @@ public:
   const Fine_pair& fine_middle_point(const Part& of) const
   {
     if (!of.m_fine_middle_point)
-      of.m_fine_middle_point = std::make_unique<const Fine_pair>(m_fine_evaluation ? m_fine_evaluation(of.m_range.middle()) : Fine_pair{Fine_interval(of.m_middle_point[0]), Fine_interval(of.m_middle_point[1])});
+      of.m_fine_middle_point = std::make_unique<const Fine_pair>(
+          m_fine_evaluation ? m_fine_evaluation(of.m_range.middle())
+                            : Fine_pair{Fine_interval(of.m_middle_point[0]), Fine_interval(of.m_middle_point[1])});
     return *of.m_fine_middle_point;
   }
 
@@ -115,7 +125,9 @@ class Traced_view_2
 public:
   using Part = Traced_curve_2::Part;
 
-  explicit Traced_view_2(const Traced_curve_2& curve, std::optional<Interval_pair> offset = std::nullopt) : m_curve(&curve), m_offset(offset) {}
+  explicit Traced_view_2(const Traced_curve_2& curve, std::optional<Interval_pair> offset = std::nullopt)
+    : m_curve(&curve), m_offset(offset)
+  {}
 
   const Traced_curve_2& curve() const { return *m_curve; }
   Interval_pair box(const Part& part) const { return seen(part.box()); }
@@ -136,12 +148,16 @@ public:
   Interval_pair direction(const Range& range) const { return seen_direction((*m_curve)(range).direction); }
 
 private:
-  Interval_pair seen_direction(const Interval_pair& direction) const { return m_offset ? Interval_pair{-direction[0], -direction[1]} : direction; }
+  Interval_pair seen_direction(const Interval_pair& direction) const
+  {
+    return m_offset ? Interval_pair{-direction[0], -direction[1]} : direction;
+  }
 
   template <Enclosing_number Number>
   std::array<Number, 2> seen(const std::array<Number, 2>& point) const
   {
-    return m_offset ? std::array<Number, 2>{Number((*m_offset)[0]) - point[0], Number((*m_offset)[1]) - point[1]} : point;
+    return m_offset ? std::array<Number, 2>{Number((*m_offset)[0]) - point[0], Number((*m_offset)[1]) - point[1]}
+                    : point;
   }
 };
 

@@ -21,7 +21,10 @@ class Vertex_classes
   std::vector<std::size_t> m_parents;
 
 public:
-  explicit Vertex_classes(std::size_t size) : m_parents(size) { std::iota(m_parents.begin(), m_parents.end(), std::size_t(0)); }
+  explicit Vertex_classes(std::size_t size) : m_parents(size)
+  {
+    std::iota(m_parents.begin(), m_parents.end(), std::size_t(0));
+  }
 
   std::size_t add()
   {

@@ -25,14 +25,17 @@ struct Star_ray_2
 };
 
 /*
-The boundaries of a region that meet in a vertex, as rays. Those that end there and those that begin take turns around it. Which one of these goes on as which, so that the region between them is on the left of both.
+The boundaries of a region that meet in a vertex, as rays. Those that end there and those that begin take turns around
+it. Which one of these goes on as which, so that the region between them is on the left of both.
 */
 class Vertex_star_2
 {
   std::vector<Star_ray_2> m_ends, m_begins;
 
 public:
-  Vertex_star_2(std::vector<Star_ray_2> ends, std::vector<Star_ray_2> begins) : m_ends(std::move(ends)), m_begins(std::move(begins)) {}
+  Vertex_star_2(std::vector<Star_ray_2> ends, std::vector<Star_ray_2> begins)
+    : m_ends(std::move(ends)), m_begins(std::move(begins))
+  {}
 
   // For each end the begin that it goes on as; nothing if the order is not certain.
   std::optional<std::vector<std::size_t>> successors() const
@@ -63,7 +66,8 @@ private:
     return std::nullopt;
   }
 
-  // On which side of a ray another one is: 1 on the left, -1 on the right; 0 if it is not certain, as for opposite ones. Of rays with the same direction, the one with the larger curvature is on the left.
+  // On which side of a ray another one is: 1 on the left, -1 on the right; 0 if it is not certain, as for opposite
+  // ones. Of rays with the same direction, the one with the larger curvature is on the left.
   static int side(const Star_ray_2& of, const Star_ray_2& ray)
   {
     if (const int sign = certain_sign(cross(of.direction, ray.direction)); sign != 0)
@@ -81,7 +85,10 @@ private:
     return a_side * b_side > 0 || certain_sign(dot(a.direction, b.direction)) > 0 ? side(a, b) < 0 : a_side < b_side;
   }
 
-  static bool is_behind(const Star_ray_2& from, const Star_ray_2& ray) { return certain_sign(dot(from.direction, ray.direction)) < 0; }
+  static bool is_behind(const Star_ray_2& from, const Star_ray_2& ray)
+  {
+    return certain_sign(dot(from.direction, ray.direction)) < 0;
+  }
 };
 
 } // namespace Minkowski_sum

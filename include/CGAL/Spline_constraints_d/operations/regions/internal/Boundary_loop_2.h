@@ -30,7 +30,8 @@ struct Boundary_piece
 {
   std::array<Exact_tensor, 3> coordinates;   // x, y, w of one degree, w > 0
   std::size_t curve;
-  std::array<Exact_rational, 2> parameters;  // of the curve at the begin and end of the piece, decreasing where it is run backwards
+  // of the curve at the begin and end of the piece, decreasing where it is run backwards
+  std::array<Exact_rational, 2> parameters;
 
   Exact_pair at(const Exact_rational& t) const
   {
@@ -51,7 +52,8 @@ struct Boundary_piece
     const auto& [x, y, w] = coordinates;
     Rounded_bezier bezier;
     for (std::size_t k = 0; k < w.coefficients().size(); ++k)
-      bezier.push_back({to_nearest_double(x.coefficients()[k]), to_nearest_double(y.coefficients()[k]), to_nearest_double(w.coefficients()[k])});
+      bezier.push_back({to_nearest_double(x.coefficients()[k]), to_nearest_double(y.coefficients()[k]),
+                        to_nearest_double(w.coefficients()[k])});
     std::vector<std::array<double, 2>> result;
     append_chords(result, std::move(bezier), error);
     result.pop_back();
@@ -63,7 +65,9 @@ struct Boundary_piece
   {
     if (parameters == std::array<Exact_rational, 2>{begin, end})
       return *this;
-    const auto local = [&](const Exact_rational& t) { return Exact_rational((t - parameters[0]) / (parameters[1] - parameters[0])); };
+    const auto local = [&](const Exact_rational& t) {
+      return Exact_rational((t - parameters[0]) / (parameters[1] - parameters[0]));
+    };
     Boundary_piece result(*this);
     for (Exact_tensor& tensor : result.coordinates)
       tensor = tensor.restricted(0, local(begin), local(end));
@@ -98,7 +102,8 @@ std::vector<Boundary_piece> boundary_pieces(const Curve& curve, std::size_t inde
 }
 
 /*
-A closed curve of pieces, each of which begins in the point where the one before ends. Piece i is where the parameter is between i and i + 1.
+A closed curve of pieces, each of which begins in the point where the one before ends. Piece i is where the parameter is
+between i and i + 1.
 */
 class Boundary_loop_2
 {
@@ -136,7 +141,9 @@ public:
         tensors[k].push_back(piece.coordinates[k].elevated({degree}) * factor);
       weight = tensors[2].back().coefficients().back();
     }
-    const auto function = [&](std::size_t k) { return joined(tensors[k], breaks, "Boundary_loop_2: pieces do not meet"); };
+    const auto function = [&](std::size_t k) {
+      return joined(tensors[k], breaks, "Boundary_loop_2: pieces do not meet");
+    };
     return Bspline_curve_2<Exact_kernel>::from_homogeneous_coordinates({function(0), function(1)}, function(2));
   }
 
@@ -154,7 +161,8 @@ public:
     return piece->at(t);
   }
 
-  // Bounds of the enclosed area, negative for a clockwise loop, at most 2 `error` apart: half of the integral of x y' - y x', which is (X Y' - Y X') / W^2 in homogeneous coordinates.
+  // Bounds of the enclosed area, negative for a clockwise loop, at most 2 `error` apart: half of the integral of x y' -
+  // y x', which is (X Y' - Y X') / W^2 in homogeneous coordinates.
   Rational_interval signed_area(const Exact_rational& error) const
   {
     Rational_interval result(Exact_rational(0), Exact_rational(0));
@@ -163,7 +171,9 @@ public:
       const auto& [x, y, w] = piece.coordinates;
       const Exact_tensor n = x * y.derivative(0) - y * x.derivative(0);
       const Exact_rational w0 = w.coefficients().front();
-      result = result + (piece.is_polynomial() ? Rational_interval(Exact_rational(integral(n) / (w0 * w0))) : integral_of_quotient(n, w * w, part));
+      result = result +
+          (piece.is_polynomial() ? Rational_interval(Exact_rational(integral(n) / (w0 * w0)))
+                                 : integral_of_quotient(n, w * w, part));
     }
     return {Exact_rational(result.lower / 2), Exact_rational(result.upper / 2)};
   }
@@ -192,7 +202,8 @@ public:
     return area.lower > 0;
   }
 
-  // Whether a point is on the loop, or next to it: it is not told apart from a part that remains after so many halvings.
+  // Whether a point is on the loop, or next to it: it is not told apart from a part that remains after so many
+  // halvings.
   bool may_contain(const Exact_pair& point, int halvings) const
   {
     return std::any_of(m_pieces.begin(), m_pieces.end(), [&](const Boundary_piece& piece) {
@@ -201,8 +212,8 @@ public:
     });
   }
 
-  // How often the loop runs counterclockwise around a point that is not on it: the signed number of its crossings of the ray in the direction of the x-axis. Ends of parts are above the ray or not,
-  // so that none is counted twice.
+  // How often the loop runs counterclockwise around a point that is not on it: the signed number of its crossings of
+  // the ray in the direction of the x-axis. Ends of parts are above the ray or not, so that none is counted twice.
   int winding_number(const Exact_pair& point) const
   {
     int result = 0;

@@ -30,8 +30,11 @@ namespace Regions {
 /*
 Outlines that may touch, but do not cross, as simple rings that have no more than vertices in common.
 
-Pieces that are there twice have the same on both sides, and are left out. What remains is cut where it meets, in rational points, and where common parts begin and end, which are left out then; parts between cuts are strands. However strands are put together to rings, a point is in the region if an odd number of rings go around it. So it is known on which side of a strand the region is. An outline touches itself if this is one side of
-all of a curve; if it is not, the curve crosses another one.
+Pieces that are there twice have the same on both sides, and are left out. What remains is cut where it meets, in
+rational points, and where common parts begin and end, which are left out then; parts between cuts are strands. However
+strands are put together to rings, a point is in the region if an odd number of rings go around it. So it is known on
+which side of a strand the region is. An outline touches itself if this is one side of all of a curve; if it is not, the
+curve crosses another one.
 */
 class Simple_rings_2
 {
@@ -60,7 +63,8 @@ public:
     for (Meetings meetings = cut_where_rings_meet(options, true); meetings != Meetings::NONE; ) {
       make_strands(without_doubled_pieces(std::move(m_strands)));
       m_rings = rings(in_any_direction);
-      meetings = meetings == Meetings::PARTS ? cut_where_rings_meet(options, false) : Meetings::NONE;   // none of which is left
+      // none of which is left
+      meetings = meetings == Meetings::PARTS ? cut_where_rings_meet(options, false) : Meetings::NONE;
     }
     find_sides();
     if (!std::all_of(m_rings.begin(), m_rings.end(), [&](const Ring& ring) { return has_region_on_one_side(ring); }))
@@ -70,7 +74,10 @@ public:
   const std::vector<Strand>& strands() const { return m_strands; }
   const std::vector<Ring>& rings() const { return m_rings; }
 
-  bool has_region_on_left(const Intersection_arc& arc) const { return static_cast<bool>(m_is_region_on_left[arc.index]) != arc.is_reversed; }
+  bool has_region_on_left(const Intersection_arc& arc) const
+  {
+    return static_cast<bool>(m_is_region_on_left[arc.index]) != arc.is_reversed;
+  }
 
   // Whether rings touch.
   bool has_rings_that_touch() const
@@ -91,9 +98,18 @@ public:
   }
 
 private:
-  static std::string name(std::size_t curve, const Exact_rational& parameter) { return "curve " + std::to_string(curve) + " at parameter " + shortest_text(to_nearest_double(parameter)); }
-  static std::string name_of_end(const Strand& strand, int side) { return name(strand.front().curve, side == 0 ? strand.front().parameters[0] : strand.back().parameters[1]); }
-  static Exact_pair end_point(const Strand& strand, int side) { return side == 0 ? strand.front().at(0) : strand.back().at(1); }
+  static std::string name(std::size_t curve, const Exact_rational& parameter)
+  {
+    return "curve " + std::to_string(curve) + " at parameter " + shortest_text(to_nearest_double(parameter));
+  }
+  static std::string name_of_end(const Strand& strand, int side)
+  {
+    return name(strand.front().curve, side == 0 ? strand.front().parameters[0] : strand.back().parameters[1]);
+  }
+  static Exact_pair end_point(const Strand& strand, int side)
+  {
+    return side == 0 ? strand.front().at(0) : strand.back().at(1);
+  }
   static Exact_pair middle(const Strand& strand) { return strand.front().at(Exact_rational(1) / 2); }
 
   // An even number of ends in each point.
@@ -107,10 +123,12 @@ private:
       if (ends.size() == 1 && ++names <= most_names)
         open += (open.empty() ? "" : ", ") + name(0);
       if (ends.size() > 1 && ends.size() % 2 == 1)
-        throw Invalid_input("Planar_region_2: an odd number of ends of curves are the same point: " + name(0) + ", " + name(1) + ", " + name(2) + (ends.size() > 3 ? " and others" : ""));
+        throw Invalid_input("Planar_region_2: an odd number of ends of curves are the same point: " + name(0) + ", " +
+                            name(1) + ", " + name(2) + (ends.size() > 3 ? " and others" : ""));
     }
     if (names > 0)
-      throw Invalid_input("Planar_region_2: the boundary is open: no other curve goes on from " + open + (names > most_names ? " and others" : ""));
+      throw Invalid_input("Planar_region_2: the boundary is open: no other curve goes on from " + open +
+                          (names > most_names ? " and others" : ""));
   }
 
   static std::map<Exact_pair, std::vector<Curve_end>> ends_at(const std::vector<Strand>& strands)
@@ -129,7 +147,8 @@ private:
       const auto& [x, y, w] = p.coordinates;
       std::vector<Exact_pair> result;
       for (std::size_t k = 0; k < w.coefficients().size(); ++k) {
-        result.push_back({Exact_rational(x.coefficients()[k] / w.coefficients()[k]), Exact_rational(y.coefficients()[k] / w.coefficients()[k])});
+        result.push_back({Exact_rational(x.coefficients()[k] / w.coefficients()[k]),
+                          Exact_rational(y.coefficients()[k] / w.coefficients()[k])});
         result.push_back({Exact_rational(w.coefficients()[k] / w.coefficients().front()), Exact_rational(0)});
       }
       return result;
@@ -161,7 +180,8 @@ private:
             result.emplace_back();
           result.back().push_back(piece);
         }
-      if (end_point(curve, 0) == end_point(curve, 1) && (result.empty() || result.back().front().curve != curve.front().curve))
+      if (end_point(curve, 0) == end_point(curve, 1) &&
+          (result.empty() || result.back().front().curve != curve.front().curve))
         throw Invalid_input("Planar_region_2: all of the boundary " + name_of_end(curve, 0) + " is there twice");
     }
     if (result.empty())
@@ -195,11 +215,15 @@ private:
 
   bool has_region_on_one_side(const Ring& ring) const
   {
-    return std::all_of(ring.begin(), ring.end(), [&](const Intersection_arc& arc) { return has_region_on_left(arc) == has_region_on_left(ring.front()); });
+    return std::all_of(ring.begin(), ring.end(), [&](const Intersection_arc& arc) {
+      return has_region_on_left(arc) == has_region_on_left(ring.front());
+    });
   }
 
   /*
-  Puts the strands together to rings that pass no point twice: what was run through since the last visit of a point is cut off. There is always a strand to go on with, as there are as many arrivals as departures in each point, or an even number of ends if `may_begin(end)` for all.
+  Puts the strands together to rings that pass no point twice: what was run through since the last visit of a point is
+  cut off. There is always a strand to go on with, as there are as many arrivals as departures in each point, or an even
+  number of ends if `may_begin(end)` for all.
   */
   template <class May_begin>
   std::vector<Ring> rings(const May_begin& may_begin) const
@@ -211,7 +235,8 @@ private:
       if (is_used[first])
         continue;
       Ring ring;
-      for (Curve_end begin{first, may_begin(Curve_end{first, 0}) ? 0 : 1};; begin = next_strand(begin, is_used, may_begin)) {
+      for (Curve_end begin{first, may_begin(Curve_end{first, 0}) ? 0 : 1};;
+           begin = next_strand(begin, is_used, may_begin)) {
         departure[vertex(begin)] = ring.size();
         ring.push_back({begin.curve, begin.side == 1});
         is_used[begin.curve] = true;
@@ -237,7 +262,9 @@ private:
   {
     const std::vector<Curve_end>& ends = m_ends[vertex({begin.curve, 1 - begin.side})];
     const auto may_follow = [&](const Curve_end& end) { return !is_used[end.curve] && may_begin(end); };
-    const auto same_curve = std::find_if(ends.begin(), ends.end(), [&](const Curve_end& end) { return may_follow(end) && m_strands[end.curve].front().curve == m_strands[begin.curve].front().curve; });
+    const auto same_curve = std::find_if(ends.begin(), ends.end(), [&](const Curve_end& end) {
+      return may_follow(end) && m_strands[end.curve].front().curve == m_strands[begin.curve].front().curve;
+    });
     return same_curve != ends.end() ? *same_curve : *std::find_if(ends.begin(), ends.end(), may_follow);
   }
 
@@ -272,13 +299,18 @@ private:
 
   // On both curves, the ends of a common part, if these are rational, and of its pieces.
   template <class Meeting>
-  static std::optional<std::vector<Origin>> origins_in_common_part(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
+  static std::optional<std::vector<Origin>> origins_in_common_part(const Meeting& meeting,
+                                                                   const std::array<const Boundary_loop_2*, 2>& loops)
   {
     if (meeting.kind() != Intersection_kind::OVERLAP)
       return std::nullopt;
     const std::array<Parameter_range, 2> ranges{meeting.parameter_range(0), meeting.parameter_range(1)};
-    const auto end = [&](std::size_t k, bool is_last) { return loops[k]->at(is_last ? ranges[k].second : ranges[k].first); };
-    const auto are_ends = [&](bool is_reversed) { return end(0, false) == end(1, is_reversed) && end(0, true) == end(1, !is_reversed); };
+    const auto end = [&](std::size_t k, bool is_last) {
+      return loops[k]->at(is_last ? ranges[k].second : ranges[k].first);
+    };
+    const auto are_ends = [&](bool is_reversed) {
+      return end(0, false) == end(1, is_reversed) && end(0, true) == end(1, !is_reversed);
+    };
     if (!are_ends(false) && !are_ends(true))
       return std::nullopt;
     std::vector<Origin> result;
@@ -290,7 +322,9 @@ private:
   }
 
   // Where pieces of a loop within a range end in the inside of pieces of another one.
-  static void append_ends_of_pieces(const Boundary_loop_2& loop, const Parameter_range& range, const Boundary_loop_2& other, const Parameter_range& other_range, std::vector<Origin>& origins)
+  static void append_ends_of_pieces(const Boundary_loop_2& loop, const Parameter_range& range,
+                                    const Boundary_loop_2& other, const Parameter_range& other_range,
+                                    std::vector<Origin>& origins)
   {
     for (std::size_t i = 0; i < loop.pieces().size(); ++i) {
       const Exact_rational first(static_cast<unsigned long>(i));
@@ -298,7 +332,8 @@ private:
         continue;
       for (std::size_t j = 0; j < other.pieces().size(); ++j)
         for (const Exact_rational& t : rational_parameters(other.pieces()[j], loop.pieces()[i].at(0)))
-          if (const Exact_rational parameter = t + static_cast<unsigned long>(j); other_range.first < parameter && parameter < other_range.second)
+          if (const Exact_rational parameter = t + static_cast<unsigned long>(j);
+              other_range.first < parameter && parameter < other_range.second)
             origins.push_back(other.origin(parameter));
     }
   }
@@ -324,13 +359,15 @@ private:
 
   // \throws Invalid_input when it is not proved to be one rational point.
   template <class Meeting>
-  static std::vector<Origin> origins_of_common_point(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
+  static std::vector<Origin> origins_of_common_point(const Meeting& meeting,
+                                                     const std::array<const Boundary_loop_2*, 2>& loops)
   {
     std::array<Exact_rational, 2> parameters;
     for (std::size_t k = 0; k < 2; ++k)
       parameters[k] = simplest_rational_between(meeting.parameter_range(k).first, meeting.parameter_range(k).second);
     const auto origin = [&](std::size_t k) { return loops[k]->origin(parameters[k]); };
-    const bool is_one_point = meeting.kind() != Intersection_kind::OVERLAP && meeting.kind() != Intersection_kind::UNDECIDED && loops[0]->at(parameters[0]) == loops[1]->at(parameters[1]);
+    const bool is_one_point = meeting.kind() != Intersection_kind::OVERLAP &&
+        meeting.kind() != Intersection_kind::UNDECIDED && loops[0]->at(parameters[0]) == loops[1]->at(parameters[1]);
     if (is_one_point)
       return {origin(0), origin(1)};
     for (std::size_t k = 0; k < 2; ++k)
@@ -343,7 +380,8 @@ private:
       default: return " meet in a point that is not proved to be rational";
       }
     };
-    throw Invalid_input("Planar_region_2: " + std::apply(name, origin(0)) + " and " + std::apply(name, origin(1)) + what());
+    throw Invalid_input("Planar_region_2: " + std::apply(name, origin(0)) + " and " + std::apply(name, origin(1)) +
+                        what());
   }
 
   static Strand split(const Strand& strand, std::vector<Exact_rational> parameters)
@@ -371,7 +409,8 @@ private:
     for (const Ring& ring : m_rings)
       loops.push_back(loop(ring));
     m_is_region_on_left.resize(m_strands.size());
-    const auto parity = [&](std::size_t ring, const Exact_pair& point) {   // of the number of other rings around a point
+    // of the number of other rings around a point
+    const auto parity = [&](std::size_t ring, const Exact_pair& point) {
       bool result = false;
       for (std::size_t k = 0; k < m_rings.size(); ++k)
         result ^= k != ring && loops[k].winding_number(point) != 0;
@@ -381,15 +420,18 @@ private:
       const bool is_counterclockwise = loops[i].is_counterclockwise();
       bool is_on_left = false;
       for (const Intersection_arc& arc : m_rings[i]) {
-        if (&arc == &m_rings[i].front() || m_ends[vertex({arc.index, arc.is_reversed})].size() > 2)   // where no rings meet the side remains
+        // where no rings meet the side remains
+        if (&arc == &m_rings[i].front() || m_ends[vertex({arc.index, arc.is_reversed})].size() > 2)
           is_on_left = is_counterclockwise != parity(i, middle(m_strands[arc.index]));
         m_is_region_on_left[arc.index] = is_on_left != arc.is_reversed;
       }
     }
     for (std::size_t s = 1; s < m_strands.size(); ++s) {
       const Boundary_piece &before = m_strands[s - 1].back(), &after = m_strands[s].front();
-      if (m_is_region_on_left[s - 1] != m_is_region_on_left[s] && before.curve == after.curve && before.parameters[1] == after.parameters[0])
-        throw Invalid_input("Planar_region_2: " + name_of_end(m_strands[s], 0) + " and " + name_of_other_end(s) + " cross");
+      if (m_is_region_on_left[s - 1] != m_is_region_on_left[s] && before.curve == after.curve &&
+          before.parameters[1] == after.parameters[0])
+        throw Invalid_input("Planar_region_2: " + name_of_end(m_strands[s], 0) + " and " + name_of_other_end(s) +
+                            " cross");
     }
   }
 
@@ -397,7 +439,9 @@ private:
   std::string name_of_other_end(std::size_t strand) const
   {
     const std::vector<Curve_end>& ends = m_ends[vertex({strand, 0})];
-    const auto other = std::find_if(ends.begin(), ends.end(), [&](const Curve_end& end) { return end != Curve_end{strand, 0} && end != Curve_end{strand - 1, 1}; });
+    const auto other = std::find_if(ends.begin(), ends.end(), [&](const Curve_end& end) {
+      return end != Curve_end{strand, 0} && end != Curve_end{strand - 1, 1};
+    });
     return name_of_end(m_strands[other->curve], other->side);
   }
 };

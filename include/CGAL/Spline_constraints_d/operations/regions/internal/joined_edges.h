@@ -15,7 +15,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Regions {
 
-// One edge for successive edges of a cycle of which each goes on in the next one; the first one does not go on from the last one, unless all do.
+// One edge for successive edges of a cycle of which each goes on in the next one; the first one does not go on from the
+// last one, unless all do.
 template <class Edge, class Goes_on, class Extend>
 std::vector<Edge> joined_edges(std::vector<Edge> edges, const Goes_on& goes_on, const Extend& extend)
 {

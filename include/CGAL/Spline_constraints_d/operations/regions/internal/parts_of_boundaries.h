@@ -21,7 +21,8 @@ namespace Regions {
 inline constexpr std::size_t no_boundary = (std::numeric_limits<std::size_t>::max)();
 
 /*
-Finds the outer boundary of each hole, the innermost one around it. Those of the parts are their own ones already. Returns the holes for which it is not certain; these have none.
+Finds the outer boundary of each hole, the innermost one around it. Those of the parts are their own ones already.
+Returns the holes for which it is not certain; these have none.
 
 `is_around(b, c)` tells whether an outer boundary is around another boundary, if that is certain.
 */
@@ -38,7 +39,8 @@ std::vector<std::size_t> find_outer_boundaries(std::vector<Boundary>& boundaries
       bool is_certain = true;
       for (const std::size_t b : outer)
         if (const CGAL::Uncertain<bool> has_hole = is_around(b, hole); CGAL::possibly(has_hole)) {
-          const CGAL::Uncertain<bool> is_inner = innermost == no_boundary ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>(is_around(innermost, b));
+          const CGAL::Uncertain<bool> is_inner =
+              innermost == no_boundary ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>(is_around(innermost, b));
           is_certain = is_certain && has_hole.is_certain() && is_inner.is_certain();
           if (CGAL::certainly(is_inner))
             innermost = b;
@@ -51,7 +53,8 @@ std::vector<std::size_t> find_outer_boundaries(std::vector<Boundary>& boundaries
   return undecided;
 }
 
-// The connected parts of a set: the index of the outer boundary of each, and behind it those of its holes. Boundaries that do not know their outer boundary, a number that is no index, are left out.
+// The connected parts of a set: the index of the outer boundary of each, and behind it those of its holes. Boundaries
+// that do not know their outer boundary, a number that is no index, are left out.
 template <class Boundary>
 std::vector<std::vector<std::size_t>> parts_of_boundaries(const std::vector<Boundary>& boundaries)
 {

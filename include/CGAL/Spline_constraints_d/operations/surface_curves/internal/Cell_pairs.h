@@ -37,8 +37,9 @@ std::array<NT, 3> cross_product(const std::array<NT, 3>& a, const std::array<NT,
 using Tangent_cones = std::array<std::vector<Interval_vector>, 2>;
 
 /*
-Whether det(n, a, b) > 0 for some n and all a and b in the two cones of the derivatives on a rectangle. Then S(P) = S(Q) for no P != Q in it: the difference is (u - s) a + (v - t) b, where a and b are means of derivatives,
-which lie in the same cones.
+Whether det(n, a, b) > 0 for some n and all a and b in the two cones of the derivatives on a rectangle. Then S(P) = S(Q)
+for no P != Q in it: the difference is (u - s) a + (v - t) b, where a and b are means of derivatives, which lie in the
+same cones.
 */
 inline bool is_one_to_one(const Tangent_cones& tangents)
 {
@@ -55,21 +56,27 @@ inline bool is_one_to_one(const Tangent_cones& tangents)
     x = CGAL::to_double(x);
   return std::all_of(tangents[0].begin(), tangents[0].end(), [&](const Interval_vector& a) {
     const Interval_vector across = cross_product(n, a);
-    return std::all_of(tangents[1].begin(), tangents[1].end(), [&](const Interval_vector& b) { return (across[0] * b[0] + across[1] * b[1] + across[2] * b[2]).inf() > 0; });
+    return std::all_of(tangents[1].begin(), tangents[1].end(), [&](const Interval_vector& b) {
+      return (across[0] * b[0] + across[1] * b[1] + across[2] * b[2]).inf() > 0;
+    });
   });
 }
 
 /*
-The unordered pairs P != Q of points of the domain of a surface with S(P) = S(Q) lie in products of two cells each, all within polynomial pieces: of one cell with itself, of two that are apart, and of two near each other
-for which nothing is known. All other pairs are proved to have different points:
+The unordered pairs P != Q of points of the domain of a surface with S(P) = S(Q) lie in products of two cells each, all
+within polynomial pieces: of one cell with itself, of two that are apart, and of two near each other for which nothing
+is known. All other pairs are proved to have different points:
 
-Two cells with a common edge or corner are divided until they are apart, or the surface is one-to-one on the rectangle around both of them; so on both sides of a break only pairs of distant points are left. The ends of a
-closed parameter are an edge in common as well. In cells that have the same pole, an edge that is one point, all pairs on it have the same point; what is near it, they have in common too.
+Two cells with a common edge or corner are divided until they are apart, or the surface is one-to-one on the rectangle
+around both of them; so on both sides of a break only pairs of distant points are left. The ends of a closed parameter
+are an edge in common as well. In cells that have the same pole, an edge that is one point, all pairs on it have the
+same point; what is near it, they have in common too.
 */
 class Cell_pairs
 {
   using Cell = std::array<Parameter_range, 2>;
-  using Shift = std::array<Exact_rational, 2>;   // of the second cell, by periods of closed parameters, that brings it next to the first one
+  // of the second cell, by periods of closed parameters, that brings it next to the first one
+  using Shift = std::array<Exact_rational, 2>;
 
   struct Piece
   {
@@ -77,7 +84,8 @@ class Cell_pairs
     std::array<Vector_of_functions<3>, 2> tangents;   // of any lengths
   };
 
-  static constexpr int most_halvings = 16;   // of both axes; across a pole, where the other axis does not count, one counts for two
+  // of both axes; across a pole, where the other axis does not count, one counts for two
+  static constexpr int most_halvings = 16;
 
   std::array<std::optional<Exact_rational>, 2> m_periods;
   std::array<std::vector<Parameter_range>, 2> m_ranges;
@@ -219,7 +227,8 @@ private:
     return piece(i, j).patch.part({cell[0], cell[1]});
   }
 
-  // The derivatives over a rectangle, which may go on across breaks and seams: coefficients of polynomials generate cones that hold their values.
+  // The derivatives over a rectangle, which may go on across breaks and seams: coefficients of polynomials generate
+  // cones that hold their values.
   Tangent_cones tangents(const Cell& rectangle) const
   {
     Tangent_cones result;
@@ -228,7 +237,9 @@ private:
         for (const std::size_t axis : {0, 1}) {
           const Vector_of_functions<3> tangent = part_of<3>(part_of<3>(piece(i, j).tangents[axis], 0, u), 1, v);
           for (std::size_t k = 0; k < tangent[0].coefficients().size(); ++k)
-            result[axis].push_back({Number_traits<Exact_rational>::enclosure(tangent[0].coefficients()[k]), Number_traits<Exact_rational>::enclosure(tangent[1].coefficients()[k]), Number_traits<Exact_rational>::enclosure(tangent[2].coefficients()[k])});
+            result[axis].push_back({Number_traits<Exact_rational>::enclosure(tangent[0].coefficients()[k]),
+                                    Number_traits<Exact_rational>::enclosure(tangent[1].coefficients()[k]),
+                                    Number_traits<Exact_rational>::enclosure(tangent[2].coefficients()[k])});
         }
     return result;
   }
@@ -244,7 +255,8 @@ private:
     std::vector<std::pair<std::size_t, Parameter_range>> result;
     for (const Exact_rational& back : ways_back)
       for (std::size_t i = 0; i < m_ranges[axis].size(); ++i) {
-        const Parameter_range own = moved(range, back), &piece = m_ranges[axis][i], common{(std::max)(own.first, piece.first), (std::min)(own.second, piece.second)};
+        const Parameter_range own = moved(range, back), &piece = m_ranges[axis][i],
+                              common{(std::max)(own.first, piece.first), (std::min)(own.second, piece.second)};
         if (common.first < common.second)
           result.emplace_back(i, common);
       }
@@ -259,16 +271,34 @@ private:
     return result;
   }
 
-  static Parameter_box product(const Cell& first, const Cell& second) { return {first[0], first[1], second[0], second[1]}; }
+  static Parameter_box product(const Cell& first, const Cell& second)
+  {
+    return {first[0], first[1], second[0], second[1]};
+  }
 
-  static bool ends_at(const Parameter_range& range, const Exact_rational& value) { return range.first == value || range.second == value; }
-  static bool meet(const Parameter_range& a, const Parameter_range& b) { return a.first <= b.second && b.first <= a.second; }
+  static bool ends_at(const Parameter_range& range, const Exact_rational& value)
+  {
+    return range.first == value || range.second == value;
+  }
+  static bool meet(const Parameter_range& a, const Parameter_range& b)
+  {
+    return a.first <= b.second && b.first <= a.second;
+  }
 
-  static Parameter_range moved(const Parameter_range& range, const Exact_rational& shift) { return {Exact_rational(range.first + shift), Exact_rational(range.second + shift)}; }
-  static Cell moved(const Cell& cell, const Shift& shift) { return {moved(cell[0], shift[0]), moved(cell[1], shift[1])}; }
+  static Parameter_range moved(const Parameter_range& range, const Exact_rational& shift)
+  {
+    return {Exact_rational(range.first + shift), Exact_rational(range.second + shift)};
+  }
+  static Cell moved(const Cell& cell, const Shift& shift)
+  {
+    return {moved(cell[0], shift[0]), moved(cell[1], shift[1])};
+  }
 
   // Not in the middle, where symmetric surfaces have something special.
-  static Exact_rational cut_of(const Parameter_range& range) { return Exact_rational(range.first + (range.second - range.first) * Exact_rational(15, 32)); }
+  static Exact_rational cut_of(const Parameter_range& range)
+  {
+    return Exact_rational(range.first + (range.second - range.first) * Exact_rational(15, 32));
+  }
 
   static std::array<Cell, 2> halves(const Cell& cell, int axis)
   {

@@ -23,12 +23,17 @@ namespace internal {
 namespace Surface_curves {
 
 /*
-The equations of the unordered pairs of points P = (u,v), Q = (s,t) of a surface of one polynomial piece with S(P) = S(Q), P != Q.
+The equations of the unordered pairs of points P = (u,v), Q = (s,t) of a surface of one polynomial piece with S(P) =
+S(Q), P != Q.
 
-P - Q = h d with a direction d and h >= 0, and S(P) - S(Q) = h (d_0 A + d_1 B) with polynomials A and B: the diagonal is divided out. With a parameter m in [-1,1], d is a half-turn about e; the unknowns are u, v, s, t and m.
-At h = 0 what is left is the derivative along d, so that the only solutions are where S_u and S_v are dependent: pinch points, where curves end.
+P - Q = h d with a direction d and h >= 0, and S(P) - S(Q) = h (d_0 A + d_1 B) with polynomials A and B: the diagonal is
+divided out. With a parameter m in [-1,1], d is a half-turn about e; the unknowns are u, v, s, t and m. At h = 0 what is
+left is the derivative along d, so that the only solutions are where S_u and S_v are dependent: pinch points, where
+curves end.
 
-Lengths are in units of the widths of the domain. e is neither along an axis nor a diagonal: on symmetric surfaces there are curves with P - Q along one of these, and they would lie where m is at its end; but these directions have rational parameters.
+Lengths are in units of the widths of the domain. e is neither along an axis nor a diagonal: on symmetric surfaces there
+are curves with P - Q along one of these, and they would lie where m is at its end; but these directions have rational
+parameters.
 */
 class Equal_point_pairs
 {
@@ -39,17 +44,20 @@ class Equal_point_pairs
   std::array<Power_polynomial, 2> m_offset;   // P - Q
 
 public:
-  explicit Equal_point_pairs(const Spline_patch<3>& patch) : m_ranges{patch.domain(0), patch.domain(1), patch.domain(0), patch.domain(1)}, m_difference(difference(patch))
+  explicit Equal_point_pairs(const Spline_patch<3>& patch)
+    : m_ranges{patch.domain(0), patch.domain(1), patch.domain(0), patch.domain(1)}, m_difference(difference(patch))
   {
     for (const int axis : {0, 1})
-      m_offset[axis] = (Power_polynomial::variable(axis) - Power_polynomial::variable(axis + 2)) / Power_polynomial(width(axis));
+      m_offset[axis] =
+          (Power_polynomial::variable(axis) - Power_polynomial::variable(axis + 2)) / Power_polynomial(width(axis));
   }
 
   Constraint_system_d system() const
   {
     Constraint_system_d result({m_ranges[0], m_ranges[1], m_ranges[2], m_ranges[3], {-1, 1}});
     const Power_polynomial m = Power_polynomial::variable(4), cosine = number(1) - m * m, sine = number(2) * m;
-    const std::array<Power_polynomial, 2> d{number(e[0]) * cosine - number(e[1]) * sine, number(e[1]) * cosine + number(e[0]) * sine};
+    const std::array<Power_polynomial, 2> d{number(e[0]) * cosine - number(e[1]) * sine,
+                                            number(e[1]) * cosine + number(e[0]) * sine};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [a, b] = divided_differences(numerator_polynomial(m_difference[i]));
       result.add(d[0] * a + d[1] * b, Relation::EQUAL);
@@ -76,7 +84,9 @@ private:
   {
     const auto x = [](int i) { return Power_polynomial::variable(i); };
     const Power_polynomial between = composed(f, {x(2), x(1), x(2), x(3)});
-    const auto quotient = [&](const Power_polynomial& g, int axis) { return *Polynomial_divisor(m_offset[axis]).quotient(g); };
+    const auto quotient = [&](const Power_polynomial& g, int axis) {
+      return *Polynomial_divisor(m_offset[axis]).quotient(g);
+    };
     return {quotient(f - between, 0), quotient(between, 1)};
   }
 };

@@ -26,7 +26,9 @@ namespace Surface_curves {
 
 // A bounded surface: a model of `ParametricSurface_3` or an object of CGAL that is converted to one.
 template <class Surface>
-concept Surface_operand = Intersection_operand<Surface>::is_bounded && Intersection_operand<Surface>::number_of_parameters == 2 && Intersection_operand<Surface>::dimension == 3;
+concept Surface_operand =
+    Intersection_operand<Surface>::is_bounded && Intersection_operand<Surface>::number_of_parameters == 2 &&
+    Intersection_operand<Surface>::dimension == 3;
 
 template <class Surface>
 using Operand_kernel = typename Intersection_operand<Surface>::Kernel;
@@ -53,7 +55,9 @@ inline Expression formula(const Exact_function& f, std::span<const Unknown> u)
 // The point where the first two of some unknowns are the parameters of a surface.
 inline auto point_on_surface(const Spline_patch<3>& patch)
 {
-  return [surface = Surface_shape(patch)](const std::vector<double>& unknowns) { return surface.point(std::vector<double>(unknowns.begin(), unknowns.begin() + 2)); };
+  return [surface = Surface_shape(patch)](const std::vector<double>& unknowns) {
+    return surface.point(std::vector<double>(unknowns.begin(), unknowns.begin() + 2));
+  };
 }
 
 // Whether a line is one point in space, over a part of the domain.
@@ -65,7 +69,10 @@ inline bool is_pole(const Spline_patch<3>& surface, const Cell_functions<1>& par
 // The axes along which a function has the same zeros at both ends, which are the same points in space.
 inline std::array<bool, 2> seams(const Spline_patch<3>& surface, const Cell_functions<1>& part)
 {
-  const auto is_seam = [&](int axis) { return part.domain(axis) == surface.domain(axis) && surface.is_closed(axis) && part.ratio(axis, part.size(axis) - 1, 0); };
+  const auto is_seam = [&](int axis) {
+    return part.domain(axis) == surface.domain(axis) && surface.is_closed(axis) &&
+        part.ratio(axis, part.size(axis) - 1, 0);
+  };
   return {is_seam(0), is_seam(1)};
 }
 
@@ -73,9 +80,14 @@ inline std::array<bool, 2> seams(const Spline_patch<3>& surface, const Cell_func
 inline std::vector<Constant_parameter> lines_in_space(const Spline_patch<3>& surface, const Continuous_part<1>& part)
 {
   std::vector<Constant_parameter> result;
-  const auto is_end = [&](const Constant_parameter& line) { return line.value == surface.domain(line.axis).first || line.value == surface.domain(line.axis).second; };
+  const auto is_end = [&](const Constant_parameter& line) {
+    return line.value == surface.domain(line.axis).first || line.value == surface.domain(line.axis).second;
+  };
   for (const Constant_parameter& line : part.lines) {
-    const auto is_same = [&](const Constant_parameter& other) { return line == other || (line.axis == other.axis && is_end(line) && is_end(other) && surface.is_closed(line.axis)); };
+    const auto is_same = [&](const Constant_parameter& other) {
+      return line == other ||
+          (line.axis == other.axis && is_end(line) && is_end(other) && surface.is_closed(line.axis));
+    };
     if (!is_pole(surface, part.functions, line) && std::none_of(result.begin(), result.end(), is_same))
       result.push_back(line);
   }
@@ -91,7 +103,11 @@ class Surface_zeros
   Surface_curves_3<Kernel> m_curves;
 
 public:
-  Surface_zeros(const Spline_patch<3>& patch, const Solver_options& options) : m_patch(patch), m_options(options), m_curves(point_on_surface(patch)) { m_options.check(); }
+  Surface_zeros(const Spline_patch<3>& patch, const Solver_options& options)
+    : m_patch(patch), m_options(options), m_curves(point_on_surface(patch))
+  {
+    m_options.check();
+  }
 
   const Surface_curves_3<Kernel>& curves() const { return m_curves; }
 
@@ -118,7 +134,9 @@ private:
   void add_poles(const Continuous_part<1>& part)
   {
     for (auto line = part.lines.begin(); line != part.lines.end(); ++line)
-      if (is_pole(m_patch, part.functions, *line) && part.functions.domain(1 - line->axis) == m_patch.domain(1 - line->axis) && std::find(part.lines.begin(), line, *line) == line)
+      if (is_pole(m_patch, part.functions, *line) &&
+          part.functions.domain(1 - line->axis) == m_patch.domain(1 - line->axis) &&
+          std::find(part.lines.begin(), line, *line) == line)
         m_curves.add_pole(*line, !m_patch.is_closed(1 - line->axis));
   }
 
@@ -142,7 +160,8 @@ private:
     std::vector<Surface_curve> result;
     for (const Constant_parameter& line : lines_in_space(m_patch, part)) {
       const int other = 1 - line.axis;
-      result.push_back({0, {}, m_patch.is_closed(other) && part.functions.domain(other) == m_patch.domain(other), line});
+      result.push_back(
+          {0, {}, m_patch.is_closed(other) && part.functions.domain(other) == m_patch.domain(other), line});
     }
     return result;
   }

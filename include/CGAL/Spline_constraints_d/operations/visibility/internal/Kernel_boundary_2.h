@@ -21,10 +21,15 @@ namespace internal {
 namespace Visibility {
 
 /*
-The boundary of a kernel, seen from a point in its interior, the origin: in each direction that element is on it whose height is the greatest one. Heights are convex functions of the direction.
+The boundary of a kernel, seen from a point in its interior, the origin: in each direction that element is on it whose
+height is the greatest one. Heights are convex functions of the direction.
 
-Cones are halved until at most two elements may be on the boundary within: one, or one at the first ray and the other one at the second ray, whose heights change their order once. Elements are left out where the tangents at the ends of the cone, which are below the boundary of the dual hull, are above the chord of their heights.
-More than two may meet in an end of an arc that is known exactly, and there two arcs change their order as often as three times nearby: at a reflex corner between arcs that turn left, the tangent of each one is on the boundary on the side of the other one. Slopes there tell which one is on the boundary before and after it.
+Cones are halved until at most two elements may be on the boundary within: one, or one at the first ray and the other
+one at the second ray, whose heights change their order once. Elements are left out where the tangents at the ends of
+the cone, which are below the boundary of the dual hull, are above the chord of their heights. More than two may meet in
+an end of an arc that is known exactly, and there two arcs change their order as often as three times nearby: at a
+reflex corner between arcs that turn left, the tangent of each one is on the boundary on the side of the other one.
+Slopes there tell which one is on the boundary before and after it.
 */
 class Kernel_boundary_2
 {
@@ -33,7 +38,8 @@ class Kernel_boundary_2
   using Place = Kernel_element_2::Place;
 
 public:
-  // A ray between two successive parts of the boundary is in this cone; which element is on the boundary before and after it.
+  // A ray between two successive parts of the boundary is in this cone; which element is on the boundary before and
+  // after it.
   struct Corner
   {
     std::array<std::size_t, 2> elements;
@@ -83,7 +89,9 @@ private:
       if (result.summits[i]->height.lower > result.summits[best]->height.lower)
         best = i;
     }
-    if (std::all_of(candidates.begin(), candidates.end(), [&](std::size_t i) { return i == best || result.summits[i]->height.upper <= result.summits[best]->height.lower; }))
+    if (std::all_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+          return i == best || result.summits[i]->height.upper <= result.summits[best]->height.lower;
+        }))
       result.highest = best;
     return result;
   }
@@ -123,24 +131,37 @@ private:
     visit(between, second, candidates, halvings + 1);
   }
 
-  // The height in the direction of another ray of that dual point of the highest element that is its summit: less than the height of the hull, or that.
-  Exact_rational height_below(const Ray& ray, const Exact_pair& direction) const { return height_below(ray, *ray.highest, direction); }
-  Exact_rational height_below(const Ray& ray, std::size_t element, const Exact_pair& direction) const { return m_elements[element].height(ray.summits[element]->range, direction).lower; }
+  // The height in the direction of another ray of that dual point of the highest element that is its summit: less than
+  // the height of the hull, or that.
+  Exact_rational height_below(const Ray& ray, const Exact_pair& direction) const
+  {
+    return height_below(ray, *ray.highest, direction);
+  }
+  Exact_rational height_below(const Ray& ray, std::size_t element, const Exact_pair& direction) const
+  {
+    return m_elements[element].height(ray.summits[element]->range, direction).lower;
+  }
 
   // The elements that are above those of both rays somewhere in the cone, with these.
-  std::vector<std::size_t> possible(const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates) const
+  std::vector<std::size_t> possible(const Ray& first, const Ray& second,
+                                    const std::vector<std::size_t>& candidates) const
   {
-    const std::array<Exact_rational, 2> a{first.summits[*first.highest]->height.lower, height_below(first, second.direction)};
-    const std::array<Exact_rational, 2> b{height_below(second, first.direction), second.summits[*second.highest]->height.lower};
+    const std::array<Exact_rational, 2> a{first.summits[*first.highest]->height.lower,
+                                          height_below(first, second.direction)};
+    const std::array<Exact_rational, 2> b{height_below(second, first.direction),
+                                          second.summits[*second.highest]->height.lower};
     std::vector<std::size_t> result;
     for (const std::size_t i : candidates)
-      if (i == *first.highest || i == *second.highest || !is_below(first.summits[i]->height.upper, second.summits[i]->height.upper, a, b))
+      if (i == *first.highest || i == *second.highest ||
+          !is_below(first.summits[i]->height.upper, second.summits[i]->height.upper, a, b))
         result.push_back(i);
     return result;
   }
 
-  // Whether a linear function on [0,1] is nowhere above the greater one of two others: at 0, at 1, and where these are the same.
-  static bool is_below(const Exact_rational& at_0, const Exact_rational& at_1, const std::array<Exact_rational, 2>& a, const std::array<Exact_rational, 2>& b)
+  // Whether a linear function on [0,1] is nowhere above the greater one of two others: at 0, at 1, and where these are
+  // the same.
+  static bool is_below(const Exact_rational& at_0, const Exact_rational& at_1, const std::array<Exact_rational, 2>& a,
+                       const std::array<Exact_rational, 2>& b)
   {
     if (at_0 > (std::max)(a[0], b[0]) || at_1 > (std::max)(a[1], b[1]))
       return false;
@@ -151,18 +172,22 @@ private:
     return at_0 + t * (at_1 - at_0) <= a[0] + t * (a[1] - a[0]);
   }
 
-  // Whether the slope of the height of the second element along the cone, which increases, begins with more than that of the first one ends with: for two tangents both are constant.
+  // Whether the slope of the height of the second element along the cone, which increases, begins with more than that
+  // of the first one ends with: for two tangents both are constant.
   bool change_once(const Ray& first, const Ray& second) const
   {
     const std::size_t i = *first.highest, j = *second.highest;
     const Exact_pair along = exact_difference(second.direction, first.direction);
     if (m_elements[i].is_line() || m_elements[j].is_line())   // convex, and linear
       return true;
-    return m_elements[j].height(first.summits[j]->range, along).lower >= m_elements[i].height(second.summits[i]->range, along).upper;
+    return m_elements[j].height(first.summits[j]->range, along).lower >=
+        m_elements[i].height(second.summits[i]->range, along).upper;
   }
 
-  // An end of one of these arcs in the cone, if all elements have its height: arcs with this end, and tangents through it.
-  std::optional<Exact_pair> joint_of(const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates) const
+  // An end of one of these arcs in the cone, if all elements have its height: arcs with this end, and tangents through
+  // it.
+  std::optional<Exact_pair> joint_of(const Ray& first, const Ray& second,
+                                     const std::vector<std::size_t>& candidates) const
   {
     const auto passes_through = [&](std::size_t i, const Exact_pair& point) {
       const Rational_interval height = m_elements[i].summit(point).height;
@@ -170,25 +195,34 @@ private:
     };
     for (const std::size_t i : candidates)
       for (const int end : {0, 1})
-        if (const auto point = m_elements[i].point_of_end(end); point && !m_elements[i].is_line() && exact_cross(first.direction, *point) >= 0 && exact_cross(*point, second.direction) >= 0)
-          if (std::all_of(candidates.begin(), candidates.end(), [&](std::size_t k) { return passes_through(k, *point); }))
+        if (const auto point = m_elements[i].point_of_end(end); point && !m_elements[i].is_line() &&
+            exact_cross(first.direction, *point) >= 0 && exact_cross(*point, second.direction) >= 0)
+          if (std::all_of(candidates.begin(), candidates.end(),
+                          [&](std::size_t k) { return passes_through(k, *point); }))
             return point;
     return std::nullopt;
   }
 
-  // Whether none of these elements is above the first one before the joint, or above the second one after it. Their heights are the same there, and their slopes increase along the cone.
-  bool change_at(const Exact_pair& joint, const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates) const
+  // Whether none of these elements is above the first one before the joint, or above the second one after it. Their
+  // heights are the same there, and their slopes increase along the cone.
+  bool change_at(const Exact_pair& joint, const Ray& first, const Ray& second,
+                 const std::vector<std::size_t>& candidates) const
   {
     const std::size_t i = *first.highest, j = *second.highest;
     const Exact_pair along = exact_difference(second.direction, first.direction);
-    const auto slope = [&](std::size_t element, const Summit& summit) { return m_elements[element].height(summit.range, along); };
-    const Exact_rational before = slope(i, summit_beside(i, joint, 1)).upper, after = slope(j, summit_beside(j, joint, 0)).lower;
+    const auto slope = [&](std::size_t element, const Summit& summit) {
+      return m_elements[element].height(summit.range, along);
+    };
+    const Exact_rational before = slope(i, summit_beside(i, joint, 1)).upper,
+                         after = slope(j, summit_beside(j, joint, 0)).lower;
     return std::all_of(candidates.begin(), candidates.end(), [&](std::size_t k) {
-      return (k == i || slope(k, *first.summits[k]).lower >= before) && (k == j || slope(k, *second.summits[k]).upper <= after);
+      return (k == i || slope(k, *first.summits[k]).lower >= before) &&
+          (k == j || slope(k, *second.summits[k]).upper <= after);
     });
   }
 
-  // The summit of an element just before a joint (1), or just after it (0): an arc that ends there, or begins, is passed through.
+  // The summit of an element just before a joint (1), or just after it (0): an arc that ends there, or begins, is
+  // passed through.
   Summit summit_beside(std::size_t element, const Exact_pair& joint, int end) const
   {
     if (m_elements[element].point_of_end(end) != joint)
@@ -207,7 +241,8 @@ private:
     } else if (m_elements[i].is_line() && m_elements[j].is_line()) {
       const Exact_pair a = *m_elements[i].dual_of_end(0), b = *m_elements[j].dual_of_end(0);
       const Exact_rational determinant = exact_cross(a, b);
-      corner.point = {Rational_interval(Exact_rational((b[1] - a[1]) / determinant)), Rational_interval(Exact_rational((a[0] - b[0]) / determinant))};
+      corner.point = {Rational_interval(Exact_rational((b[1] - a[1]) / determinant)),
+                      Rational_interval(Exact_rational((a[0] - b[0]) / determinant))};
     } else {
       for (int halvings = 0; halvings < most_halvings; ++halvings) {
         Ray between = ray_between(first, second, {i, j});
@@ -240,7 +275,8 @@ private:
       for (const std::size_t i : candidates)
         heights.upper = (std::max)(heights.upper, ray->summits[i]->height.upper);
       const std::size_t i = ray->highest.value_or(candidates[0]);
-      heights.lower = (std::max)(heights.lower, (std::min)(height_below(*ray, i, first.direction), height_below(*ray, i, second.direction)));
+      heights.lower = (std::max)(
+          heights.lower, (std::min)(height_below(*ray, i, first.direction), height_below(*ray, i, second.direction)));
     }
     Vector_bounds<2> result;
     for (std::size_t k = 0; k < 2; ++k)

@@ -20,9 +20,11 @@ namespace internal {
 namespace Visibility {
 
 /*
-A point that is strictly on the left of all tangents of a boundary, or a proof that there is none: the half-planes of some tangents have no common point, or their common points have no interior.
+A point that is strictly on the left of all tangents of a boundary, or a proof that there is none: the half-planes of
+some tangents have no common point, or their common points have no interior.
 
-A polygon that contains the kernel is cut by tangents that do not have its centroid on their left, each of which takes away at least a fraction 1/e of it (Gruenbaum 1960).
+A polygon that contains the kernel is cut by tangents that do not have its centroid on their left, each of which takes
+away at least a fraction 1/e of it (Gruenbaum 1960).
 */
 class Kernel_centre_2
 {
@@ -33,7 +35,8 @@ class Kernel_centre_2
   std::optional<Exact_pair> m_centre;
 
 public:
-  Kernel_centre_2(const std::vector<Tangent_family>& tangents, std::vector<Exact_pair> polygon) : m_tangents(tangents), m_polygon(std::move(polygon))
+  Kernel_centre_2(const std::vector<Tangent_family>& tangents, std::vector<Exact_pair> polygon)
+    : m_tangents(tangents), m_polygon(std::move(polygon))
   {
     for (int cuts = 0; cuts < most_cuts && !is_flat() && !m_centre;) {
       const Exact_pair candidate = centroid();
@@ -59,7 +62,10 @@ public:
   const std::vector<Exact_pair>& polygon() const { return m_polygon; }
   bool is_flat() const
   {
-    return m_polygon.empty() || std::all_of(m_polygon.begin(), m_polygon.end(), [&](const Exact_pair& p) { return exact_cross(exact_difference(m_polygon[1 % m_polygon.size()], m_polygon[0]), exact_difference(p, m_polygon[0])) == 0; });
+    return m_polygon.empty() || std::all_of(m_polygon.begin(), m_polygon.end(), [&](const Exact_pair& p) {
+             return exact_cross(exact_difference(m_polygon[1 % m_polygon.size()], m_polygon[0]),
+                                exact_difference(p, m_polygon[0])) == 0;
+           });
   }
 
 private:
@@ -69,7 +75,8 @@ private:
     Exact_pair sum{0, 0};
     Exact_rational twice_area(0);
     for (std::size_t i = 1; i + 1 < m_polygon.size(); ++i) {
-      const Exact_pair p = exact_difference(m_polygon[i], m_polygon[0]), q = exact_difference(m_polygon[i + 1], m_polygon[0]);
+      const Exact_pair p = exact_difference(m_polygon[i], m_polygon[0]),
+                       q = exact_difference(m_polygon[i + 1], m_polygon[0]);
       const Exact_rational area = exact_cross(p, q);
       twice_area += area;
       for (std::size_t k = 0; k < 2; ++k)
@@ -84,12 +91,15 @@ private:
   // To a number with few digits, about a thousandth of the extent of the polygon away.
   Exact_rational rounded(const Exact_rational& x, std::size_t axis) const
   {
-    const auto [least, greatest] = std::minmax_element(m_polygon.begin(), m_polygon.end(), [&](const Exact_pair& p, const Exact_pair& q) { return p[axis] < q[axis]; });
+    const auto [least, greatest] =
+        std::minmax_element(m_polygon.begin(), m_polygon.end(),
+                            [&](const Exact_pair& p, const Exact_pair& q) { return p[axis] < q[axis]; });
     const Exact_rational reach((*greatest)[axis] - (*least)[axis]);
     return simple_dyadic_between(Exact_rational(x - reach / 1000), Exact_rational(x + reach / 1000));
   }
 
-  // A parameter of [0,1] where a function is not positive: about where it is least among some, or one that halving leaves.
+  // A parameter of [0,1] where a function is not positive: about where it is least among some, or one that halving
+  // leaves.
   static std::optional<Exact_rational> violated(const Exact_tensor& f)
   {
     if (f.bounds().first > 0)
@@ -97,14 +107,16 @@ private:
     constexpr int samples = 32;
     std::pair<Exact_rational, int> least(1, -1);
     for (int i = 0; i <= samples; ++i)
-      if (const Exact_rational value = f(std::array<Exact_rational, 1>{Exact_rational(i) / samples}); least.second < 0 || value < least.first)
+      if (const Exact_rational value = f(std::array<Exact_rational, 1>{Exact_rational(i) / samples});
+          least.second < 0 || value < least.first)
         least = {value, i};
     if (!(least.first > 0))
       return Exact_rational(least.second) / samples;
     return violated(f, Exact_rational(0), Exact_rational(1), most_halvings);
   }
 
-  static std::optional<Exact_rational> violated(const Exact_tensor& f, const Exact_rational& lower, const Exact_rational& upper, int halvings)
+  static std::optional<Exact_rational> violated(const Exact_tensor& f, const Exact_rational& lower,
+                                                const Exact_rational& upper, int halvings)
   {
     if (f.bounds().first > 0)
       return std::nullopt;

@@ -21,7 +21,8 @@ namespace internal {
 namespace Visibility {
 
 /*
-The tangents of a piece of a boundary: a point p is on the left of the tangent at t, or on it, if a(t) x + b(t) y + c(t) >= 0.
+The tangents of a piece of a boundary: a point p is on the left of the tangent at t, or on it, if a(t) x + b(t) y + c(t)
+>= 0.
 */
 struct Tangent_family
 {
@@ -48,17 +49,23 @@ struct Tangent_family
   Exact_tensor curvature() const
   {
     const auto& [x, y, w] = piece.coordinates;
-    const std::array<Exact_tensor, 3> first{x.derivative(0), y.derivative(0), w.derivative(0)}, second{first[0].derivative(0), first[1].derivative(0), first[2].derivative(0)};
-    return x * (first[1] * second[2] - first[2] * second[1]) - y * (first[0] * second[2] - first[2] * second[0]) + w * (first[0] * second[1] - first[1] * second[0]);
+    const std::array<Exact_tensor, 3> first{x.derivative(0), y.derivative(0), w.derivative(0)},
+        second{first[0].derivative(0), first[1].derivative(0), first[2].derivative(0)};
+    return x * (first[1] * second[2] - first[2] * second[1]) - y * (first[0] * second[2] - first[2] * second[0]) +
+        w * (first[0] * second[1] - first[1] * second[0]);
   }
 
 private:
-  static bool vanishes_at(int end, const Exact_tensor& f) { return (end == 0 ? f.coefficients().front() : f.coefficients().back()) == 0; }
+  static bool vanishes_at(int end, const Exact_tensor& f)
+  {
+    return (end == 0 ? f.coefficients().front() : f.coefficients().back()) == 0;
+  }
 };
 
 /*
-Tangents that bound a kernel, seen from a point in its interior, the origin: those of an arc that turns left, or one. The tangent n x + m y <= 1 is the point (n, m) of the dual plane, in which the kernel becomes the convex hull of these points. The height
-of the hull in a direction is the inverse of the distance of the boundary of the kernel.
+Tangents that bound a kernel, seen from a point in its interior, the origin: those of an arc that turns left, or one.
+The tangent n x + m y <= 1 is the point (n, m) of the dual plane, in which the kernel becomes the convex hull of these
+points. The height of the hull in a direction is the inverse of the distance of the boundary of the kernel.
 */
 class Kernel_element_2
 {
@@ -85,7 +92,10 @@ public:
   }
 
   std::size_t curve() const { return m_piece.curve; }
-  bool is_line() const { return m_ends[0].is_point() && m_ends[1].is_point() && m_ends[0].lower() == m_ends[1].lower(); }
+  bool is_line() const
+  {
+    return m_ends[0].is_point() && m_ends[1].is_point() && m_ends[0].lower() == m_ends[1].lower();
+  }
   Parameter_range range_of_end(int end) const { return {m_ends[end].lower(), m_ends[end].upper()}; }
 
   // The dual point of an end that is known exactly.
@@ -98,7 +108,10 @@ public:
     return Exact_pair{Exact_rational(m_n(u) / one), Exact_rational(m_m(u) / one)};
   }
 
-  std::optional<Exact_pair> point_of_end(int end) const { return m_ends[end].is_point() ? std::optional<Exact_pair>(m_piece.at(m_ends[end].lower())) : std::nullopt; }
+  std::optional<Exact_pair> point_of_end(int end) const
+  {
+    return m_ends[end].is_point() ? std::optional<Exact_pair>(m_piece.at(m_ends[end].lower())) : std::nullopt;
+  }
 
   Kernel_element_2 tangent_at(int end) const
   {
@@ -108,7 +121,10 @@ public:
   }
 
   // Whether it spans less than a half-turn around the origin.
-  bool is_short() const { return is_line() || exact_cross(m_piece.at(m_ends[0].upper()), m_piece.at(m_ends[1].lower())) > 0; }
+  bool is_short() const
+  {
+    return is_line() || exact_cross(m_piece.at(m_ends[0].upper()), m_piece.at(m_ends[1].lower())) > 0;
+  }
 
   std::array<Kernel_element_2, 2> halves() const
   {
@@ -133,14 +149,19 @@ public:
       }
     }
     const Rational_interval begin = height(range_of_end(0), d), end = height(range_of_end(1), d);
-    return begin.lower > end.lower ? Summit{{begin.lower, (std::max)(begin.upper, end.upper)}, Place::BEGIN, range_of_end(0)} : Summit{{end.lower, (std::max)(begin.upper, end.upper)}, Place::END, range_of_end(1)};
+    return begin.lower > end.lower
+        ? Summit{{begin.lower, (std::max)(begin.upper, end.upper)}, Place::BEGIN, range_of_end(0)}
+        : Summit{{end.lower, (std::max)(begin.upper, end.upper)}, Place::END, range_of_end(1)};
   }
 
   // Of the dual points of a range.
   Rational_interval height(const Parameter_range& range, const Exact_pair& d) const
   {
-    const Exact_tensor value = (m_n * d[0] + m_m * d[1]).restricted(0, range.first, range.second), one = m_one.restricted(0, range.first, range.second);
-    const auto quotient = [&](std::size_t k) { return Rational_interval(Exact_rational(value.coefficients()[k] / one.coefficients()[k])); };
+    const Exact_tensor value = (m_n * d[0] + m_m * d[1]).restricted(0, range.first, range.second),
+                       one = m_one.restricted(0, range.first, range.second);
+    const auto quotient = [&](std::size_t k) {
+      return Rational_interval(Exact_rational(value.coefficients()[k] / one.coefficients()[k]));
+    };
     Rational_interval result = quotient(0);
     for (std::size_t k = 1; k < value.coefficients().size() && range.first < range.second; ++k)
       result = hull(result, quotient(k));
@@ -150,7 +171,9 @@ public:
   // Parameters of the curve for local ones.
   Parameter_range on_curve(const Parameter_range& range) const
   {
-    const auto value = [&](const Exact_rational& t) { return Exact_rational(m_piece.parameters[0] + t * (m_piece.parameters[1] - m_piece.parameters[0])); };
+    const auto value = [&](const Exact_rational& t) {
+      return Exact_rational(m_piece.parameters[0] + t * (m_piece.parameters[1] - m_piece.parameters[0]));
+    };
     const Exact_rational first = value(range.first), second = value(range.second);
     return {(std::min)(first, second), (std::max)(first, second)};
   }

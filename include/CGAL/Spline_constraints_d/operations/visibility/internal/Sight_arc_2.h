@@ -22,7 +22,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Visibility {
 
-// Directions are numbers of [0,4), which increase counterclockwise: q + b/(a+b) for the vector (a,b), a > 0, b >= 0, turned by q right angles.
+// Directions are numbers of [0,4), which increase counterclockwise: q + b/(a+b) for the vector (a,b), a > 0, b >= 0,
+// turned by q right angles.
 inline Exact_pair vector_of_direction(const Exact_rational& direction)
 {
   int quadrant = 0;
@@ -42,22 +43,27 @@ inline const Exact_rational& narrow_sight()
 }
 
 /*
-An arc that is seen from a point within one quadrant, where the direction of sight increases strictly or decreases strictly with the parameter. Its parameter is local to [0,1], the piece that it is a part of.
+An arc that is seen from a point within one quadrant, where the direction of sight increases strictly or decreases
+strictly with the parameter. Its parameter is local to [0,1], the piece that it is a part of.
 */
 class Sight_arc_2
 {
   std::size_t m_curve;
   std::array<Exact_rational, 2> m_parameters;   // of the curve, where that of the piece is 0 and 1
   int m_quadrant;
-  Exact_tensor m_a, m_b;                        // the vector from the viewpoint, with the quadrant as the first one, times a positive function
+  // the vector from the viewpoint, with the quadrant as the first one, times a positive function
+  Exact_tensor m_a, m_b;
   Exact_tensor m_distance, m_weight;            // the sum of its coordinates, times the weight
   std::array<Exact_root, 2> m_ends;             // in the order of directions
   bool m_is_reversed;                           // the direction decreases with the parameter
   std::array<Rational_interval, 2> m_directions;
 
 public:
-  Sight_arc_2(const Boundary_piece& piece, int quadrant, Exact_tensor a, Exact_tensor b, Exact_tensor distance, std::array<Exact_root, 2> ends, bool is_reversed)
-    : m_curve(piece.curve), m_parameters(piece.parameters), m_quadrant(quadrant), m_a(std::move(a)), m_b(std::move(b)), m_distance(std::move(distance)), m_weight(piece.coordinates[2]), m_ends(std::move(ends)), m_is_reversed(is_reversed)
+  Sight_arc_2(const Boundary_piece& piece, int quadrant, Exact_tensor a, Exact_tensor b, Exact_tensor distance,
+              std::array<Exact_root, 2> ends, bool is_reversed)
+    : m_curve(piece.curve), m_parameters(piece.parameters), m_quadrant(quadrant), m_a(std::move(a)), m_b(std::move(b)),
+      m_distance(std::move(distance)), m_weight(piece.coordinates[2]), m_ends(std::move(ends)),
+      m_is_reversed(is_reversed)
   {
     for (int k = 0; k < 2; ++k)
       m_directions[k] = direction_of_end(k);
@@ -87,7 +93,9 @@ public:
   Exact_root root_at(const Exact_rational& direction) const
   {
     const int first = m_is_reversed ? 1 : 0;
-    return Exact_root(std::make_shared<const Integer_polynomial>(integer_polynomial(side(direction))), m_ends[first].upper(), m_ends[1 - first].lower(), m_is_reversed ? CGAL::POSITIVE : CGAL::NEGATIVE);
+    return Exact_root(std::make_shared<const Integer_polynomial>(integer_polynomial(side(direction))),
+                      m_ends[first].upper(), m_ends[1 - first].lower(),
+                      m_is_reversed ? CGAL::POSITIVE : CGAL::NEGATIVE);
   }
 
   // Bounds of the parameter where the direction is within bounds that no end is in.
@@ -101,10 +109,12 @@ public:
     return {(std::min)(first.lower(), last.lower()), (std::max)(first.upper(), last.upper())};
   }
 
-  // Bounds of the distance in a range, where the sum of the absolute coordinates is the distance: in one direction these are in the order of lengths.
+  // Bounds of the distance in a range, where the sum of the absolute coordinates is the distance: in one direction
+  // these are in the order of lengths.
   Rational_interval distance(const Parameter_range& range) const
   {
-    const Exact_tensor r = m_distance.restricted(0, range.first, range.second), w = m_weight.restricted(0, range.first, range.second);
+    const Exact_tensor r = m_distance.restricted(0, range.first, range.second),
+                       w = m_weight.restricted(0, range.first, range.second);
     Rational_interval result(Exact_rational(r.coefficients()[0] / w.coefficients()[0]));
     for (std::size_t k = 1; k < r.coefficients().size(); ++k)
       result = hull(result, Rational_interval(Exact_rational(r.coefficients()[k] / w.coefficients()[k])));
@@ -112,12 +122,17 @@ public:
   }
 
   // The whole of it, with what may be beyond its ends.
-  Parameter_range range() const { return {(std::min)(m_ends[0].lower(), m_ends[1].lower()), (std::max)(m_ends[0].upper(), m_ends[1].upper())}; }
+  Parameter_range range() const
+  {
+    return {(std::min)(m_ends[0].lower(), m_ends[1].lower()), (std::max)(m_ends[0].upper(), m_ends[1].upper())};
+  }
 
   // Parameters of the curve for local ones.
   Parameter_range on_curve(const Parameter_range& range) const
   {
-    const auto value = [&](const Exact_rational& t) { return Exact_rational(m_parameters[0] + t * (m_parameters[1] - m_parameters[0])); };
+    const auto value = [&](const Exact_rational& t) {
+      return Exact_rational(m_parameters[0] + t * (m_parameters[1] - m_parameters[0]));
+    };
     return {value(range.first), value(range.second)};
   }
 
@@ -136,7 +151,8 @@ private:
         return Rational_interval(Exact_rational(axis));
     for (;;) {
       const auto bounds = bounds_of_direction(range_of_end(end));
-      if (bounds.lower > m_quadrant && bounds.upper < m_quadrant + 1 && bounds.upper - bounds.lower <= power_of_two(-64))
+      if (bounds.lower > m_quadrant && bounds.upper < m_quadrant + 1 &&
+          bounds.upper - bounds.lower <= power_of_two(-64))
         return bounds;
       m_ends[end].halve();
     }
@@ -144,7 +160,8 @@ private:
 
   Rational_interval bounds_of_direction(const Parameter_range& range) const
   {
-    const Exact_tensor a = m_a.restricted(0, range.first, range.second), b = m_b.restricted(0, range.first, range.second);
+    const Exact_tensor a = m_a.restricted(0, range.first, range.second),
+                       b = m_b.restricted(0, range.first, range.second);
     const Rational_interval all(Exact_rational(m_quadrant), Exact_rational(m_quadrant + 1));
     Rational_interval result = all;
     for (std::size_t k = 0; k < a.coefficients().size(); ++k) {
@@ -178,7 +195,8 @@ inline Exact_tensor without_zero_at(int end, const Exact_tensor& f)
 }
 
 /*
-Cuts a piece into arcs that are seen within one quadrant, with increasing or decreasing direction: at the roots of the coordinates and of the cross product with the derivative. None if the piece is on a line through the viewpoint.
+Cuts a piece into arcs that are seen within one quadrant, with increasing or decreasing direction: at the roots of the
+coordinates and of the cross product with the derivative. None if the piece is on a line through the viewpoint.
 */
 inline void append_sight_arcs(const Boundary_piece& piece, const Exact_pair& viewpoint, std::vector<Sight_arc_2>& arcs)
 {
@@ -186,7 +204,9 @@ inline void append_sight_arcs(const Boundary_piece& piece, const Exact_pair& vie
   const Exact_tensor dx = x - w * viewpoint[0], dy = y - w * viewpoint[1];
   Exact_tensor a = dx, b = dy;
   for (const int end : {0, 1})
-    while (a.degree(0) > 0 && (end == 0 ? a.coefficients().front() == 0 && b.coefficients().front() == 0 : a.coefficients().back() == 0 && b.coefficients().back() == 0)) {
+    while (a.degree(0) > 0 &&
+           (end == 0 ? a.coefficients().front() == 0 && b.coefficients().front() == 0
+                     : a.coefficients().back() == 0 && b.coefficients().back() == 0)) {
       a = without_zero_at(end, a);
       b = without_zero_at(end, b);
     }
@@ -195,13 +215,17 @@ inline void append_sight_arcs(const Boundary_piece& piece, const Exact_pair& vie
   const Exact_tensor turn = a * b.derivative(0) - b * a.derivative(0);
   if (power_coefficients(turn).empty())
     return;
-  const auto factor = [](const Exact_tensor& f) { return power_coefficients(f).empty() ? Exact_tensor::constant(1, Exact_rational(1)) : f; };
+  const auto factor = [](const Exact_tensor& f) {
+    return power_coefficients(f).empty() ? Exact_tensor::constant(1, Exact_rational(1)) : f;
+  };
   std::vector<Exact_root> cuts{Exact_root(Exact_rational(0))};
   for (Exact_root& root : inner_roots(factor(a) * factor(b) * turn, narrow_sight())) {
-    if (root.sign_of_value(integer_polynomial(a)) == CGAL::ZERO && root.sign_of_value(integer_polynomial(b)) == CGAL::ZERO) {
+    if (root.sign_of_value(integer_polynomial(a)) == CGAL::ZERO &&
+        root.sign_of_value(integer_polynomial(b)) == CGAL::ZERO) {
       const Exact_rational at(piece.parameters[0] + root.lower() * (piece.parameters[1] - piece.parameters[0]));
       if (!root.is_point())
-        throw Invalid_input("visible_part: the point is on curve " + std::to_string(piece.curve) + " next to parameter " + shortest_text(to_nearest_double(at)) + ", which is not rational");
+        throw Invalid_input("visible_part: the point is on curve " + std::to_string(piece.curve) +
+                            " next to parameter " + shortest_text(to_nearest_double(at)) + ", which is not rational");
       append_sight_arcs(restricted(piece, Exact_rational(0), root.lower()), viewpoint, arcs);
       append_sight_arcs(restricted(piece, root.lower(), Exact_rational(1)), viewpoint, arcs);
       return;
@@ -217,7 +241,8 @@ inline void append_sight_arcs(const Boundary_piece& piece, const Exact_pair& vie
       turn_right(turned_a, turned_b);
       turn_right(distance_a, distance_b);
     }
-    arcs.emplace_back(piece, quadrant, std::move(turned_a), std::move(turned_b), distance_a + distance_b, std::array<Exact_root, 2>{cuts[i], cuts[i + 1]}, turn(middle) < 0);
+    arcs.emplace_back(piece, quadrant, std::move(turned_a), std::move(turned_b), distance_a + distance_b,
+                      std::array<Exact_root, 2>{cuts[i], cuts[i + 1]}, turn(middle) < 0);
   }
 }
 

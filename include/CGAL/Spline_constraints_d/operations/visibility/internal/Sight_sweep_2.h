@@ -34,8 +34,10 @@ struct Sight_crossing
 /*
 What is seen from a point. All numbers are exact.
 
-Between the directions of ends of arcs and of crossings, the order of arcs along the ray is always the same: it is decided in one rational direction of each sector. Directions that are not told apart make one cluster. It is certain
-what is seen there if they are proved to be one direction, but for those of points that are behind what is seen on both sides.
+Between the directions of ends of arcs and of crossings, the order of arcs along the ray is always the same: it is
+decided in one rational direction of each sector. Directions that are not told apart make one cluster. It is certain
+what is seen there if they are proved to be one direction, but for those of points that are behind what is seen on both
+sides.
 */
 class Sight_sweep_2
 {
@@ -78,10 +80,13 @@ class Sight_sweep_2
   bool m_is_complete = true;
 
 public:
-  Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings) : m_parts(parts), m_crossings(std::move(crossings))
+  Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings)
+    : m_parts(parts), m_crossings(std::move(crossings))
   {
     const std::vector<bool> are_copies = copies();
-    std::erase_if(m_crossings, [&](const Sight_crossing& crossing) { return are_copies[crossing.curves[0]] || are_copies[crossing.curves[1]]; });
+    std::erase_if(m_crossings, [&](const Sight_crossing& crossing) {
+      return are_copies[crossing.curves[0]] || are_copies[crossing.curves[1]];
+    });
     for (Sight_crossing& crossing : m_crossings)
       settle(crossing);
     for (std::size_t i = 0; i < parts.number_of_curves(); ++i)
@@ -108,7 +113,9 @@ private:
     std::vector<bool> result(m_parts.number_of_curves(), false);
     for (const Sight_crossing& crossing : m_crossings)
       for (std::size_t k = 0; k < 2; ++k)
-        if (const auto [copy, other] = std::pair(crossing.curves[k], crossing.curves[1 - k]); crossing.kind == Intersection_kind::OVERLAP && is_part_of(copy, other) && (other < copy || !is_part_of(other, copy)))
+        if (const auto [copy, other] = std::pair(crossing.curves[k], crossing.curves[1 - k]);
+            crossing.kind == Intersection_kind::OVERLAP && is_part_of(copy, other) &&
+            (other < copy || !is_part_of(other, copy)))
           result[copy] = true;
     return result;
   }
@@ -119,7 +126,8 @@ private:
     std::vector<Parameter_range> ranges;
     for (const Sight_crossing& crossing : m_crossings)
       for (std::size_t k = 0; k < 2; ++k)
-        if (crossing.kind == Intersection_kind::OVERLAP && crossing.curves[k] == curve && crossing.curves[1 - k] == other)
+        if (crossing.kind == Intersection_kind::OVERLAP && crossing.curves[k] == curve &&
+            crossing.curves[1 - k] == other)
           ranges.push_back(crossing.ranges[k]);
     std::sort(ranges.begin(), ranges.end());
     const auto& pieces = m_parts.pieces()[curve];
@@ -135,8 +143,11 @@ private:
   {
     std::array<Exact_rational, 2> simplest;
     for (std::size_t k = 0; k < 2; ++k)
-      simplest[k] = crossing.ranges[k].first < crossing.ranges[k].second ? simplest_rational_between(crossing.ranges[k].first, crossing.ranges[k].second) : crossing.ranges[k].first;
-    if (is_common_point(crossing) && m_parts.point(crossing.curves[0], simplest[0]) == m_parts.point(crossing.curves[1], simplest[1]))
+      simplest[k] = crossing.ranges[k].first < crossing.ranges[k].second
+          ? simplest_rational_between(crossing.ranges[k].first, crossing.ranges[k].second)
+          : crossing.ranges[k].first;
+    if (is_common_point(crossing) &&
+        m_parts.point(crossing.curves[0], simplest[0]) == m_parts.point(crossing.curves[1], simplest[1]))
       for (std::size_t k = 0; k < 2; ++k)
         crossing.ranges[k] = {simplest[k], simplest[k]};
   }
@@ -150,7 +161,8 @@ private:
       for (int end = 0; end < 2; ++end) {
         const Rational_interval& direction = m_arcs[i].direction(end);
         const Parameter_range range = m_arcs[i].range_of_end(end);
-        events.push_back({direction.lower == 4 ? Rational_interval(Exact_rational(0)) : direction, m_arcs[i].distance(range), std::pair(i, end), m_arcs[i].curve(), m_arcs[i].on_curve(range)});
+        events.push_back({direction.lower == 4 ? Rational_interval(Exact_rational(0)) : direction,
+                          m_arcs[i].distance(range), std::pair(i, end), m_arcs[i].curve(), m_arcs[i].on_curve(range)});
       }
     for (const Sight_crossing& crossing : m_crossings)
       if (crossing.kind != Intersection_kind::OVERLAP)
@@ -197,8 +209,10 @@ private:
       events.insert(events.end(), of_curve.begin(), of_curve.end());
   }
 
-  // A crossing is seen in the directions of its part of the curve. One that is not told from the viewpoint is seen in all directions.
-  void append_directions(std::size_t curve, const Parameter_range& range, const Exact_pair& viewpoint, std::vector<Event>& events) const
+  // A crossing is seen in the directions of its part of the curve. One that is not told from the viewpoint is seen in
+  // all directions.
+  void append_directions(std::size_t curve, const Parameter_range& range, const Exact_pair& viewpoint,
+                         std::vector<Event>& events) const
   {
     std::vector<Exact_pair> points;
     if (range.first == range.second)
@@ -214,11 +228,14 @@ private:
       std::optional<Rational_interval> direction, distance;
       for (const Exact_pair& point : points) {
         const Exact_rational sum(point[0] + point[1]);
-        const Rational_interval one = sum > 0 ? Rational_interval(Exact_rational(quadrant + point[1] / sum)) : all, away((std::max)(sum, Exact_rational(0)), CGAL::abs(sum));
+        const Rational_interval one = sum > 0 ? Rational_interval(Exact_rational(quadrant + point[1] / sum)) : all,
+                                away((std::max)(sum, Exact_rational(0)), CGAL::abs(sum));
         direction = direction ? hull(*direction, one) : one;
         distance = distance ? hull(*distance, away) : away;
       }
-      const bool may_be_here = std::any_of(points.begin(), points.end(), [](const Exact_pair& p) { return p[0] >= 0; }) && std::any_of(points.begin(), points.end(), [](const Exact_pair& p) { return p[1] >= 0; });
+      const bool may_be_here =
+          std::any_of(points.begin(), points.end(), [](const Exact_pair& p) { return p[0] >= 0; }) &&
+          std::any_of(points.begin(), points.end(), [](const Exact_pair& p) { return p[1] >= 0; });
       if (may_be_here && direction->upper >= all.lower && direction->lower < all.upper)
         events.push_back({intersection(*direction, all), *distance, std::nullopt, curve, range});
       for (Exact_pair& point : points)
@@ -226,20 +243,27 @@ private:
     }
   }
 
-  // Whether all points of a cluster that are not farther than a limit, if there is one, are proved to be in one direction.
+  // Whether all points of a cluster that are not farther than a limit, if there is one, are proved to be in one
+  // direction.
   bool is_one_direction(const Cluster& cluster, const std::optional<Exact_rational>& limit) const
   {
     std::vector<Event> events;
     for (const Event& event : cluster.events)
       if (event.curve && !(limit && event.distance.lower > *limit))
         events.push_back(event);
-    if (events.empty() || std::all_of(events.begin(), events.end(), [&](const Event& e) { return e.curve == events[0].curve && e.range == events[0].range && e.end; }))
+    if (events.empty() || std::all_of(events.begin(), events.end(), [&](const Event& e) {
+          return e.curve == events[0].curve && e.range == events[0].range && e.end;
+        }))
       return true;
     const auto known = std::find_if(cluster.events.begin(), cluster.events.end(), is_known);
     if (known == cluster.events.end())
       return are_one_crossing(events);
     const Exact_rational& direction = known->direction.lower;
-    return std::all_of(events.begin(), events.end(), [&](const Event& e) { return is_known(e) ? e.direction.lower == direction : is_end_in(e, direction); }) || are_one_crossing(events);
+    return std::all_of(events.begin(), events.end(),
+                       [&](const Event& e) {
+                         return is_known(e) ? e.direction.lower == direction : is_end_in(e, direction);
+                       }) ||
+        are_one_crossing(events);
   }
 
   bool is_end_in(const Event& event, const Exact_rational& direction) const
@@ -257,12 +281,17 @@ private:
   {
     return std::any_of(m_crossings.begin(), m_crossings.end(), [&](const Sight_crossing& crossing) {
       return is_common_point(crossing) && std::all_of(events.begin(), events.end(), [&](const Event& e) {
-        return !e.end && ((e.curve == crossing.curves[0] && e.range == crossing.ranges[0]) || (e.curve == crossing.curves[1] && e.range == crossing.ranges[1]));
-      });
+               return !e.end &&
+                   ((e.curve == crossing.curves[0] && e.range == crossing.ranges[0]) ||
+                    (e.curve == crossing.curves[1] && e.range == crossing.ranges[1]));
+             });
     });
   }
 
-  static bool is_common_point(const Sight_crossing& crossing) { return crossing.kind != Intersection_kind::OVERLAP && crossing.kind != Intersection_kind::UNDECIDED; }
+  static bool is_common_point(const Sight_crossing& crossing)
+  {
+    return crossing.kind != Intersection_kind::OVERLAP && crossing.kind != Intersection_kind::UNDECIDED;
+  }
 
   void find_spans()
   {
@@ -276,7 +305,10 @@ private:
         }
   }
 
-  bool is_in_sector(std::size_t arc, std::size_t sector) const { return m_span[arc][0] <= sector && sector < m_span[arc][1]; }
+  bool is_in_sector(std::size_t arc, std::size_t sector) const
+  {
+    return m_span[arc][0] <= sector && sector < m_span[arc][1];
+  }
 
   // An arc, the root that is seen in a direction, and the distance there.
   struct Candidate
@@ -289,7 +321,8 @@ private:
   // What is nearest in a sector, from a cluster to the next one.
   Front front_of(std::size_t sector) const
   {
-    const Exact_rational direction = simple_dyadic_between(m_clusters[sector].direction.upper, m_clusters[sector + 1].direction.lower);
+    const Exact_rational direction =
+        simple_dyadic_between(m_clusters[sector].direction.upper, m_clusters[sector + 1].direction.lower);
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
       if (is_in_sector(i, sector))
@@ -306,7 +339,8 @@ private:
       for (Candidate& candidate : candidates)
         refine(candidate, direction);
     }
-    const bool are_the_same = std::all_of(candidates.begin() + 1, candidates.end(), [&](const Candidate& other) { return do_overlap(candidates[0], other); });
+    const bool are_the_same = std::all_of(candidates.begin() + 1, candidates.end(),
+                                          [&](const Candidate& other) { return do_overlap(candidates[0], other); });
     return {are_the_same ? Sight::ARC : Sight::UNKNOWN, candidates[0].arc};
   }
 
@@ -328,7 +362,10 @@ private:
       return m_arcs[c.arc].curve() == curve && range.first <= place.first && place.second <= range.second;
     };
     return std::any_of(m_crossings.begin(), m_crossings.end(), [&](const Sight_crossing& crossing) {
-      const auto are_parts = [&](int k) { return is_within(a, crossing.curves[k], crossing.ranges[k]) && is_within(b, crossing.curves[1 - k], crossing.ranges[1 - k]); };
+      const auto are_parts = [&](int k) {
+        return is_within(a, crossing.curves[k], crossing.ranges[k]) &&
+            is_within(b, crossing.curves[1 - k], crossing.ranges[1 - k]);
+      };
       return crossing.kind == Intersection_kind::OVERLAP && (are_parts(0) || are_parts(1));
     });
   }
@@ -342,22 +379,31 @@ private:
     return m_arcs[arc].range_at(m_clusters[cluster].direction);
   }
 
-  Rational_interval distance_at(std::size_t arc, std::size_t cluster) const { return m_arcs[arc].distance(place(arc, cluster)); }
-  Boundary_vertex_2 vertex(std::size_t arc, std::size_t cluster) const { return {m_arcs[arc].curve(), m_arcs[arc].on_curve(place(arc, cluster))}; }
+  Rational_interval distance_at(std::size_t arc, std::size_t cluster) const
+  {
+    return m_arcs[arc].distance(place(arc, cluster));
+  }
+  Boundary_vertex_2 vertex(std::size_t arc, std::size_t cluster) const
+  {
+    return {m_arcs[arc].curve(), m_arcs[arc].on_curve(place(arc, cluster))};
+  }
 
-  // Arcs, and what is between the end of one and the begin of the next one. Sectors where no arc is seen are passed over.
+  // Arcs, and what is between the end of one and the begin of the next one. Sectors where no arc is seen are passed
+  // over.
   void make_edges()
   {
     const std::size_t sectors = m_fronts.size();
     std::size_t first = 0;
     for (; first < sectors && m_fronts[first].sight != Sight::ARC; ++first)
-      m_is_complete = m_is_complete && m_fronts[first].sight == Sight::NOTHING && is_one_direction(m_clusters[first], std::nullopt);
+      m_is_complete =
+          m_is_complete && m_fronts[first].sight == Sight::NOTHING && is_one_direction(m_clusters[first], std::nullopt);
     for (std::size_t s = first; s < sectors;) {
       const std::size_t arc = m_fronts[s].arc, begin = s;
       m_edges.push_back({Visible_edge_kind::ARC, vertex(arc, s), vertex(arc, s + 1)});
       Visible_edge_kind kind = Visible_edge_kind::SEGMENT;
       while (m_fronts[++s % sectors].sight != Sight::ARC) {
-        const bool is_decided = m_fronts[s % sectors].sight == Sight::NOTHING && kind != Visible_edge_kind::UNDECIDED && is_one_direction(m_clusters[s % sectors], std::nullopt);
+        const bool is_decided = m_fronts[s % sectors].sight == Sight::NOTHING && kind != Visible_edge_kind::UNDECIDED &&
+            is_one_direction(m_clusters[s % sectors], std::nullopt);
         kind = is_decided ? Visible_edge_kind::OPEN : Visible_edge_kind::UNDECIDED;
       }
       append_step(arc, begin + 1, s % sectors, kind);
@@ -370,7 +416,9 @@ private:
     const std::size_t next_arc = m_fronts[sector].arc;
     const Boundary_vertex_2 source = vertex(arc, cluster), target = vertex(next_arc, sector);
     const Rational_interval a = distance_at(arc, cluster), b = distance_at(next_arc, sector);
-    const bool is_decided = kind == Visible_edge_kind::SEGMENT ? is_one_direction(m_clusters[sector], (std::max)(a.upper, b.upper)) : is_one_direction(m_clusters[sector], std::nullopt);
+    const bool is_decided = kind == Visible_edge_kind::SEGMENT
+        ? is_one_direction(m_clusters[sector], (std::max)(a.upper, b.upper))
+        : is_one_direction(m_clusters[sector], std::nullopt);
     if (!is_decided)
       kind = Visible_edge_kind::UNDECIDED;
     if (kind == Visible_edge_kind::SEGMENT) {
@@ -383,16 +431,25 @@ private:
     m_edges.push_back({kind, source, target});
   }
 
-  static bool is_same(const Boundary_vertex_2& a, const Boundary_vertex_2& b) { return a.curve == b.curve && a.parameters == b.parameters; }
+  static bool is_same(const Boundary_vertex_2& a, const Boundary_vertex_2& b)
+  {
+    return a.curve == b.curve && a.parameters == b.parameters;
+  }
 
   bool are_one_point(const Boundary_vertex_2& a, const Boundary_vertex_2& b) const
   {
     const auto is_known = [](const Boundary_vertex_2& v) { return v.parameters.first == v.parameters.second; };
-    if (is_known(a) && is_known(b) && m_parts.point(a.curve, a.parameters.first) == m_parts.point(b.curve, b.parameters.first))
+    if (is_known(a) && is_known(b) &&
+        m_parts.point(a.curve, a.parameters.first) == m_parts.point(b.curve, b.parameters.first))
       return true;
-    const auto meets = [](const Boundary_vertex_2& v, std::size_t curve, const Parameter_range& range) { return v.curve == curve && v.parameters.first <= range.second && range.first <= v.parameters.second; };
+    const auto meets = [](const Boundary_vertex_2& v, std::size_t curve, const Parameter_range& range) {
+      return v.curve == curve && v.parameters.first <= range.second && range.first <= v.parameters.second;
+    };
     return std::any_of(m_crossings.begin(), m_crossings.end(), [&](const Sight_crossing& crossing) {
-      const auto are_at = [&](int k) { return meets(a, crossing.curves[k], crossing.ranges[k]) && meets(b, crossing.curves[1 - k], crossing.ranges[1 - k]); };
+      const auto are_at = [&](int k) {
+        return meets(a, crossing.curves[k], crossing.ranges[k]) &&
+            meets(b, crossing.curves[1 - k], crossing.ranges[1 - k]);
+      };
       return is_common_point(crossing) && (are_at(0) || are_at(1));
     });
   }
@@ -401,9 +458,12 @@ private:
   void join_arcs()
   {
     const auto goes_on = [](const Visible_edge_2& edge, const Visible_edge_2& next) {
-      return edge.kind == Visible_edge_kind::ARC && next.kind == Visible_edge_kind::ARC && edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters && edge.is_reversed() == next.is_reversed();
+      return edge.kind == Visible_edge_kind::ARC && next.kind == Visible_edge_kind::ARC &&
+          edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters &&
+          edge.is_reversed() == next.is_reversed();
     };
-    m_edges = joined_edges(std::move(m_edges), goes_on, [](Visible_edge_2& edge, const Visible_edge_2& next) { edge.target = next.target; });
+    m_edges = joined_edges(std::move(m_edges), goes_on,
+                           [](Visible_edge_2& edge, const Visible_edge_2& next) { edge.target = next.target; });
   }
 };
 

@@ -45,10 +45,13 @@ inline std::vector<Turning_part> turning_parts(const std::vector<Tangent_family>
 }
 
 /*
-The elements that bound a kernel around the origin, single tangents first. Of a part that turns to the right the tangents at its ends suffice: the height of the others in a direction is less. At an inflection this is the tangent at the end of a part that turns left; so it is left out there. No tangent is given twice, other
-than one of two arcs, which is an element too.
+The elements that bound a kernel around the origin, single tangents first. Of a part that turns to the right the
+tangents at its ends suffice: the height of the others in a direction is less. At an inflection this is the tangent at
+the end of a part that turns left; so it is left out there. No tangent is given twice, other than one of two arcs, which
+is an element too.
 */
-inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_family>& tangents, const Exact_pair& origin)
+inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_family>& tangents,
+                                                     const Exact_pair& origin)
 {
   const std::vector<Turning_part> parts = turning_parts(tangents, origin);
   std::vector<Kernel_element_2> lines, arcs;
@@ -69,7 +72,8 @@ inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_f
     if (turn > 0) {
       append_arc(append_arc, element);
       for (int end = 0; end < 2; ++end)
-        if (const auto dual = element.dual_of_end(end); dual && ends_of_arcs.try_emplace(*dual, *element.point_of_end(end)).first->second != *element.point_of_end(end))
+        if (const auto dual = element.dual_of_end(end); dual &&
+            ends_of_arcs.try_emplace(*dual, *element.point_of_end(end)).first->second != *element.point_of_end(end))
           append_line(element, end);
     } else if (turn == 0)
       append_line(element, 0);

@@ -18,13 +18,17 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The order of contact of the equalities at a rational solution p whose Jacobian has rank n - 1, and a proof that the solution is alone in a box.
+The order of contact of the equalities at a rational solution p whose Jacobian has rank n - 1, and a proof that the
+solution is alone in a box.
 
-With g = T f of the elimination, s and w as in `Double_root_test`, the power series w = W(s) that solves the first n - 1 rows is found term by term; each is substituted, w = W(s) + w', until the last row has a
-term c_k s^k: then k is the multiplicity of p. Now, in the first rows, terms in s alone have order k and more, and in the last row no w' stands alone. Where all rows are zero and |s| <= S, |w'| <= W':
-1. |w'| <= C |s|^k + M |w'|, with C from the terms in s alone and M from all others; so |w'| <= kappa |s|^k for any kappa with C + M kappa < kappa, by considering the largest ratio.
-2. The last row is c_k s^k up to rho |s|^k, with kappa for one factor w' of the mixed terms. If |c_k| > rho then s = 0, and w' = 0 by 1.
-The bounds are sums of products of positive doubles, with 1e-9 to spare.
+With g = T f of the elimination, s and w as in `Double_root_test`, the power series w = W(s) that solves the first n - 1
+rows is found term by term; each is substituted, w = W(s) + w', until the last row has a term c_k s^k: then k is the
+multiplicity of p. Now, in the first rows, terms in s alone have order k and more, and in the last row no w' stands
+alone. Where all rows are zero and |s| <= S, |w'| <= W':
+1. |w'| <= C |s|^k + M |w'|, with C from the terms in s alone and M from all others; so |w'| <= kappa |s|^k for any
+  kappa with C + M kappa < kappa, by considering the largest ratio.
+2. The last row is c_k s^k up to rho |s|^k, with kappa for one factor w' of the mixed terms. If |c_k| > rho then s = 0,
+  and w' = 0 by 1. The bounds are sums of products of positive doubles, with 1e-9 to spare.
 */
 class Contact_test
 {
@@ -48,15 +52,19 @@ class Contact_test
 
 public:
   // `rows` is the eliminated (J | I), `row_of` the row of the pivot of each unknown, -1 for the free one.
-  Contact_test(const Constraint_system_d& system, const std::vector<Exact_rational>& point, const std::vector<Exact_rational>& rows, const std::vector<int>& row_of)
-    : m_dimension(point.size()), m_free(static_cast<std::size_t>(std::find(row_of.begin(), row_of.end(), -1) - row_of.begin())), m_row(row_of), m_series(point.size())
+  Contact_test(const Constraint_system_d& system, const std::vector<Exact_rational>& point,
+               const std::vector<Exact_rational>& rows, const std::vector<int>& row_of)
+    : m_dimension(point.size()),
+      m_free(static_cast<std::size_t>(std::find(row_of.begin(), row_of.end(), -1) - row_of.begin())), m_row(row_of),
+      m_series(point.size())
   {
     std::vector<Power_polynomial> g = combined(system, point, rows);
     for (std::size_t j = 0; j < m_dimension; ++j)
       if (j != m_free)
         add_to_series(g, j, Exact_rational(-rows[2 * m_dimension * m_row[j] + m_free]), 1);
     for (int order = 2; order <= m_most_order; ++order) {
-      if (std::any_of(g.begin(), g.end(), [](const Power_polynomial& row) { return row.terms().size() > m_most_terms; }))
+      if (std::any_of(g.begin(), g.end(),
+                      [](const Power_polynomial& row) { return row.terms().size() > m_most_terms; }))
         return;
       const Exact_rational leading = coefficient_in_s(g.back(), order);
       if (!CGAL::is_zero(leading)) {
@@ -105,14 +113,17 @@ public:
     double rest = 0;
     for (const Term& term : m_terms[n - 1]) {
       const std::size_t first = first_of(term);
-      rest += (first == n ? term.size * std::pow(s, term.order - m_order) : term.size * std::pow(s, term.order) * product_without(term, first, reach) * kappa[first]) * m_slack;
+      rest += (first == n ? term.size * std::pow(s, term.order - m_order)
+                          : term.size * std::pow(s, term.order) * product_without(term, first, reach) * kappa[first]) *
+          m_slack;
     }
     return rest * m_slack < m_leading;
   }
 
 private:
   // T f, with the origin in the point.
-  std::vector<Power_polynomial> combined(const Constraint_system_d& system, const std::vector<Exact_rational>& point, const std::vector<Exact_rational>& rows) const
+  std::vector<Power_polynomial> combined(const Constraint_system_d& system, const std::vector<Exact_rational>& point,
+                                         const std::vector<Exact_rational>& rows) const
   {
     std::vector<Power_polynomial> f, g(m_dimension);
     for (const Spline_function& function : system.equalities()) {
@@ -139,7 +150,8 @@ private:
     m_series[j].push_back(std::abs(CGAL::to_double(coefficient)) * m_slack);
     if (!CGAL::is_zero(coefficient))
       for (Power_polynomial& row : g)
-        row = row.substituted(static_cast<int>(j), variable(j) + Power_polynomial(coefficient) * pow(variable(m_free), order));
+        row = row.substituted(static_cast<int>(j),
+                              variable(j) + Power_polynomial(coefficient) * pow(variable(m_free), order));
   }
 
   void collect(const std::vector<Power_polynomial>& g)
@@ -147,7 +159,8 @@ private:
     m_terms.resize(m_dimension);
     for (std::size_t i = 0; i < m_dimension; ++i)
       for (const auto& [monomial, coefficient] : g[i].terms()) {
-        Term term{std::abs(CGAL::to_double(coefficient)) * m_slack, monomial.exponent(static_cast<int>(m_free)), std::vector<int>(m_dimension, 0)};
+        Term term{std::abs(CGAL::to_double(coefficient)) * m_slack, monomial.exponent(static_cast<int>(m_free)),
+                  std::vector<int>(m_dimension, 0)};
         for (const auto& [v, e] : monomial.powers)
           if (static_cast<std::size_t>(v) != m_free)
             term.exponents[v] = e;
@@ -166,7 +179,9 @@ private:
 
   std::size_t first_of(const Term& term) const
   {
-    return static_cast<std::size_t>(std::find_if(term.exponents.begin(), term.exponents.end(), [](int e) { return e > 0; }) - term.exponents.begin());
+    return static_cast<std::size_t>(
+        std::find_if(term.exponents.begin(), term.exponents.end(), [](int e) { return e > 0; }) -
+        term.exponents.begin());
   }
 
   static double product_without(const Term& term, std::size_t first, const std::vector<double>& x)

@@ -16,11 +16,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Tells whether n - 1 combinations of at least as many equalities are zero, in a node, on at most a curve that is a graph over one of the unknowns.
+Tells whether n - 1 combinations of at least as many equalities are zero, in a node, on at most a curve that is a graph
+over one of the unknowns.
 
-Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - 1 rows are solved for all unknowns but one, the parameter. When their derivatives by these unknowns, bounded on all
-of the node, differ from the identity by less than one in the row sums, then for each value of the parameter at most one point of the node makes these rows zero: for two of them x and y the mean value
-theorem gives |g(x) - g(y) - (x - y)| < |x - y| in the maximum norm.
+Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - 1 rows are solved for all unknowns
+but one, the parameter. When their derivatives by these unknowns, bounded on all of the node, differ from the identity
+by less than one in the row sums, then for each value of the parameter at most one point of the node makes these rows
+zero: for two of them x and y the mean value theorem gives |g(x) - g(y) - (x - y)| < |x - y| in the maximum norm.
 */
 class Curve_graph_test
 {
@@ -61,7 +63,8 @@ public:
 
   bool is_graph() const { return contraction() < 1; }
 
-  // Bounds in the node on the row sums of what the derivatives of the first n - 1 rows, by all unknowns but the parameter, differ from the identity by.
+  // Bounds in the node on the row sums of what the derivatives of the first n - 1 rows, by all unknowns but the
+  // parameter, differ from the identity by.
   double contraction() const
   {
     double result = 0;
@@ -71,7 +74,8 @@ public:
     return result;
   }
 
-  // One of these; for the other rows, of their derivatives themselves: for the same parameter they change by at most this times the distance, in the maximum norm.
+  // One of these; for the other rows, of their derivatives themselves: for the same parameter they change by at most
+  // this times the distance, in the maximum norm.
   double spread(int row) const
   {
     constexpr double rounding = 1e-9;

@@ -22,16 +22,19 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Proves that a rational solution p has multiplicity 2 and is alone in a box: Jacobian of rank n - 1 with kernels v and lambda, and lambda D^2 f(v,v) not zero (simple double zeros: Dedieu, Shub, On
-simple double zeros and badly conditioned zeros of analytic functions of n variables, Math. Comp. 70, 2001).
+Proves that a rational solution p has multiplicity 2 and is alone in a box: Jacobian of rank n - 1 with kernels v and
+lambda, and lambda D^2 f(v,v) not zero (simple double zeros: Dedieu, Shub, On simple double zeros and badly conditioned
+zeros of analytic functions of n variables, Math. Comp. 70, 2001).
 
-Gauss-Jordan elimination, exactly, makes the equations g = T f, with d = x - p, s the component of d along the free axis k and w = d - s v:
+Gauss-Jordan elimination, exactly, makes the equations g = T f, with d = x - p, s the component of d along the free axis
+k and w = d - s v:
   g_i = w_i + a_i(d), for all but the last, and g_n = b(d),
 a_i and b without constant and linear terms. Where all are zero in the box |d| <= r:
-1. |w| <= M |d|, M from the sizes of the coefficients of a and from r; so |w| <= L |s| for any L with M |v| + M L < L, by considering the largest ratio.
+1. |w| <= M |d|, M from the sizes of the coefficients of a and from r; so |w| <= L |s| for any L with M |v| + M L < L,
+  by considering the largest ratio.
 2. |d| <= D |s| with D = |v| + L; so |w| <= kappa s^2, from the coefficients of a once more.
-3. |b - b_vv s^2| <= rho s^2, from those of b. If |b_vv| > rho then s = 0, and w = 0 by 1: p is the only solution in the box.
-The bounds are sums of products of positive doubles, with 1e-9 to spare.
+3. |b - b_vv s^2| <= rho s^2, from those of b. If |b_vv| > rho then s = 0, and w = 0 by 1: p is the only solution in the
+  box. The bounds are sums of products of positive doubles, with 1e-9 to spare.
 */
 class Double_root_test
 {
@@ -53,7 +56,8 @@ class Double_root_test
 
 public:
   // The polynomials of the equalities around the point, which is a solution and not on a break.
-  Double_root_test(const Constraint_system_d& system, const std::vector<Exact_rational>& point) : m_dimension(system.dimension())
+  Double_root_test(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
+    : m_dimension(system.dimension())
   {
     std::vector<Taylor_terms> terms;
     if (!expand(system, point, 1, terms) || !eliminate(terms))   // mostly this tells, at less cost
@@ -131,13 +135,17 @@ public:
     for (const Monomial_size& term : m_terms)
       if (degree(term) == 2) {
         const auto [j, l] = axes_of_square(term.exponents);
-        rest += term.sizes[n - 1] * ((m_kernel[j] * kappa[l] + kappa[j] * m_kernel[l]) * reach + kappa[j] * kappa[l] * reach * reach) * m_slack;
+        rest += term.sizes[n - 1] *
+            ((m_kernel[j] * kappa[l] + kappa[j] * m_kernel[l]) * reach + kappa[j] * kappa[l] * reach * reach) * m_slack;
       }
     return rest * m_slack < m_curvature;
   }
 
 private:
-  static int degree(const Monomial_size& term) { return std::accumulate(term.exponents.begin(), term.exponents.end(), 0); }
+  static int degree(const Monomial_size& term)
+  {
+    return std::accumulate(term.exponents.begin(), term.exponents.end(), 0);
+  }
 
   static double power_product(const std::vector<double>& x, const Exponents& exponents)
   {
@@ -157,11 +165,13 @@ private:
     return result;
   }
 
-  static bool expand(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order, std::vector<Taylor_terms>& terms)
+  static bool expand(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
+                     std::vector<Taylor_terms>& terms)
   {
     terms.clear();
-    return std::all_of(system.equalities().begin(), system.equalities().end(),
-                       [&](const Spline_function& equality) { return taylor_expansion(equality, point, order, terms.emplace_back()); });
+    return std::all_of(system.equalities().begin(), system.equalities().end(), [&](const Spline_function& equality) {
+      return taylor_expansion(equality, point, order, terms.emplace_back());
+    });
   }
 
   // Whether the Jacobian has rank n - 1. The size of pivots is for that of the bounds; any other would be as exact.
@@ -178,7 +188,9 @@ private:
           rows[2 * n * i + j] = place->second;
       }
     }
-    m_row = gauss_jordan(rows, 2 * n, n, n - 1, [](const Exact_rational& x) { return CGAL::is_zero(x) ? 0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300); });
+    m_row = gauss_jordan(rows, 2 * n, n, n - 1, [](const Exact_rational& x) {
+      return CGAL::is_zero(x) ? 0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300);
+    });
     if (m_row.empty())
       return false;
     m_free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());

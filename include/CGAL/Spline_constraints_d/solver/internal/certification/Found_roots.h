@@ -21,8 +21,8 @@ struct Found_root
 };
 
 /*
-The regular roots found so far, each once: a root on a face that several boxes share is found from each of them. Two finds are the same root when the
-enclosure of one lies in the region of the other; no tolerance is involved.
+The regular roots found so far, each once: a root on a face that several boxes share is found from each of them. Two
+finds are the same root when the enclosure of one lies in the region of the other; no tolerance is involved.
 */
 template <class Coordinate>
 class Found_roots

@@ -23,11 +23,13 @@ namespace internal {
 /*
 Boxes that cover the zeros of one polynomial h that satisfy some inequalities. A box is
 
-- regular, when a derivative of h has no zero in it, so that the zeros are part of the graph of a function of the other unknowns, and h has both signs at its corners: the zeros
+- regular, when a derivative of h has no zero in it, so that the zeros are part of the graph of a function of the other
+  unknowns, and h has both signs at its corners: the zeros
   separate these, so their dimension is one less than that of the box; all of the box satisfies the inequalities;
 - or small, and nothing else is known of it: where h is singular or touches zero, or on the boundary of an inequality.
 
-The size of regular boxes follows from the polynomial alone. Where h is zero everywhere, all boxes are regular that satisfy the inequalities.
+The size of regular boxes follows from the polynomial alone. Where h is zero everywhere, all boxes are regular that
+satisfy the inequalities.
 */
 class Hypersurface_cover
 {
@@ -45,9 +47,11 @@ class Hypersurface_cover
   static constexpr std::size_t m_most_nodes = 20000;
 
 public:
-  Hypersurface_cover(const Power_polynomial& h, const std::vector<std::pair<Power_polynomial, Relation>>& inequalities, const Exact_box& box)
-    : m_box(box), m_system(on_unit_cube(h, inequalities, box)), m_layout(m_system), m_source(m_system, m_layout), m_view(m_layout),
-      m_polynomial(on_unit_cube(h, box)), m_coefficients(m_layout.size), m_errors(m_layout.errors), m_least_width(box.size() == 2 && !h.is_zero() ? 0x1p-20 : 0x1p-7)
+  Hypersurface_cover(const Power_polynomial& h, const std::vector<std::pair<Power_polynomial, Relation>>& inequalities,
+                     const Exact_box& box)
+    : m_box(box), m_system(on_unit_cube(h, inequalities, box)), m_layout(m_system), m_source(m_system, m_layout),
+      m_view(m_layout), m_polynomial(on_unit_cube(h, box)), m_coefficients(m_layout.size), m_errors(m_layout.errors),
+      m_least_width(box.size() == 2 && !h.is_zero() ? 0x1p-20 : 0x1p-7)
   {
     const std::vector<double> lower(box.size(), 0.0), upper(box.size(), 1.0);
     visit(lower, upper);
@@ -62,14 +66,20 @@ private:
   {
     for (std::size_t j = 0; j < box.size(); ++j) {
       const int v = static_cast<int>(j);
-      f = f.substituted(v, Power_polynomial(box[j].first) + Power_polynomial(Exact_rational(box[j].second - box[j].first)) * Power_polynomial::variable(v));
+      f = f.substituted(v,
+                        Power_polynomial(box[j].first) +
+                            Power_polynomial(Exact_rational(box[j].second - box[j].first)) *
+                                Power_polynomial::variable(v));
     }
     return f;
   }
 
-  static Constraint_system_d on_unit_cube(const Power_polynomial& h, const std::vector<std::pair<Power_polynomial, Relation>>& inequalities, const Exact_box& box)
+  static Constraint_system_d on_unit_cube(const Power_polynomial& h,
+                                          const std::vector<std::pair<Power_polynomial, Relation>>& inequalities,
+                                          const Exact_box& box)
   {
-    Constraint_system_d result(std::vector<Constraint_system_d::Domain>(box.size(), {Exact_rational(0), Exact_rational(1)}));
+    Constraint_system_d result(
+        std::vector<Constraint_system_d::Domain>(box.size(), {Exact_rational(0), Exact_rational(1)}));
     result.add(on_unit_cube(h, box), Relation::EQUAL);
     for (const auto& [function, relation] : inequalities)
       result.add(on_unit_cube(function, box), relation);
@@ -79,7 +89,8 @@ private:
   void visit(const std::vector<double>& lower, const std::vector<double>& upper)
   {
     ++m_nodes;
-    m_source.bernstein_coefficients(Cell(lower.size(), 0), std::span<const double>(lower), std::span<const double>(upper), m_coefficients.data(), m_errors.data(), m_scale);
+    m_source.bernstein_coefficients(Cell(lower.size(), 0), std::span<const double>(lower),
+                                    std::span<const double>(upper), m_coefficients.data(), m_errors.data(), m_scale);
     m_view.reset(m_coefficients.data(), m_errors.data());
     if (is_certainly_violated(Relation::EQUAL, m_view.lower(0), m_view.upper(0)))
       return;
@@ -93,7 +104,8 @@ private:
     }
     const std::size_t axis = widest_axis(lower, upper);
     const bool is_last = upper[axis] - lower[axis] <= m_least_width || m_nodes >= m_most_nodes;
-    const bool is_regular = is_feasible && (m_polynomial.is_zero() || ((is_graph() || is_last) && has_both_signs(lower, upper)));
+    const bool is_regular =
+        is_feasible && (m_polynomial.is_zero() || ((is_graph() || is_last) && has_both_signs(lower, upper)));
     if (is_regular || is_last) {
       (is_regular ? m_regular : m_small).push_back(box_of(lower, upper));
       return;
@@ -141,7 +153,8 @@ private:
     Exact_box result;
     for (std::size_t j = 0; j < lower.size(); ++j) {
       const Exact_rational width = m_box[j].second - m_box[j].first;
-      result.emplace_back(m_box[j].first + width * Exact_rational(lower[j]), m_box[j].first + width * Exact_rational(upper[j]));
+      result.emplace_back(m_box[j].first + width * Exact_rational(lower[j]),
+                          m_box[j].first + width * Exact_rational(upper[j]));
     }
     return result;
   }

@@ -40,7 +40,8 @@ struct Multiple_root
 };
 
 /*
-The simplest fraction in a range, when its denominator is small: by continued fractions in doubles. It is a guess, and rounding may make it a wrong one.
+The simplest fraction in a range, when its denominator is small: by continued fractions in doubles. It is a guess, and
+rounding may make it a wrong one.
 */
 inline std::optional<Exact_rational> short_rational_between(double lower, double upper)
 {
@@ -71,7 +72,8 @@ inline std::optional<Exact_rational> short_rational_between(double lower, double
 inline bool is_certainly_not_multiple(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
 {
   const Rounded_values at_point(point);
-  if (std::any_of(system.equalities().begin(), system.equalities().end(), [&](const Spline_function& f) { return at_point.value(f).is_certainly_not_zero(); }))
+  if (std::any_of(system.equalities().begin(), system.equalities().end(),
+                  [&](const Spline_function& f) { return at_point.value(f).is_certainly_not_zero(); }))
     return true;
   const int n = static_cast<int>(point.size());
   std::vector<Derivative_range> ranges;
@@ -83,15 +85,19 @@ inline bool is_certainly_not_multiple(const Constraint_system_d& system, const s
     }
   bool is_regular = invert(n, middle, inverse);
   for (int j = 0; j < n && is_regular; ++j)
-    is_regular = contraction_row(n, n, j, inverse.data() + j * n, [&](int i, int k) -> const Derivative_range& { return ranges[i * n + k]; }, entries.data()) < 0.5;
+    is_regular = contraction_row(
+                     n, n, j, inverse.data() + j * n,
+                     [&](int i, int k) -> const Derivative_range& { return ranges[i * n + k]; }, entries.data()) < 0.5;
   return is_regular;
 }
 
 /*
-The multiple root that is the simplest rational point of a box of doubles, with a Jacobian of rank n - 1, and alone in a box around this one: as large as is proved, up to the size `widths`.
+The multiple root that is the simplest rational point of a box of doubles, with a Jacobian of rank n - 1, and alone in a
+box around this one: as large as is proved, up to the size `widths`.
 */
-inline std::optional<Multiple_root> multiple_root_in(const Constraint_system_d& system, const std::vector<double>& lower, const std::vector<double>& upper,
-                                                 const std::vector<double>& widths)
+inline std::optional<Multiple_root> multiple_root_in(const Constraint_system_d& system,
+                                                     const std::vector<double>& lower, const std::vector<double>& upper,
+                                                     const std::vector<double>& widths)
 {
   const std::size_t n = lower.size();
   if (system.equalities().size() != n)

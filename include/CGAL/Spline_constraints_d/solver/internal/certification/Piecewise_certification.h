@@ -21,9 +21,10 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Certification on a box that reaches over a break, where a spline is another polynomial on the other side. A root there is never certified on the extension
-of one piece: a continuous piecewise polynomial satisfies f(x) - f(z) = J (x - z) with J in the convex hull of the Jacobians of all pieces that meet
-the box (the segment argument holds piece by piece), so the Newton operator with *one* C and the hull over the pieces proves as much as it does for one polynomial.
+Certification on a box that reaches over a break, where a spline is another polynomial on the other side. A root there
+is never certified on the extension of one piece: a continuous piecewise polynomial satisfies f(x) - f(z) = J (x - z)
+with J in the convex hull of the Jacobians of all pieces that meet the box (the segment argument holds piece by piece),
+so the Newton operator with *one* C and the hull over the pieces proves as much as it does for one polynomial.
 */
 template <class NT>
 class Piecewise_certification
@@ -37,7 +38,8 @@ private:
   Exact_source& m_source;
   std::optional<Node_view> m_view;   // made when it is needed for the first time
   std::vector<double> m_coefficients, m_errors;
-  std::vector<double> m_work, m_lower, m_upper;   // pieces x equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
+  // pieces x equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
+  std::vector<double> m_work, m_lower, m_upper;
   std::vector<Exact_source::Value> m_values;
   std::vector<double> m_step, m_slack;   // C f at the centre, and its rounding
   std::vector<double> m_trial, m_image;
@@ -54,14 +56,16 @@ public:
   {
     for (int v = 0; v < m_layout.dimension; ++v) {
       const std::vector<Exact_rational>& breaks = m_source.breaks(v);
-      if (breaks.size() > 2 && ((cell[v] > 0 && Exact_rational(lower[v]) < breaks[cell[v]]) ||
-                                (cell[v] + 2 < static_cast<int>(breaks.size()) && breaks[cell[v] + 1] < Exact_rational(upper[v]))))
+      if (breaks.size() > 2 &&
+          ((cell[v] > 0 && Exact_rational(lower[v]) < breaks[cell[v]]) ||
+           (cell[v] + 2 < static_cast<int>(breaks.size()) && breaks[cell[v] + 1] < Exact_rational(upper[v]))))
         return true;
     }
     return false;
   }
 
-  // Decides the box of the region and fills in the proof; the box grows when the roots it may hold reach over its faces. Only for as many equalities as unknowns.
+  // Decides the box of the region and fills in the proof; the box grows when the roots it may hold reach over its
+  // faces. Only for as many equalities as unknowns.
   Verdict certify(Certified_region<Coordinate>& region)
   {
     constexpr int most_attempts = 3;
@@ -103,7 +107,9 @@ private:
       const double* inverse = region.inverse.data() + j * n;
       for (std::size_t c = 0; c < m_lower.size(); c += n * n) {
         contraction_row(
-          n, n, j, inverse, [&](int i, int k) { return Derivative_range(m_lower[c + i * n + k], m_upper[c + i * n + k]); }, m_work.data());
+            n, n, j, inverse,
+            [&](int i, int k) { return Derivative_range(m_lower[c + i * n + k], m_upper[c + i * n + k]); },
+            m_work.data());
         for (int k = 0; k < n; ++k) {
           if (!(m_work[k] < HUGE_VAL))
             return false;   // an overflow bounds nothing, and maxima would lose a NaN
@@ -127,14 +133,16 @@ private:
   }
 
   /*
-  With Q >= |I - C J| and weights d such that Q d <= q d with q < 1, s -> s - C f(s) contracts the whole box in the norm max |s_j| / d_j: it holds at most one root, which
-  lies in the ball of radius |C f(c)| / (1 - q) around the centre c; if the ball lies in the box, the ball is mapped into itself and holds one. At a kink no other norm may do: what jumps
+  With Q >= |I - C J| and weights d such that Q d <= q d with q < 1, s -> s - C f(s) contracts the whole box in the norm
+  max |s_j| / d_j: it holds at most one root, which lies in the ball of radius |C f(c)| / (1 - q) around the centre c;
+  if the ball lies in the box, the ball is mapped into itself and holds one. At a kink no other norm may do: what jumps
   from one side to the other does not become smaller with the box.
   */
   Verdict test_image(Certified_region<Coordinate>& region)
   {
     const int n = m_layout.dimension;
-    // The centre is a coordinate, not quite the middle of the box: distances from it reach a little further than one half.
+    // The centre is a coordinate, not quite the middle of the box: distances from it reach a little further than one
+    // half.
     m_off_centre = 0;
     for (int j = 0; j < n; ++j) {
       const double width = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j]));
@@ -158,7 +166,8 @@ private:
     return is_inside ? ONE_ROOT : OPEN;
   }
 
-  // Chooses the weights d in (0, 1] and q < 1 with Q d <= q d: of the steps from ones towards the eigenvector of Q, those with the smallest ball.
+  // Chooses the weights d in (0, 1] and q < 1 with Q d <= q d: of the steps from ones towards the eigenvector of Q,
+  // those with the smallest ball.
   void weigh(Certified_region<Coordinate>& region)
   {
     const int n = m_layout.dimension;
@@ -188,7 +197,8 @@ private:
     }
   }
 
-  // Makes room for the ball that holds the roots of the box; false when there is no ball, or it is much larger than the box.
+  // Makes room for the ball that holds the roots of the box; false when there is no ball, or it is much larger than the
+  // box.
   bool enlarge(Certified_region<Coordinate>& region) const
   {
     if (!(m_radius < 64))
@@ -213,26 +223,29 @@ private:
     m_centre.resize(n);
     for (int j = 0; j < n; ++j)
       m_centre[j] = place_between(region.lower[j], region.upper[j], 0.5);
-    m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_centre)), std::span<const Coordinate>(m_centre), m_values);
+    m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_centre)), std::span<const Coordinate>(m_centre),
+                      m_values);
     m_lower.clear();
     m_upper.clear();
     bool is_first = true;
     std::vector<long> scale;
-    m_source.visit_cells(std::span<const Coordinate>(region.lower), std::span<const Coordinate>(region.upper), [&](const Cell& cell) {
-      m_source.bernstein_coefficients(cell, std::span<const Coordinate>(region.lower), std::span<const Coordinate>(region.upper),
-                                      m_coefficients.data(), m_errors.data(), scale);
-      if (is_first)
-        region.scale = scale;
-      is_first = false;
-      m_view->reset(m_coefficients.data(), m_errors.data());
-      for (int i = 0; i < n; ++i) {
-        const int shift = static_cast<int>((std::max)(-2000L, (std::min)(scale[i] - region.scale[i], 2000L)));
-        for (int j = 0; j < n; ++j) {
-          m_lower.push_back(std::ldexp(m_view->derivative_lower(i)[j], shift));
-          m_upper.push_back(std::ldexp(m_view->derivative_upper(i)[j], shift));
-        }
-      }
-    });
+    m_source.visit_cells(
+        std::span<const Coordinate>(region.lower), std::span<const Coordinate>(region.upper), [&](const Cell& cell) {
+          m_source.bernstein_coefficients(cell, std::span<const Coordinate>(region.lower),
+                                          std::span<const Coordinate>(region.upper), m_coefficients.data(),
+                                          m_errors.data(), scale);
+          if (is_first)
+            region.scale = scale;
+          is_first = false;
+          m_view->reset(m_coefficients.data(), m_errors.data());
+          for (int i = 0; i < n; ++i) {
+            const int shift = static_cast<int>((std::max)(-2000L, (std::min)(scale[i] - region.scale[i], 2000L)));
+            for (int j = 0; j < n; ++j) {
+              m_lower.push_back(std::ldexp(m_view->derivative_lower(i)[j], shift));
+              m_upper.push_back(std::ldexp(m_view->derivative_upper(i)[j], shift));
+            }
+          }
+        });
   }
 };
 

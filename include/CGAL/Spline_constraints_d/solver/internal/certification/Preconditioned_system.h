@@ -17,11 +17,14 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The equalities multiplied by a matrix C in exact arithmetic. Where the rows of the Jacobian nearly coincide, as between two solutions of which a sheared coordinate differs in the
-ninth digit, a solution depends on what is left after almost everything cancels: far too little for rows that were rounded first. C f is formed from the integer coefficients and
-rounded afterwards; its Jacobian is close to the identity and doubles decide it as if the system had been well conditioned from the start.
+The equalities multiplied by a matrix C in exact arithmetic. Where the rows of the Jacobian nearly coincide, as between
+two solutions of which a sheared coordinate differs in the ninth digit, a solution depends on what is left after almost
+everything cancels: far too little for rows that were rounded first. C f is formed from the integer coefficients and
+rounded afterwards; its Jacobian is close to the identity and doubles decide it as if the system had been well
+conditioned from the start.
 
-A root of f is a root of C f whatever C is, and the other way round when some C' C J is close to the identity. Costs an exact rebuild per test. Only for as many equalities as unknowns.
+A root of f is a root of C f whatever C is, and the other way round when some C' C J is close to the identity. Costs an
+exact rebuild per test. Only for as many equalities as unknowns.
 */
 template <class NT>
 class Preconditioned_system
@@ -37,7 +40,8 @@ class Preconditioned_system
     Piecewise_certification<NT> piecewise;
     Box_node<NT> node;
 
-    Parts(const Constraint_system_d& system, const System_layout& original, const Exact_source& original_source, Summary& summary)
+    Parts(const Constraint_system_d& system, const System_layout& original, const Exact_source& original_source,
+          Summary& summary)
       : layout(System_layout::of_mixed_equalities(original)), source(system, layout, original_source.breaks()),
         analysis(layout, source, summary, true), piecewise(layout, source)
     {
@@ -52,7 +56,8 @@ class Preconditioned_system
   std::unique_ptr<Parts> m_parts;
 
 public:
-  Preconditioned_system(const Constraint_system_d& system, const System_layout& layout, const Exact_source& source, Summary& summary)
+  Preconditioned_system(const Constraint_system_d& system, const System_layout& layout, const Exact_source& source,
+                        Summary& summary)
     : m_system(system), m_layout(layout), m_source(source), m_summary(summary)
   {}
 
@@ -62,8 +67,8 @@ public:
   Node_analysis<NT>& analysis() { return m_parts->analysis; }
   Box_node<NT>& node() { return m_parts->node; }
 
-  // Applies the Newton operator to the box of a node, whose linear rows tell C. C is corrected while rounding is still visible: the rows that were too close to be told
-  // apart in double are, once their common part is gone.
+  // Applies the Newton operator to the box of a node, whose linear rows tell C. C is corrected while rounding is still
+  // visible: the rows that were too close to be told apart in double are, once their common part is gone.
   Image_test test_image(const Cell& cell, const Box_node<NT>& node, const Linear_enclosure& linear)
   {
     constexpr int most_corrections = 3;
@@ -91,7 +96,8 @@ public:
     Parts& parts = make_parts();
     parts.source.set_matrix({});
     const std::vector<long> scale(region.scale.begin(), region.scale.begin() + m_layout.equalities);
-    return parts.source.multiply(region.inverse.data(), scale) ? parts.piecewise.certify(region) : Piecewise_certification<NT>::OPEN;
+    return parts.source.multiply(region.inverse.data(), scale) ? parts.piecewise.certify(region)
+                                                               : Piecewise_certification<NT>::OPEN;
   }
 
 private:

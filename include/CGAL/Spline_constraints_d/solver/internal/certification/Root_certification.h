@@ -24,8 +24,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Proofs that a box around the roots of a node holds exactly one root, or none. The box may reach over the faces of the node and of the domain; roots that are found go to the
-collection, each once. All errors count here, whatever the traits say.
+Proofs that a box around the roots of a node holds exactly one root, or none. The box may reach over the faces of the
+node and of the domain; roots that are found go to the collection, each once. All errors count here, whatever the traits
+say.
 */
 template <class NT>
 class Root_certification
@@ -52,14 +53,15 @@ class Root_certification
   Certified_region<Coordinate> m_across;
   Local_box m_part;
   Coordinate_box<Coordinate> m_solutions;   // where those of a node lie
-  // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs only a few of them.
+  // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs only a few of
+  // them.
   static constexpr double m_fine_contraction = 0.2;
 
 public:
-  Root_certification(const System_layout& layout, Exact_source& source, Preconditioned_system<NT>& preconditioned, Root_collection<NT>& roots,
-                     Summary& summary)
-    : m_layout(layout), m_source(source), m_roots(roots), m_preconditioned(preconditioned), m_analysis(layout, source, summary, true),
-      m_piecewise(layout, source)
+  Root_certification(const System_layout& layout, Exact_source& source, Preconditioned_system<NT>& preconditioned,
+                     Root_collection<NT>& roots, Summary& summary)
+    : m_layout(layout), m_source(source), m_roots(roots), m_preconditioned(preconditioned),
+      m_analysis(layout, source, summary, true), m_piecewise(layout, source)
   {
     m_node.allocate(layout);
     m_across.lower.resize(layout.dimension);
@@ -72,11 +74,14 @@ public:
   }
 
   /*
-  All roots of the node lie in the image of the Newton operator. When that is well inside the node's size, a box around it is tried: if the operator maps it into itself and
-  contracts, it holds exactly one root; if image and box are disjoint, none. `part` is what the reduction left of the node. Returns whether all roots of the node are accounted for.
+  All roots of the node lie in the image of the Newton operator. When that is well inside the node's size, a box around
+  it is tried: if the operator maps it into itself and contracts, it holds exactly one root; if image and box are
+  disjoint, none. `part` is what the reduction left of the node. Returns whether all roots of the node are accounted
+  for.
   */
   template <class Test>
-  bool certify(const Cell& cell, const Node& node, Node_view& view, const Linear_enclosure& linear, const Local_box& part, Test& test)
+  bool certify(const Cell& cell, const Node& node, Node_view& view, const Linear_enclosure& linear,
+               const Local_box& part, Test& test)
   {
     const int n = m_layout.dimension;
     bool is_inside = true;
@@ -122,8 +127,8 @@ public:
   }
 
   /*
-  The last attempt for a box at the tolerance: boxes of a few sizes around it, equally wide on all axes and with fresh coefficients. It finds the regular roots whose boxes became
-  so thin on some axis that rounding hid the others.
+  The last attempt for a box at the tolerance: boxes of a few sizes around it, equally wide on all axes and with fresh
+  coefficients. It finds the regular roots whose boxes became so thin on some axis that rounding hid the others.
   */
   bool certify_around(const Cell& cell, const Node& node)
   {
@@ -152,7 +157,8 @@ public:
     return false;
   }
 
-  // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
+  // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only
+  // one.
   bool is_same_root(const Coordinate_box<Coordinate>& a, const Coordinate_box<Coordinate>& b)
   {
     for (int j = 0; j < m_layout.dimension; ++j) {
@@ -175,7 +181,8 @@ private:
       m_analysis.rebuild(cell, m_node);
       trial.result = m_analysis.test_image(m_node);
     }
-    if (trial.result.verdict == Image_test::OPEN && m_preconditioned.is_applicable() && (is_last_attempt || m_analysis.is_blurred(m_node))) {
+    if (trial.result.verdict == Image_test::OPEN && m_preconditioned.is_applicable() &&
+        (is_last_attempt || m_analysis.is_blurred(m_node))) {
       trial.result = m_preconditioned.test_image(cell, m_node, m_analysis.linear);
       trial.analysis = &m_preconditioned.analysis();
       trial.node = &m_preconditioned.node();
@@ -185,7 +192,8 @@ private:
 
   void keep_region(const Trial& trial, bool is_first)
   {
-    m_roots.set_region(*trial.node, trial.analysis->source(), trial.analysis->linear, trial.result.contraction, trial.analysis->bounds, is_first);
+    m_roots.set_region(*trial.node, trial.analysis->source(), trial.analysis->linear, trial.result.contraction,
+                       trial.analysis->bounds, is_first);
   }
 
   // Decides the box in m_across.
@@ -193,11 +201,13 @@ private:
   {
     m_across.start.clear();
     const auto verdict = m_piecewise.certify(m_across);
-    return verdict == Piecewise::OPEN && m_preconditioned.is_applicable() ? m_preconditioned.certify(m_across) : verdict;
+    return verdict == Piecewise::OPEN && m_preconditioned.is_applicable() ? m_preconditioned.certify(m_across)
+                                                                          : verdict;
   }
 
-  // Refines the root of the last region. Where that region is much thinner on one axis than on another, or C is poor there, others are certified
-  // around the enclosure, with fresh coefficients; or, where that would come near other roots, around its middle.
+  // Refines the root of the last region. Where that region is much thinner on one axis than on another, or C is poor
+  // there, others are certified around the enclosure, with fresh coefficients; or, where that would come near other
+  // roots, around its middle.
   bool keep_root(const Cell& cell)
   {
     const Root_enclosure<Coordinate>* enclosure = &m_roots.refine();
@@ -208,7 +218,8 @@ private:
       if (enclosure->error <= 16 || (!is_first && !is_wide(*enclosure)))
         break;
       if (certify_close_to(cell, *enclosure, least_margin, false) ||
-          (m_layout.equalities == m_layout.dimension && is_wide(*enclosure) && certify_close_to(cell, *enclosure, least_margin, true)))
+          (m_layout.equalities == m_layout.dimension && is_wide(*enclosure) &&
+           certify_close_to(cell, *enclosure, least_margin, true)))
         enclosure = &m_roots.refine();
     }
     Coordinate_box<Coordinate> box = make_box(enclosure->lower, enclosure->upper);
@@ -220,13 +231,17 @@ private:
     return true;
   }
 
-  // At a kink, one inverse for all pieces may bring Newton's iteration no nearer to the root. That with the inverse of the piece where it is does; a box around its limit, in the region, has the same root.
+  // At a kink, one inverse for all pieces may bring Newton's iteration no nearer to the root. That with the inverse of
+  // the piece where it is does; a box around its limit, in the region, has the same root.
   bool certify_at_kink(const Root_enclosure<Coordinate>& enclosure)
   {
     constexpr int steps = 8;
     const int n = m_layout.dimension;
-    const auto cell_of = [&](const std::vector<Coordinate>& point) -> Cell { return m_source.cell_of(std::span<const Coordinate>(point)); };
-    if (m_layout.equalities != n || !is_wide(enclosure) || !m_piecewise.crosses_break(cell_of(enclosure.lower), enclosure.lower, enclosure.upper))
+    const auto cell_of = [&](const std::vector<Coordinate>& point) -> Cell {
+      return m_source.cell_of(std::span<const Coordinate>(point));
+    };
+    if (m_layout.equalities != n || !is_wide(enclosure) ||
+        !m_piecewise.crosses_break(cell_of(enclosure.lower), enclosure.lower, enclosure.upper))
       return false;
     std::vector<Coordinate> point(n);
     const auto set_box = [&](double margin) {
@@ -258,13 +273,16 @@ private:
     return false;
   }
 
-  // Certifies a box around an enclosure, or around its middle; this one has the same root, since it lies within the region.
-  bool certify_close_to(const Cell& cell, const Root_enclosure<Coordinate>& enclosure, double least_margin, bool is_around_middle)
+  // Certifies a box around an enclosure, or around its middle; this one has the same root, since it lies within the
+  // region.
+  bool certify_close_to(const Cell& cell, const Root_enclosure<Coordinate>& enclosure, double least_margin,
+                        bool is_around_middle)
   {
     for (int j = 0; j < m_layout.dimension; ++j) {
       const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
       const double size = least_margin * (std::max)(1.0, std::abs(lower));
-      const double margin = is_around_middle ? (std::min)(size - 0.5 * (upper - lower), 0.0) : (std::max)(0.25 * (upper - lower), size);
+      const double margin =
+          is_around_middle ? (std::min)(size - 0.5 * (upper - lower), 0.0) : (std::max)(0.25 * (upper - lower), size);
       m_node.lower[j] = below(enclosure.lower[j], margin);
       m_node.upper[j] = above(enclosure.upper[j], margin);
     }
@@ -292,7 +310,8 @@ private:
     return true;
   }
 
-  // Some range is wide beside what coordinates could tell apart, zero not taken for a place where they are endlessly fine.
+  // Some range is wide beside what coordinates could tell apart, zero not taken for a place where they are endlessly
+  // fine.
   static bool is_wide(const Root_enclosure<Coordinate>& enclosure)
   {
     for (std::size_t j = 0; j < enclosure.lower.size(); ++j) {
@@ -335,7 +354,9 @@ private:
     for (int j = 0; j < m_layout.dimension; ++j) {
       double half_width = 1.5 * image.reach(j) + 0.01;
       if constexpr (std::is_same_v<Coordinate, double>)
-        half_width = (std::max)(half_width, 0x1p-40 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])) / (node.upper[j] - node.lower[j]));
+        half_width = (std::max)(half_width,
+                                0x1p-40 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])) /
+                                    (node.upper[j] - node.lower[j]));
       m_part.lower[j] = image.centre(j) - half_width;
       m_part.upper[j] = image.centre(j) + half_width;
     }

@@ -46,7 +46,8 @@ public:
     this->roots().reserve(few);
   }
 
-  // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
+  // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves
+  // the refinement.
   void set_region(const Box_node<NT>& node, Exact_source& source, const Linear_enclosure& linear, double contraction,
                   const std::vector<double>& bounds, bool is_first)
   {

@@ -51,9 +51,9 @@ inline bool is_certainly_satisfied(Relation relation, double lower, double upper
 }
 
 /*
-Decides whether the root in an enclosure lies in the domain and satisfies the inequalities: by the enclosure at hand, by the simplest rational
-point in it (if that is a root, it is *the* root, and everything is decided exactly), and by the same two for enclosures of 200 and 800 bits. Last, by those
-of its coordinates that are rational.
+Decides whether the root in an enclosure lies in the domain and satisfies the inequalities: by the enclosure at hand, by
+the simplest rational point in it (if that is a root, it is *the* root, and everything is decided exactly), and by the
+same two for enclosures of 200 and 800 bits. Last, by those of its coordinates that are rational.
 */
 template <class NT>
 class Root_position
@@ -118,18 +118,24 @@ public:
     }
     m_values = rational_coordinates(m_system, exact_region, fine);
     position = position_of(fine);
-    return position == Position::INSIDE || position == Position::OUTSIDE ? position : position_of_algebraic_root(exact_region, fine, position);
+    return position == Position::INSIDE || position == Position::OUTSIDE
+        ? position
+        : position_of_algebraic_root(exact_region, fine, position);
   }
 
 private:
-  // By exact signs at a root of n of the equalities: in the region it is the one that is asked for if it satisfies the others, and otherwise there is none.
-  Position position_of_algebraic_root(const Certified_region<Exact_rational>& region, const Root_enclosure<Exact_rational>& enclosure, Position unknown)
+  // By exact signs at a root of n of the equalities: in the region it is the one that is asked for if it satisfies the
+  // others, and otherwise there is none.
+  Position position_of_algebraic_root(const Certified_region<Exact_rational>& region,
+                                      const Root_enclosure<Exact_rational>& enclosure, Position unknown)
   {
     Exact_box box;
     for (int j = 0; j < m_layout.dimension; ++j) {
-      const Exact_rational lower = (enclosure.lower[j] + region.lower[j]) / Exact_rational(2), upper = (enclosure.upper[j] + region.upper[j]) / Exact_rational(2);
+      const Exact_rational lower = (enclosure.lower[j] + region.lower[j]) / Exact_rational(2),
+                           upper = (enclosure.upper[j] + region.upper[j]) / Exact_rational(2);
       const Exact_rational reach(0x1p-80);   // a small box, but much wider than the enclosure
-      box.emplace_back((std::max)(lower, Exact_rational(enclosure.lower[j] - reach)), (std::min)(upper, Exact_rational(enclosure.upper[j] + reach)));
+      box.emplace_back((std::max)(lower, Exact_rational(enclosure.lower[j] - reach)),
+                       (std::min)(upper, Exact_rational(enclosure.upper[j] + reach)));
     }
     const auto equalities = integer_equalities(m_system, box);
     if (!equalities || box.size() < 2)
@@ -137,7 +143,8 @@ private:
     const std::vector<Power_polynomial> ordered = independent_first(*equalities, middle_of(box));
     if (ordered.empty())
       return unknown;
-    auto root = Algebraic_root::in(Algebraic_equations({ordered.begin(), ordered.begin() + m_layout.dimension}, false), box);
+    auto root =
+        Algebraic_root::in(Algebraic_equations({ordered.begin(), ordered.begin() + m_layout.dimension}, false), box);
     if (!root)
       return unknown;
     for (std::size_t i = m_layout.dimension; i < ordered.size(); ++i) {
@@ -165,7 +172,8 @@ private:
           is_on_boundary = true;
           continue;
         }
-      const Exact_rational lo = m_values[j] ? *m_values[j] : Exact_rational(lower), hi = m_values[j] ? *m_values[j] : Exact_rational(upper);
+      const Exact_rational lo = m_values[j] ? *m_values[j] : Exact_rational(lower),
+                           hi = m_values[j] ? *m_values[j] : Exact_rational(upper);
       if (hi < m_system.domain(j).first || m_system.domain(j).second < lo)
         return Position::OUTSIDE;
       is_on_boundary = is_on_boundary || lo < m_system.domain(j).first || m_system.domain(j).second < hi;
@@ -180,21 +188,25 @@ private:
         m_errors.resize(m_layout.errors);
       }
       bool is_excluded = true;   // on all pieces
-      m_source.visit_cells(std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper), [&](const Cell& cell) {
-        m_source.bernstein_coefficients(cell, std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper),
-                                        m_coefficients.data(), m_errors.data(), m_scale);
-        m_view->reset(m_coefficients.data(), m_errors.data());
-        bool is_excluded_here = false;
-        for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
-          const bool is_equality = f < m_layout.equalities;
-          const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
-          if (is_certainly_violated(relation, m_view->lower(f), m_view->upper(f)))
-            is_excluded_here = true;
-          if (!is_certainly_satisfied(relation, m_view->lower(f), m_view->upper(f)) && !is_satisfied_by_values(f, relation))
-            (is_equality ? is_on_equality : is_on_inequality) = true;
-        }
-        is_excluded = is_excluded && is_excluded_here;
-      });
+      m_source.visit_cells(
+          std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper), [&](const Cell& cell) {
+            m_source.bernstein_coefficients(cell, std::span<const C>(enclosure.lower),
+                                            std::span<const C>(enclosure.upper), m_coefficients.data(), m_errors.data(),
+                                            m_scale);
+            m_view->reset(m_coefficients.data(), m_errors.data());
+            bool is_excluded_here = false;
+            for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
+              const bool is_equality = f < m_layout.equalities;
+              const Relation relation =
+                  is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
+              if (is_certainly_violated(relation, m_view->lower(f), m_view->upper(f)))
+                is_excluded_here = true;
+              if (!is_certainly_satisfied(relation, m_view->lower(f), m_view->upper(f)) &&
+                  !is_satisfied_by_values(f, relation))
+                (is_equality ? is_on_equality : is_on_inequality) = true;
+            }
+            is_excluded = is_excluded && is_excluded_here;
+          });
       if (is_excluded)
         return Position::OUTSIDE;
     }
@@ -222,9 +234,13 @@ private:
     return simplest_rational_between(lower, upper);
   }
 
-  bool has_double_ends(int j) const { return m_lower[j].first == m_lower[j].second && m_upper[j].first == m_upper[j].second; }
+  bool has_double_ends(int j) const
+  {
+    return m_lower[j].first == m_lower[j].second && m_upper[j].first == m_upper[j].second;
+  }
 
-  // Puts a corner of the domain that lies in the enclosure into m_corner, if there is one and its coordinates are doubles.
+  // Puts a corner of the domain that lies in the enclosure into m_corner, if there is one and its coordinates are
+  // doubles.
   bool finds_corner(const Root_enclosure<double>& enclosure)
   {
     m_corner.clear();
@@ -250,7 +266,8 @@ private:
       : m_system(system), m_point(point)
     {
       const std::span<const C> coordinates(point);
-      if (std::all_of(point.begin(), point.end(), [](const C& x) { return std::is_same_v<C, double> || is_dyadic(Exact_rational(x)); }))
+      if (std::all_of(point.begin(), point.end(),
+                      [](const C& x) { return std::is_same_v<C, double> || is_dyadic(Exact_rational(x)); }))
         source.evaluate(source.cell_of(coordinates), coordinates, m_values);
     }
 

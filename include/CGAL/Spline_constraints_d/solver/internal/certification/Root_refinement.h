@@ -19,8 +19,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what proves it: in the coordinates of the
-box, Q = bounds >= |I - C J| for all Jacobians J on it, and Q d <= contraction d < d with the weights d, where row k of C acts on the functions of `source` scaled by 2^-scale.
+A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what
+proves it: in the coordinates of the box, Q = bounds >= |I - C J| for all Jacobians J on it, and Q d <= contraction d <
+d with the weights d, where row k of C acts on the functions of `source` scaled by 2^-scale.
 */
 template <class Coordinate>
 struct Certified_region
@@ -51,11 +52,13 @@ inline Exact_rational stepped(const Exact_rational& x, double step, int bits)
   if (!std::isfinite(step))
     return x;
   const Exact_rational unit = power_of_two(bits);
-  const Big_integer scaled = numerator_of((x + Exact_rational(step)) * unit) / denominator_of((x + Exact_rational(step)) * unit);
+  const Big_integer scaled =
+      numerator_of((x + Exact_rational(step)) * unit) / denominator_of((x + Exact_rational(step)) * unit);
   return scaled_rational(scaled, -bits);
 }
 
-// How close to x a root in a region of some width is sought: a unit in the last place, but not endlessly close to zero; or 2^-bits.
+// How close to x a root in a region of some width is sought: a unit in the last place, but not endlessly close to zero;
+// or 2^-bits.
 inline double resolution(double x, double width, int)
 {
   return (std::max)(next_above(std::abs(x)) - std::abs(x), 0x1p-80 * width);
@@ -68,15 +71,18 @@ inline Exact_rational below(const Exact_rational& x, double radius) { return x -
 inline Exact_rational above(const Exact_rational& x, double radius) { return x + Exact_rational(radius); }
 
 /*
-Newton's iteration in double, on the coefficients of a box: where the one with exact residuals, of which each costs more, may begin. Proves nothing.
+Newton's iteration in double, on the coefficients of a box: where the one with exact residuals, of which each costs
+more, may begin. Proves nothing.
 */
 class Approximate_refinement
 {
   std::vector<double> m_values, m_next, m_work, m_binomials;
 
 public:
-  // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
-  void refine(const System_layout& layout, const double* coefficients, const std::vector<double>& inverse, std::vector<double>& point)
+  // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column
+  // per equality.
+  void refine(const System_layout& layout, const double* coefficients, const std::vector<double>& inverse,
+              std::vector<double>& point)
   {
     const std::size_t n = point.size(), m = inverse.size() / n;
     m_values.resize(layout.functions);
@@ -127,12 +133,15 @@ private:
     }
   }
 
-  // Two by two where the functions follow each other: numbers that are stored one by one wait before they are read as a pair.
+  // Two by two where the functions follow each other: numbers that are stored one by one wait before they are read as a
+  // pair.
   void add_to_values(const std::vector<int>& functions, const double* addend)
   {
     const std::size_t count = functions.size();
     if (functions[count - 1] - functions[0] + std::size_t(1) == count)
-      for_each_place(count, [&, first = m_values.data() + functions[0]](auto type, std::size_t i) { store(first + i, load(type, first + i) + load(type, addend + i)); });
+      for_each_place(count, [&, first = m_values.data() + functions[0]](auto type, std::size_t i) {
+        store(first + i, load(type, first + i) + load(type, addend + i));
+      });
     else
       for (std::size_t i = 0; i < count; ++i)
         m_values[functions[i]] += addend[i];
@@ -150,16 +159,18 @@ private:
 };
 
 /*
-Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure follows from
-x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, e = |x* - z| satisfies |e| <= |C f(z)| / (1 - q) in the weighted maximum norm in which q bounds Q >= |I - C J|, and
-then e <= |C f(z)| + Q e axis by axis, which tells thin axes from wide ones.
+Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure
+follows from x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, e = |x* - z| satisfies |e| <= |C f(z)| / (1 - q)
+in the weighted maximum norm in which q bounds Q >= |I - C J|, and then e <= |C f(z)| + Q e axis by axis, which tells
+thin axes from wide ones.
 */
 template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
   std::vector<double> m_numbers;   // all of the following lies in one piece
-  std::span<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::span<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width,
+      m_shortest, m_last_step;
   std::vector<Coordinate> m_point, m_last_point, m_best;
   Root_enclosure<Coordinate> m_enclosure;
 
@@ -167,7 +178,8 @@ public:
   // What refine() found last.
   const Root_enclosure<Coordinate>& enclosure() const { return m_enclosure; }
 
-  // An enclosure of the root of the region, which stays until the next call; `bits` after the binary point are aimed at where coordinates are rational.
+  // An enclosure of the root of the region, which stays until the next call; `bits` after the binary point are aimed at
+  // where coordinates are rational.
   const Root_enclosure<Coordinate>& refine(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size());
@@ -219,7 +231,8 @@ public:
     }
     for (int j = 0; j < n; ++j) {
       const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
-      m_enclosure.lower[j] = (std::max)(below(m_best[j], radius), region.lower[j]);   // beyond the region there may be others
+      // beyond the region there may be others
+      m_enclosure.lower[j] = (std::max)(below(m_best[j], radius), region.lower[j]);
       m_enclosure.upper[j] = (std::min)(above(m_best[j], radius), region.upper[j]);
     }
     m_enclosure.error = best;
@@ -229,14 +242,23 @@ public:
 private:
   void allocate(std::size_t unknowns, std::size_t equalities)
   {
-    allocate_parts<double>(m_numbers, {{&m_value, equalities}, {&m_value_error, equalities}, {&m_step, unknowns}, {&m_step_error, unknowns}, {&m_radius, unknowns}, {&m_distance, unknowns},
-                                       {&m_best_radius, unknowns}, {&m_width, unknowns}, {&m_shortest, unknowns}, {&m_last_step, unknowns}});
+    allocate_parts<double>(m_numbers,
+                           {{&m_value, equalities},
+                            {&m_value_error, equalities},
+                            {&m_step, unknowns},
+                            {&m_step_error, unknowns},
+                            {&m_radius, unknowns},
+                            {&m_distance, unknowns},
+                            {&m_best_radius, unknowns},
+                            {&m_width, unknowns},
+                            {&m_shortest, unknowns},
+                            {&m_last_step, unknowns}});
     for (auto* v : {&m_point, &m_last_point, &m_best, &m_enclosure.lower, &m_enclosure.upper})
       v->resize(unknowns);
   }
 
-  // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the limit of the geometric series. Steps that do not shrink any more
-  // are the rounding of the coordinate.
+  // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the
+  // limit of the geometric series. Steps that do not shrink any more are the rounding of the coordinate.
   double extrapolated_step(int j, int iteration)
   {
     const double ratio = m_step[j] / m_last_step[j];
@@ -244,8 +266,8 @@ private:
     return iteration % 2 == 1 && std::abs(ratio) > 0.1 && std::abs(ratio) < 0.95 ? m_step[j] / (1 - ratio) : m_step[j];
   }
 
-  // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the point; returns the largest
-  // of these in units of the resolution, infinity where a value left the range of double.
+  // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the
+  // point; returns the largest of these in units of the resolution, infinity where a value left the range of double.
   double newton_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size());
@@ -282,13 +304,15 @@ private:
     return largest_error(bits);
   }
 
-  // Fills m_step with C times the values, and m_step_error. Returns whether the errors that the values tell of are far below the resolution.
+  // Fills m_step with C times the values, and m_step_error. Returns whether the errors that the values tell of are far
+  // below the resolution.
   bool form_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
     for (int i = 0; i < m; ++i) {
       const double unit = times_power_of_two(1, m_values[i].exponent - region.scale[i]);
-      const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };   // infinity, beyond the range of double, is no value of zero
+      // infinity, beyond the range of double, is no value of zero
+      const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };
       m_value[i] = scaled(m_values[i].mantissa);
       m_value_error[i] = scaled(m_values[i].error);
     }
@@ -308,8 +332,9 @@ private:
     return is_fine;
   }
 
-  // The same after the step from m_last_point to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is z - C f(z) but for rounding.
-  // Where the step went elsewhere, the difference counts as rounding. \pre newton_step() found finite distances
+  // The same after the step from m_last_point to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* -
+  // z), and m_point is z - C f(z) but for rounding. Where the step went elsewhere, the difference counts as rounding.
+  // \pre newton_step() found finite distances
   double error_after_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size());

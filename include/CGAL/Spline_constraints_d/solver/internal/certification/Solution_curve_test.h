@@ -26,10 +26,12 @@ namespace internal {
 /*
 Tells whether a node looks like a piece of a curve of solutions of at least as many equalities as unknowns, f = 0.
 
-With g = T f of the graph test, where its first n - 1 rows are zero on a graph over one unknown, it is proved that the solutions in the node have at most dimension one. That the other rows are zero all
-along the curve is not proved but tried at a few points.
+With g = T f of the graph test, where its first n - 1 rows are zero on a graph over one unknown, it is proved that the
+solutions in the node have at most dimension one. That the other rows are zero all along the curve is not proved but
+tried at a few points.
 
-The test is made on a box that is not thinner on any axis than a quarter of the widest one: in a thin box the unknowns of short ranges look as if they did not matter.
+The test is made on a box that is not thinner on any axis than a quarter of the widest one: in a thin box the unknowns
+of short ranges look as if they did not matter.
 */
 template <class NT>
 class Solution_curve_test
@@ -50,22 +52,26 @@ class Solution_curve_test
 
 public:
   Solution_curve_test(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
-    : m_layout(layout), m_source(source), m_analysis(layout, source, summary, tracks_rounding), m_graph(layout.dimension, layout.equalities)
+    : m_layout(layout), m_source(source), m_analysis(layout, source, summary, tracks_rounding),
+      m_graph(layout.dimension, layout.equalities)
   {
     m_node.allocate(layout);
   }
 
-  // Whether the Jacobian may be singular in a node, as it is along a curve of solutions: cheap, and no for most nodes beside regular roots.
+  // Whether the Jacobian may be singular in a node, as it is along a curve of solutions: cheap, and no for most nodes
+  // beside regular roots.
   bool may_be_singular(Node_view& view)
   {
     if (!m_graph.eliminate(view))
       return true;
     const int free = m_graph.parameter();
     for (int i = n() - 1; i < m(); ++i) {
-      double reach = 0;   // of what is left of the row, where the other rows may be a few times their distance from the identity away
+      // of what is left of the row, where the other rows may be a few times their distance from the identity away
+      double reach = 0;
       for (int j = 0; j < n(); ++j)
         for (int l = 0; l < m(); ++l)
-          reach += std::abs(m_graph.transform(i, l)) * m_graph.radius(l, j) * (j == free ? 1 : 2 * std::abs(m_graph.derivative(m_graph.row_of(j), free)));
+          reach += std::abs(m_graph.transform(i, l)) * m_graph.radius(l, j) *
+              (j == free ? 1 : 2 * std::abs(m_graph.derivative(m_graph.row_of(j), free)));
       if (std::abs(m_graph.derivative(i, free)) > reach)
         return false;
     }
@@ -106,7 +112,8 @@ private:
     return is_thin;
   }
 
-  // The rows that the curve does not make zero are zero, up to rounding, at two points of it at least, and nowhere else where it was tried.
+  // The rows that the curve does not make zero are zero, up to rounding, at two points of it at least, and nowhere else
+  // where it was tried.
   bool are_zero_along_graph(const Cell& cell)
   {
     m_spread.clear();
@@ -125,14 +132,16 @@ private:
     return zeros >= 2;
   }
 
-  // What the rows that the curve does not make zero are on it, where the parameter has its value; the place moves there.
+  // What the rows that the curve does not make zero are on it, where the parameter has its value; the place moves
+  // there.
   Rest rest_on_graph(const Cell& cell)
   {
     constexpr int most_steps = 60;
     std::vector<Coordinate> point(m_node.lower.size());
     m_resolution = std::is_same_v<Coordinate, double> ? 0x1p-45 : 0x1p-28;   // that of place_below()
     for (int j = 0; j < n(); ++j) {
-      const double lower = CGAL::to_double(m_node.lower[j]), width = CGAL::to_double(Coordinate(m_node.upper[j] - m_node.lower[j]));
+      const double lower = CGAL::to_double(m_node.lower[j]),
+                   width = CGAL::to_double(Coordinate(m_node.upper[j] - m_node.lower[j]));
       m_resolution = (std::max)(m_resolution, 0x1p-52 * std::abs(lower) / width);
     }
     for (int step = 0; step < most_steps; ++step) {
@@ -157,7 +166,8 @@ private:
     return Rest::UNKNOWN;
   }
 
-  // The curve passes the last place within this distance, inside of the node, and some row that it does not make zero is too large there to be zero on it.
+  // The curve passes the last place within this distance, inside of the node, and some row that it does not make zero
+  // is too large there to be zero on it.
   bool is_not_zero_within(double distance) const
   {
     for (int j = 0; j < n(); ++j)

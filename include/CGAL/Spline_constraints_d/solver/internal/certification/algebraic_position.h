@@ -42,8 +42,10 @@ inline std::vector<Exact_rational> middle_of(const Exact_box& box)
   return result;
 }
 
-// The equalities on a box as polynomials with integer coefficients, up to positive factors; nothing when one has a break there, or coefficients that are too long.
-inline std::optional<std::vector<Power_polynomial>> integer_equalities(const Constraint_system_d& system, const Exact_box& box)
+// The equalities on a box as polynomials with integer coefficients, up to positive factors; nothing when one has a
+// break there, or coefficients that are too long.
+inline std::optional<std::vector<Power_polynomial>> integer_equalities(const Constraint_system_d& system,
+                                                                       const Exact_box& box)
 {
   std::vector<Power_polynomial> result;
   for (const Spline_function& function : system.equalities()) {
@@ -57,8 +59,10 @@ inline std::optional<std::vector<Power_polynomial>> integer_equalities(const Con
   return result;
 }
 
-// Gauss-Jordan elimination of the Jacobian at a point, beside it a unit matrix: as many pivots as `rank`; empty when there are fewer.
-inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_polynomial>& polynomials, const std::vector<Exact_rational>& point, std::size_t rank)
+// Gauss-Jordan elimination of the Jacobian at a point, beside it a unit matrix: as many pivots as `rank`; empty when
+// there are fewer.
+inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_polynomial>& polynomials,
+                                                      const std::vector<Exact_rational>& point, std::size_t rank)
 {
   const std::size_t n = point.size(), m = polynomials.size();
   const Mpfr_precision_scope scope(256);
@@ -66,7 +70,8 @@ inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_po
   std::vector<Mpfr_interval> rows(m * (n + m), Mpfr_interval(0));
   for (std::size_t i = 0; i < m; ++i) {
     rows[i * (n + m) + n + i] = Mpfr_interval(1);
-    // Rows of one length: factors of equations mean nothing. But a gradient that is zero at the root is only small at a point beside it.
+    // Rows of one length: factors of equations mean nothing. But a gradient that is zero at the root is only small at a
+    // point beside it.
     constexpr double small = 0x1p-30;
     double longest = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -77,12 +82,15 @@ inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_po
     for (std::size_t j = 0; j < n && longest > 0 && longest < HUGE_VAL; ++j)
       rows[i * (n + m) + j] = Mpfr_interval(Exact_rational(jets.gradient(i, j).midpoint() / Exact_rational(longest)));
   }
-  const auto size = [](const Mpfr_interval& x) { return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0; };
+  const auto size = [](const Mpfr_interval& x) {
+    return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0;
+  };
   return gauss_jordan(rows, n + m, n, rank, size).empty() ? std::vector<Mpfr_interval>() : rows;
 }
 
 // n of the polynomials with independent gradients at a point, and the others after them; empty when there are none.
-inline std::vector<Power_polynomial> independent_first(const std::vector<Power_polynomial>& polynomials, const std::vector<Exact_rational>& point)
+inline std::vector<Power_polynomial> independent_first(const std::vector<Power_polynomial>& polynomials,
+                                                       const std::vector<Exact_rational>& point)
 {
   const std::size_t n = point.size(), m = polynomials.size();
   const auto rows = eliminated_jacobian(polynomials, point, n);
@@ -99,7 +107,8 @@ inline std::vector<Power_polynomial> independent_first(const std::vector<Power_p
   return result;
 }
 
-// Whether a root that satisfies the equalities lies in the domain and satisfies the inequalities, decided by exact signs; nothing about a root where an inequality has a break.
+// Whether a root that satisfies the equalities lies in the domain and satisfies the inequalities, decided by exact
+// signs; nothing about a root where an inequality has a break.
 inline Position algebraic_position(const Constraint_system_d& system, Algebraic_root& root)
 {
   Position result = Position::INSIDE;
@@ -107,7 +116,8 @@ inline Position algebraic_position(const Constraint_system_d& system, Algebraic_
   for (int j = 0; j < system.dimension(); ++j) {
     const auto sign_beside = [&](const Exact_rational& end) {
       const bool is_beside = box[j].second < end || end < box[j].first;
-      return is_beside ? std::optional(box[j].second < end ? CGAL::NEGATIVE : CGAL::POSITIVE) : root.sign_of(Power_polynomial::variable(j) - Power_polynomial(end));
+      return is_beside ? std::optional(box[j].second < end ? CGAL::NEGATIVE : CGAL::POSITIVE)
+                       : root.sign_of(Power_polynomial::variable(j) - Power_polynomial(end));
     };
     const auto above = sign_beside(system.domain(j).first), below = sign_beside(system.domain(j).second);
     if (above == CGAL::NEGATIVE || below == CGAL::POSITIVE)
@@ -116,7 +126,9 @@ inline Position algebraic_position(const Constraint_system_d& system, Algebraic_
       result = Position::ON_DOMAIN_BOUNDARY;
   }
   for (const auto& inequality : system.inequalities()) {
-    const auto sign = is_one_piece(inequality.function, box) ? root.sign_of(polynomial_at(inequality.function, middle_of(box))) : std::nullopt;
+    const auto sign = is_one_piece(inequality.function, box)
+        ? root.sign_of(polynomial_at(inequality.function, middle_of(box)))
+        : std::nullopt;
     if (sign && !is_satisfied(inequality.relation, *sign))
       return Position::OUTSIDE;
     if (!sign && result == Position::INSIDE)

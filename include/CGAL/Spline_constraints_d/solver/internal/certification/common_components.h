@@ -35,7 +35,8 @@ struct Common_cell
   std::vector<std::pair<Power_polynomial, Relation>> inequalities;
 };
 
-// Solutions of positive dimension: boxes that touch each other and cover them; or a segment, with its two ends in lexicographic order.
+// Solutions of positive dimension: boxes that touch each other and cover them; or a segment, with its two ends in
+// lexicographic order.
 struct Continuum
 {
   int dimension;
@@ -44,7 +45,8 @@ struct Continuum
 };
 
 // What there is of positive dimension in a cell of the domain, as far as a common factor shows.
-inline std::optional<Common_cell> common_cell(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks, const Cell& cell)
+inline std::optional<Common_cell> common_cell(const Constraint_system_d& system,
+                                              const std::vector<std::vector<Exact_rational>>& breaks, const Cell& cell)
 {
   Common_cell result;
   Exact_point middle;
@@ -72,8 +74,8 @@ inline std::optional<Common_cell> common_cell(const Constraint_system_d& system,
 }
 
 /*
-The only corner of a box where a polynomial may be zero there, when its Bernstein coefficients have one sign but for a zero at that corner. A point stands for "nowhere" when none is zero:
-empty.
+The only corner of a box where a polynomial may be zero there, when its Bernstein coefficients have one sign but for a
+zero at that corner. A point stands for "nowhere" when none is zero: empty.
 */
 inline std::optional<Exact_point> only_corner_zero(const Power_polynomial& f, const Exact_box& box)
 {
@@ -163,13 +165,17 @@ inline Exact_box hull(const Exact_point& a, const Exact_point& b)
 
 inline Exact_rational zero_of_linear(const Power_polynomial& polynomial)
 {
-  const Exact_rational at_zero = polynomial(std::vector<Exact_rational>{Exact_rational(0)}), slope = polynomial(std::vector<Exact_rational>{Exact_rational(1)}) - at_zero;
+  const Exact_rational at_zero = polynomial(std::vector<Exact_rational>{Exact_rational(0)}),
+                       slope = polynomial(std::vector<Exact_rational>{Exact_rational(1)}) - at_zero;
   return Exact_rational(-at_zero / slope);
 }
 
-// The zeros of a polynomial of one unknown in a range that are rational, and whether these are all. `solve(system)` gives all zeros.
+// The zeros of a polynomial of one unknown in a range that are rational, and whether these are all. `solve(system)`
+// gives all zeros.
 template <class Solve>
-std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomial& polynomial, const std::pair<Exact_rational, Exact_rational>& range, const Solve& solve)
+std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomial& polynomial,
+                                                            const std::pair<Exact_rational, Exact_rational>& range,
+                                                            const Solve& solve)
 {
   std::vector<Exact_rational> zeros;
   bool are_all = true;
@@ -181,7 +187,9 @@ std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomi
     are_all = are_all && solution.is_certified();   // another answer may hold more than one zero
     const auto [lower, upper] = solution.exact_box()[0];
     const Exact_rational first = (std::max)(lower, range.first), last = (std::min)(upper, range.second);
-    const Exact_rational zero = polynomial.degree(0) == 1 ? zero_of_linear(polynomial) : first <= last ? simplest_rational_between(first, last) : first;
+    const Exact_rational zero = polynomial.degree(0) == 1 ? zero_of_linear(polynomial)
+        : first <= last                                   ? simplest_rational_between(first, last)
+                                                          : first;
     if (CGAL::is_zero(polynomial(std::vector<Exact_rational>{zero})))
       zeros.push_back(zero);
     else
@@ -200,7 +208,8 @@ std::vector<Exact_point> rational_boundary_points(const Power_polynomial& h, con
   for (const int fixed : {0, 1})
     for (const Exact_rational& value : {box[fixed].first, box[fixed].second}) {
       // A line along the side is found from the two other sides.
-      const Power_polynomial side = h.substituted(fixed, Power_polynomial(value)).substituted(1 - fixed, Power_polynomial::variable(0));
+      const Power_polynomial side =
+          h.substituted(fixed, Power_polynomial(value)).substituted(1 - fixed, Power_polynomial::variable(0));
       for (const Exact_rational& zero : rational_zeros(side, box[1 - fixed], solve).first) {
         Exact_point point(2, value);
         point[1 - fixed] = zero;
@@ -219,17 +228,23 @@ inline Exact_point point_between(const Exact_point& a, const Exact_point& b, con
   return result;
 }
 
-// The closure of what the inequalities leave of a segment: segments, and single points. False where they cut it at irrational points.
+// The closure of what the inequalities leave of a segment: segments, and single points. False where they cut it at
+// irrational points.
 template <class Solve>
-bool clip_segment(const std::vector<Exact_point>& ends, const Common_cell& cell, const Solve& solve, std::vector<Continuum>& segments, std::vector<Exact_box>& points)
+bool clip_segment(const std::vector<Exact_point>& ends, const Common_cell& cell, const Solve& solve,
+                  std::vector<Continuum>& segments, std::vector<Exact_box>& points)
 {
   std::vector<Exact_rational> cuts{Exact_rational(0), Exact_rational(1)};
   for (const auto& [function, relation] : cell.inequalities) {
     const int n = static_cast<int>(cell.box.size()), parameter = n;
     Power_polynomial along = function;
     for (int j = 0; j < n; ++j)
-      along = along.substituted(j, Power_polynomial(ends[0][j]) + Power_polynomial(Exact_rational(ends[1][j] - ends[0][j])) * Power_polynomial::variable(parameter));
-    const auto [zeros, are_all] = rational_zeros(along.substituted(parameter, Power_polynomial::variable(0)), {Exact_rational(0), Exact_rational(1)}, solve);
+      along = along.substituted(j,
+                                Power_polynomial(ends[0][j]) +
+                                    Power_polynomial(Exact_rational(ends[1][j] - ends[0][j])) *
+                                        Power_polynomial::variable(parameter));
+    const auto [zeros, are_all] = rational_zeros(along.substituted(parameter, Power_polynomial::variable(0)),
+                                                 {Exact_rational(0), Exact_rational(1)}, solve);
     if (!are_all)
       return false;
     cuts.insert(cuts.end(), zeros.begin(), zeros.end());
@@ -238,12 +253,14 @@ bool clip_segment(const std::vector<Exact_point>& ends, const Common_cell& cell,
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   const auto is_feasible = [&](const Exact_rational& t) {
     const Exact_point point = point_between(ends[0], ends[1], t);
-    return std::all_of(cell.inequalities.begin(), cell.inequalities.end(),
-                       [&](const auto& inequality) { return is_satisfied(inequality.second, CGAL::sign(inequality.first(point))); });
+    return std::all_of(cell.inequalities.begin(), cell.inequalities.end(), [&](const auto& inequality) {
+      return is_satisfied(inequality.second, CGAL::sign(inequality.first(point)));
+    });
   };
   bool is_in_segment = false;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    const bool goes_on = i + 1 < cuts.size() && is_feasible(Exact_rational((cuts[i] + cuts[i + 1]) / Exact_rational(2)));
+    const bool goes_on =
+        i + 1 < cuts.size() && is_feasible(Exact_rational((cuts[i] + cuts[i + 1]) / Exact_rational(2)));
     const Exact_point point = point_between(ends[0], ends[1], cuts[i]);
     if (goes_on) {
       const Exact_point next = point_between(ends[0], ends[1], cuts[i + 1]);
@@ -255,17 +272,20 @@ bool clip_segment(const std::vector<Exact_point>& ends, const Common_cell& cell,
   return true;
 }
 
-// Takes the lines through rational boundary points out of a square-free polynomial of two unknowns, with the segments that they are in the box.
+// Takes the lines through rational boundary points out of a square-free polynomial of two unknowns, with the segments
+// that they are in the box.
 template <class Solve>
-std::vector<Continuum> take_segments(Power_polynomial& h, const Common_cell& cell, const Solve& solve, std::vector<Exact_box>& open)
+std::vector<Continuum> take_segments(Power_polynomial& h, const Common_cell& cell, const Solve& solve,
+                                     std::vector<Exact_box>& open)
 {
   std::vector<Continuum> result;
   const std::vector<Exact_point> points = rational_boundary_points(h, cell.box, solve);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = i + 1; k < points.size(); ++k) {
       const Exact_point &a = (std::min)(points[i], points[k]), &b = (std::max)(points[i], points[k]);
-      const Power_polynomial line = (Power_polynomial::variable(0) - Power_polynomial(a[0])) * Power_polynomial(Exact_rational(b[1] - a[1])) -
-                                    (Power_polynomial::variable(1) - Power_polynomial(a[1])) * Power_polynomial(Exact_rational(b[0] - a[0]));
+      const Power_polynomial line =
+          (Power_polynomial::variable(0) - Power_polynomial(a[0])) * Power_polynomial(Exact_rational(b[1] - a[1])) -
+          (Power_polynomial::variable(1) - Power_polynomial(a[1])) * Power_polynomial(Exact_rational(b[0] - a[0]));
       const std::vector<Exact_point> ends = line_in_box(a, b, cell.box);
       if (ends.empty())
         continue;
@@ -277,8 +297,8 @@ std::vector<Continuum> take_segments(Power_polynomial& h, const Common_cell& cel
 }
 
 /*
-The solutions that a common factor makes in a cell. Small boxes beside them, in which nothing is proved, are appended to `open`: there the factor may have an isolated zero. A box
-that is a point is one, and the only zero near by.
+The solutions that a common factor makes in a cell. Small boxes beside them, in which nothing is proved, are appended to
+`open`: there the factor may have an isolated zero. A box that is a point is one, and the only zero near by.
 */
 template <class Solve>
 std::vector<Continuum> continua_in(const Common_cell& cell, const Solve& solve, std::vector<Exact_box>& open)
@@ -286,7 +306,8 @@ std::vector<Continuum> continua_in(const Common_cell& cell, const Solve& solve, 
   const int n = static_cast<int>(cell.box.size());
   std::vector<Continuum> result;
   Power_polynomial h = cell.factor;
-  for (Power_polynomial before; n == 2 && !h.is_zero() && !(h == before);) {   // where a side is a line of zeros, other lines that end there are found without it
+  // where a side is a line of zeros, other lines that end there are found without it
+  for (Power_polynomial before; n == 2 && !h.is_zero() && !(h == before);) {
     before = h;
     const std::vector<Continuum> segments = take_segments(h, cell, solve, open);
     result.insert(result.end(), segments.begin(), segments.end());
@@ -391,8 +412,9 @@ inline std::vector<std::vector<std::size_t>> groups_that_touch(const std::vector
 }
 
 /*
-Joins what is known to belong together, across cells too: segments of one line, and covers whose boxes touch. `open`, small boxes in which nothing is proved, become part of the covers that
-they touch, directly or through each other; others stay.
+Joins what is known to belong together, across cells too: segments of one line, and covers whose boxes touch. `open`,
+small boxes in which nothing is proved, become part of the covers that they touch, directly or through each other;
+others stay.
 */
 inline void join(std::vector<Continuum>& continua, std::vector<Exact_box>& open)
 {

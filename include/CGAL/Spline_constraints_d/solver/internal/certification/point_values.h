@@ -55,8 +55,9 @@ struct Rounded_number
 };
 
 /*
-Values and derivatives of splines at a rational point in doubles, in any rounding mode: fast, and exact enough to tell most numbers from zero. On a break they are those of one of the pieces that meet
-there. The error is infinite where numbers are too large.
+Values and derivatives of splines at a rational point in doubles, in any rounding mode: fast, and exact enough to tell
+most numbers from zero. On a break they are those of one of the pieces that meet there. The error is infinite where
+numbers are too large.
 */
 class Rounded_values
 {
@@ -98,7 +99,8 @@ public:
   }
 
 private:
-  // What decides the error: the sum of absolute values, a bound on what a unit is multiplied by on its way, and the number of roundings.
+  // What decides the error: the sum of absolute values, a bound on what a unit is multiplied by on its way, and the
+  // number of roundings.
   struct Sum
   {
     double value = 0, size = 0, reach = 0, operations = 0;
@@ -119,7 +121,8 @@ private:
   }
 
   // Along an axis: k c_k takes the place of c_(k-1).
-  static std::vector<double> derivative(const Spline_term& term, const std::vector<double>& coefficients, std::size_t axis)
+  static std::vector<double> derivative(const Spline_term& term, const std::vector<double>& coefficients,
+                                        std::size_t axis)
   {
     std::size_t inner = 1;
     for (std::size_t j = axis + 1; j < term.degrees.size(); ++j)
@@ -141,7 +144,8 @@ private:
     double reach = m_is_normal ? 1 : HUGE_VAL;
     for (std::size_t j = 0; j < term.variables.size(); ++j) {
       reach *= std::pow((std::max)(1.0, m_distance[term.variables[j]]), term.degrees[j]);
-      sum.operations += 4.0 * (term.degrees[j] + 1);   // on the way of a coefficient: two per step, and the coordinate is rounded as well
+      // on the way of a coefficient: two per step, and the coordinate is rounded as well
+      sum.operations += 4.0 * (term.degrees[j] + 1);
     }
     sum.reach += reach;
     ++sum.operations;
@@ -151,7 +155,8 @@ private:
 // Whether a spline is zero at a rational point: exact arithmetic is for what doubles do not tell from zero.
 inline bool vanishes_at(const Spline_function& function, const std::vector<Exact_rational>& point)
 {
-  return !Rounded_values(point).value(function).is_certainly_not_zero() && CGAL::is_zero(evaluate_exactly(function, point));
+  return !Rounded_values(point).value(function).is_certainly_not_zero() &&
+      CGAL::is_zero(evaluate_exactly(function, point));
 }
 
 } // namespace internal

@@ -36,7 +36,8 @@ inline const std::vector<Exact_rational>& piece_at(const Spline_term& term, cons
 
 // Adds a piece of a term, with some unknowns replaced by polynomials: `replacement(v)`.
 template <class Replacement>
-void add_piece(Power_polynomial& sum, const Spline_term& term, const std::vector<Exact_rational>& piece, const Replacement& replacement)
+void add_piece(Power_polynomial& sum, const Spline_term& term, const std::vector<Exact_rational>& piece,
+               const Replacement& replacement)
 {
   std::vector<int> k(term.degrees.size(), 0);
   for (const Exact_rational& coefficient : piece) {
@@ -52,7 +53,8 @@ void add_piece(Power_polynomial& sum, const Spline_term& term, const std::vector
   }
 }
 
-// A spline without breaks as a polynomial in the unknowns that have no value, numbered in their order; nothing when it has breaks.
+// A spline without breaks as a polynomial in the unknowns that have no value, numbered in their order; nothing when it
+// has breaks.
 inline std::optional<Power_polynomial> restricted(const Spline_function& function, const Partial_point& values)
 {
   std::vector<int> rank(values.size(), 0);
@@ -62,7 +64,8 @@ inline std::optional<Power_polynomial> restricted(const Spline_function& functio
   for (const Spline_term& term : function.terms()) {
     if (term.pieces.size() != 1)
       return std::nullopt;
-    add_piece(result, term, term.pieces[0], [&](int v) { return values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]); });
+    add_piece(result, term, term.pieces[0],
+              [&](int v) { return values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]); });
   }
   return result;
 }
@@ -96,7 +99,8 @@ inline std::vector<Power_polynomial> linearly_independent(const std::vector<Powe
 }
 
 /*
-A solution some of whose coordinates are rational: their values, and ranges of all coordinates in which there is no other solution with these values.
+A solution some of whose coordinates are rational: their values, and ranges of all coordinates in which there is no
+other solution with these values.
 */
 struct Partly_rational_solution
 {
@@ -110,11 +114,13 @@ struct Partly_rational_solution
 };
 
 /*
-Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of at most `longest` bits take that value, the equalities that
-become zero or linear combinations of others are dropped, and the rest must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. The domain and the inequalities
-are not looked at.
+Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of
+at most `longest` bits take that value, the equalities that become zero or linear combinations of others are dropped,
+and the rest must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both
+sides. The domain and the inequalities are not looked at.
 */
-inline Partly_rational_solution partly_rational_solution(const Constraint_system_d& system, const std::vector<Exact_rational>& lower,
+inline Partly_rational_solution partly_rational_solution(const Constraint_system_d& system,
+                                                         const std::vector<Exact_rational>& lower,
                                                          const std::vector<Exact_rational>& upper, long longest)
 {
   const std::size_t n = lower.size();
@@ -162,8 +168,10 @@ inline Partly_rational_solution partly_rational_solution(const Constraint_system
   return result;
 }
 
-// The coordinates of the root of a region that are rational, by a proof: a solution that is found in the region is that root.
-inline Partial_point rational_coordinates(const Constraint_system_d& system, const Certified_region<Exact_rational>& region,
+// The coordinates of the root of a region that are rational, by a proof: a solution that is found in the region is that
+// root.
+inline Partial_point rational_coordinates(const Constraint_system_d& system,
+                                          const Certified_region<Exact_rational>& region,
                                           const Root_enclosure<Exact_rational>& enclosure)
 {
   constexpr long longest = 64;   // beside some hundred bits that the enclosure fixes

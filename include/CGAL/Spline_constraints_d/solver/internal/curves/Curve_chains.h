@@ -28,8 +28,10 @@ class Curve_chains
   std::vector<bool> m_is_used;                         // per piece
 
 public:
-  Curve_chains(const Exact_ranges& domain, const Curve_vertices& points, std::vector<Curve_piece> pieces, std::vector<Undecided_box> boxes)
-    : m_domain(domain), m_points(points), m_pieces(std::move(pieces)), m_boxes(std::move(boxes)), m_pieces_at(points.size()), m_is_used(m_pieces.size(), false)
+  Curve_chains(const Exact_ranges& domain, const Curve_vertices& points, std::vector<Curve_piece> pieces,
+               std::vector<Undecided_box> boxes)
+    : m_domain(domain), m_points(points), m_pieces(std::move(pieces)), m_boxes(std::move(boxes)),
+      m_pieces_at(points.size()), m_is_used(m_pieces.size(), false)
   {
     for (std::size_t p = 0; p < m_pieces.size(); ++p)
       for (const std::size_t end : m_pieces[p].ends)
@@ -51,7 +53,8 @@ public:
     const auto renumber = [&](std::size_t& i) {
       const auto [entry, is_new] = place.try_emplace(i, vertices.size());
       if (is_new)
-        vertices.push_back({m_points[i].box, is_on_boundary(i), m_points[i].is_singular_point(), m_points[i].inequality.has_value()});
+        vertices.push_back(
+            {m_points[i].box, is_on_boundary(i), m_points[i].is_singular_point(), m_points[i].inequality.has_value()});
       i = entry->second;
     };
     for (Solution_curve& curve : curves)
@@ -66,7 +69,8 @@ public:
       summary.is_complete = false;
       summary.why_not = undecided.front().reason;
     }
-    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(isolated_points), std::move(singular_points), std::move(undecided), summary);
+    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(isolated_points),
+                                std::move(singular_points), std::move(undecided), summary);
   }
 
 private:
@@ -79,8 +83,12 @@ private:
     return false;
   }
 
-  // A curve goes on through a vertex that two pieces share, not through a singular point, nor where a strict inequality is zero.
-  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2 && !m_points[vertex].is_excluded && !m_points[vertex].is_singular_point(); }
+  // A curve goes on through a vertex that two pieces share, not through a singular point, nor where a strict inequality
+  // is zero.
+  bool goes_on(std::size_t vertex) const
+  {
+    return m_pieces_at[vertex].size() == 2 && !m_points[vertex].is_excluded && !m_points[vertex].is_singular_point();
+  }
 
   std::vector<Solution_curve> chains()
   {
@@ -131,8 +139,11 @@ private:
       return i;
     };
     const std::size_t axis = axis_of_sweep();
-    const auto range = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& { return m_boxes[i].box[axis]; };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return range(i).first < range(k).first; });
+    const auto range = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& {
+      return m_boxes[i].box[axis];
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t k) { return range(i).first < range(k).first; });
     for (std::size_t a = 0; a < order.size(); ++a)
       for (std::size_t b = a + 1; b < order.size() && range(order[b]).first <= range(order[a]).second; ++b)
         if (find(order[a]) != find(order[b]) && touch(m_boxes[order[a]].box, m_boxes[order[b]].box))
@@ -165,7 +176,8 @@ private:
     const std::vector<std::size_t> root = roots_of_regions();
     std::map<std::size_t, Undecided_region> all;
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
-      Undecided_region& region = all.try_emplace(root[i], Undecided_region{{}, {}, m_boxes[root[i]].reason}).first->second;
+      Undecided_region& region =
+          all.try_emplace(root[i], Undecided_region{{}, {}, m_boxes[root[i]].reason}).first->second;
       region.boxes.push_back(m_boxes[i].box);
       region.vertices.insert(region.vertices.end(), m_boxes[i].vertices.begin(), m_boxes[i].vertices.end());
     }

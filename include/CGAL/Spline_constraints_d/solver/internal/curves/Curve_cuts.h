@@ -16,9 +16,11 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Cuts curves in points that are known to be solutions of the same system, by proof: where they are poles of a function, say.
+Cuts curves in points that are known to be solutions of the same system, by proof: where they are poles of a function,
+say.
 
-A solution in the box of a piece, with a parameter between those of its ends, belongs to the piece: there is no other one. This is how a point finds its place; one that is too near to a vertex does not.
+A solution in the box of a piece, with a parameter between those of its ends, belongs to the piece: there is no other
+one. This is how a point finds its place; one that is too near to a vertex does not.
 */
 class Curve_cuts
 {
@@ -29,7 +31,9 @@ class Curve_cuts
   std::vector<bool> m_is_cut;   // per vertex
 
 public:
-  explicit Curve_cuts(const Curve_solution_set_d& set) : m_set(set), m_vertices(set.vertices()), m_is_cut(m_vertices.size(), false) {}
+  explicit Curve_cuts(const Curve_solution_set_d& set)
+    : m_set(set), m_vertices(set.vertices()), m_is_cut(m_vertices.size(), false)
+  {}
 
   // The curves between the points; the points that were not placed are appended to `rest`.
   Curve_solution_set_d operator()(const std::vector<Box>& points, std::vector<Box>& rest)
@@ -45,11 +49,13 @@ public:
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!is_placed[i])
         rest.push_back(points[i]);
-    return Curve_solution_set_d(std::move(m_vertices), std::move(curves), m_set.points(), m_set.singular_points(), m_set.undecided(), m_set.summary());
+    return Curve_solution_set_d(std::move(m_vertices), std::move(curves), m_set.points(), m_set.singular_points(),
+                                m_set.undecided(), m_set.summary());
   }
 
 private:
-  std::vector<Curve_piece> cut_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Box>& points, std::vector<bool>& is_placed)
+  std::vector<Curve_piece> cut_pieces(const std::vector<Curve_piece>& pieces, const std::vector<Box>& points,
+                                      std::vector<bool>& is_placed)
   {
     std::vector<Curve_piece> result;
     for (const Curve_piece& piece : pieces) {
@@ -89,7 +95,8 @@ private:
 
   void start_at_cut(Solution_curve& curve) const
   {
-    const auto first = std::find_if(curve.pieces.begin(), curve.pieces.end(), [&](const Curve_piece& piece) { return m_is_cut[piece.ends[0]]; });
+    const auto first = std::find_if(curve.pieces.begin(), curve.pieces.end(),
+                                    [&](const Curve_piece& piece) { return m_is_cut[piece.ends[0]]; });
     curve.is_closed = first == curve.pieces.end();
     if (!curve.is_closed)
       std::rotate(curve.pieces.begin(), first, curve.pieces.end());

@@ -23,12 +23,14 @@ namespace internal {
 inline Power_polynomial centred(Power_polynomial polynomial, const Exact_point& point)
 {
   for (std::size_t j = 0; j < point.size(); ++j)
-    polynomial = polynomial.substituted(static_cast<int>(j), Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(point[j]));
+    polynomial = polynomial.substituted(static_cast<int>(j),
+                                        Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(point[j]));
   return polynomial;
 }
 
 /*
-The n - 1 equations of curves as polynomials in one cell, and their tangents: the maximal minors of the Jacobian, with alternating signs. Where all of these are zero, the curves are singular.
+The n - 1 equations of curves as polynomials in one cell, and their tangents: the maximal minors of the Jacobian, with
+alternating signs. Where all of these are zero, the curves are singular.
 */
 class Curve_polynomials
 {
@@ -88,13 +90,16 @@ public:
   bool is_singular_at(const Exact_point& point) const
   {
     const auto vanishes = [&](const Power_polynomial& polynomial) { return CGAL::is_zero(polynomial(point)); };
-    return std::all_of(m_equations.begin(), m_equations.end(), vanishes) && std::all_of(m_tangent.begin(), m_tangent.end(), vanishes);
+    return std::all_of(m_equations.begin(), m_equations.end(), vanishes) &&
+        std::all_of(m_tangent.begin(), m_tangent.end(), vanishes);
   }
 
-  // A singular point in a box with rational coordinates, if one is found. First in doubles: with more digits only where these come so close to a singular point that they cannot tell more. Adds the work.
+  // A singular point in a box with rational coordinates, if one is found. First in doubles: with more digits only where
+  // these come so close to a singular point that they cannot tell more. Adds the work.
   std::optional<Exact_point> rational_singular_point_in(const Exact_ranges& box, std::size_t& work) const
   {
-    constexpr std::size_t work_of_digits = 8;   // of a step with many digits, compared with one in doubles; more in fact
+    // of a step with many digits, compared with one in doubles; more in fact
+    constexpr std::size_t work_of_digits = 8;
     const auto is_singular = [this](const Exact_point& point) { return is_singular_at(point); };
     Gauss_newton_search<double> quick(m_rounded, box, is_singular);
     Search_result found = quick();
@@ -117,7 +122,8 @@ private:
     for (std::size_t k = 0; k < columns.size(); ++k) {
       std::vector<std::size_t> others = columns;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      const Power_polynomial term = m_equations[row].derivative(static_cast<int>(columns[k])) * determinant(row + 1, others);
+      const Power_polynomial term =
+          m_equations[row].derivative(static_cast<int>(columns[k])) * determinant(row + 1, others);
       if (k % 2 == 0)
         result += term;
       else

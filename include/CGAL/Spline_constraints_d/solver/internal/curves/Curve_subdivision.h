@@ -71,10 +71,13 @@ struct Curve_findings
 };
 
 /*
-The curves in one cell, where all functions are polynomials. The vertices on the boundary of a box are known before it is looked at: those on the plane that it is split along are found before it is split,
-and both halves get them. A box is finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that unknown are the ends of the pieces; or when all of them end in one singular point.
+The curves in one cell, where all functions are polynomials. The vertices on the boundary of a box are known before it
+is looked at: those on the plane that it is split along are found before it is split, and both halves get them. A box is
+finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that
+unknown are the ends of the pieces; or when all of them end in one singular point.
 
-Inequalities that neither hold everywhere in a box nor exclude it have their zeros among the vertices of a graph, so that they hold for all points between two vertices or for none.
+Inequalities that neither hold everywhere in a box nor exclude it have their zeros among the vertices of a graph, so
+that they hold for all points between two vertices or for none.
 */
 template <class Traits>
 class Curve_subdivision
@@ -116,10 +119,16 @@ private:
   std::vector<Curve_task>& m_pending;
 
 public:
-  Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Curve_findings& findings)
-    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
-      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding), m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(findings.vertices), m_driver(m_layout),
-      m_domain_widths(domain_widths), m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
+  Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
+                    const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
+                    Curve_findings& findings)
+    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)),
+      m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
+      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding),
+      m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control),
+      m_vertices(findings.vertices), m_driver(m_layout), m_domain_widths(domain_widths),
+      m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces),
+      m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 
   // Looks at no more boxes than the budget allows. `open_before`: how many have been left undecided elsewhere.
@@ -132,8 +141,10 @@ public:
     std::iota(vertices.begin(), vertices.end(), std::size_t(0));
     Node& root = m_driver.root();
     for (std::size_t j = 0; j < cell.size(); ++j)
-      std::tie(root.lower[j], root.upper[j]) = dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
-    m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower), std::span<const Coordinate>(root.upper));
+      std::tie(root.lower[j], root.upper[j]) =
+          dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
+    m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower),
+                      std::span<const Coordinate>(root.upper));
     m_analysis.rebuild(Cell(cell.size(), 0), root);
     m_driver.run(*this, State{cell, std::move(vertices)}, task.depth);
     m_source.leave_home();
@@ -174,7 +185,8 @@ public:
       if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
         return Box_verdict::DONE;
     if (is_worth_a_pass(node) && shrink(node, box)) {
-      std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });   // of which nothing was proved: there is none
+      // of which nothing was proved: there is none
+      std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });
       return Box_verdict::AGAIN;
     }
     return has_singular_point(box, vertices, depth) ? Box_verdict::DONE : Box_verdict::SPLIT;
@@ -191,7 +203,10 @@ public:
     auto [below, above] = distributed(state.vertices, *plane);
     Exact_ranges lower_box = std::move(state.box), upper_box = lower_box;
     upper_box[plane->axis].first = lower_box[plane->axis].second = plane->value;
-    return Box_split<State>{plane->axis, plane->place, {std::move(lower_box), std::move(below), state.age}, {std::move(upper_box), std::move(above), state.age}};
+    return Box_split<State>{plane->axis,
+                            plane->place,
+                            {std::move(lower_box), std::move(below), state.age},
+                            {std::move(upper_box), std::move(above), state.age}};
   }
 
 private:
@@ -231,10 +246,12 @@ private:
   bool is_empty_or_graph(Node_view& equalities, const Exact_ranges& box, const Vertex_indices& vertices)
   {
     m_has_rows = m_graph.eliminate(equalities);
-    return m_has_rows && (m_graph.is_empty(equalities) || (m_graph.is_graph() && joined(box, vertices, m_graph.parameter())));
+    return m_has_rows &&
+        (m_graph.is_empty(equalities) || (m_graph.is_graph() && joined(box, vertices, m_graph.parameter())));
   }
 
-  // The combinations that were eliminated last as functions of their own; null if there are none. What cancels between equalities does so before anything is bounded.
+  // The combinations that were eliminated last as functions of their own; null if there are none. What cancels between
+  // equalities does so before anything is bounded.
   Node_view* combined_equalities()
   {
     if (!m_has_rows || m_layout.equalities == 1)
@@ -255,12 +272,15 @@ private:
   // Nothing shrinks below the tolerance.
   auto least_shares(const Node& node) const
   {
-    return [this, &node](int j) { return (std::max)(Box_contraction::thinnest, m_options.tolerance * magnitude(node, j) / width(node, j)); };
+    return [this, &node](int j) {
+      return (std::max)(Box_contraction::thinnest, m_options.tolerance * magnitude(node, j) / width(node, j));
+    };
   }
 
   bool is_worth_a_pass(const Node& node) const { return Box_contraction::is_worth_a_pass(m_part, least_shares(node)); }
 
-  // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its vertices. False when it stays as it is.
+  // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its
+  // vertices. False when it stays as it is.
   bool shrink(Node& node, Exact_ranges& box)
   {
     Box_contraction::widen(m_part, least_shares(node));
@@ -303,7 +323,8 @@ private:
     return result;
   }
 
-  // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex or singular point. There are many planes through a small box that will do, unless it is too small.
+  // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex or
+  // singular point. There are many planes through a small box that will do, unless it is too small.
   std::optional<Plane> plane_of_split(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices)
   {
     constexpr double far = 0.2;
@@ -313,7 +334,8 @@ private:
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
           continue;
-        if (singular_point && CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * width(node, axis))
+        if (singular_point &&
+            CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * width(node, axis))
           continue;
         if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
           return Plane{axis, place, value, std::move(*on_plane)};
@@ -322,14 +344,20 @@ private:
   }
 
   static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
-  static double magnitude(const Node& node, int j) { return (std::max)({1.0, std::abs(CGAL::to_double(node.lower[j])), std::abs(CGAL::to_double(node.upper[j]))}); }
+  static double magnitude(const Node& node, int j)
+  {
+    return (std::max)({1.0, std::abs(CGAL::to_double(node.lower[j])), std::abs(CGAL::to_double(node.upper[j]))});
+  }
 
   // The axes that can be split, the best one first.
   std::vector<int> rated_axes(const Node& node)
   {
     constexpr double thinnest = 0.125, coarsening = 4;
-    constexpr std::size_t many_boxes = 128;   // after so many more have been left undecided, others may be wider: the number of boxes does not grow with the tolerance
-    const double tolerance = m_options.tolerance * std::pow(coarsening, static_cast<double>((m_open_before + m_undecided.size()) / many_boxes));
+    // after so many more have been left undecided, others may be wider: the number of boxes does not grow with the
+    // tolerance
+    constexpr std::size_t many_boxes = 128;
+    const double tolerance = m_options.tolerance *
+        std::pow(coarsening, static_cast<double>((m_open_before + m_undecided.size()) / many_boxes));
     const int n = m_layout.dimension;
     std::vector<double> widths, rating;
     double widest = 0;
@@ -359,21 +387,27 @@ private:
     if (reason != Undecided_reason::CONTINUUM)
       return false;
     std::erase_if(vertices, [&](std::size_t i) { return i >= before; });
-    m_undecided.push_back({box, std::move(vertices), reason});   // along a curve that an inequality is zero on, or that lies in a face: smaller boxes would not help
+    // along a curve that an inequality is zero on, or that lies in a face: smaller boxes would not help
+    m_undecided.push_back({box, std::move(vertices), reason});
     return true;
   }
 
   /*
-  Makes the pieces between vertices on a graph over one unknown. At a regular point inside a face the curve goes through the face, so that it is in the box on just one side of the point, and
-  pieces begin and end at such points in turns. On edges of the box, where the curve touches it, and wherever inequalities matter, a slice between this vertex and the next one tells whether there is a piece.
-  False when the order of the vertices or a slice cannot be decided.
+  Makes the pieces between vertices on a graph over one unknown. At a regular point inside a face the curve goes through
+  the face, so that it is in the box on just one side of the point, and pieces begin and end at such points in turns. On
+  edges of the box, where the curve touches it, and wherever inequalities matter, a slice between this vertex and the
+  next one tells whether there is a piece. False when the order of the vertices or a slice cannot be decided.
   */
   bool add_pieces(const Exact_ranges& box, Vertex_indices& vertices, int parameter)
   {
-    const auto place = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& { return m_vertices[i].box[parameter]; };
-    std::sort(vertices.begin(), vertices.end(), [&](std::size_t i, std::size_t j) { return place(i).first < place(j).first; });
+    const auto place = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& {
+      return m_vertices[i].box[parameter];
+    };
+    std::sort(vertices.begin(), vertices.end(),
+              [&](std::size_t i, std::size_t j) { return place(i).first < place(j).first; });
     for (std::size_t k = 0; k < vertices.size(); ++k)
-      if (m_vertices[vertices[k]].kind == Plane_point::UNKNOWN || (k > 0 && place(vertices[k]).first <= place(vertices[k - 1]).second))
+      if (m_vertices[vertices[k]].kind == Plane_point::UNKNOWN ||
+          (k > 0 && place(vertices[k]).first <= place(vertices[k - 1]).second))
         return false;
     std::vector<Curve_piece> pieces;
     bool is_inside = false;
@@ -385,7 +419,8 @@ private:
         is_inside = !is_inside;
       else if (k + 1 == vertices.size())
         is_inside = false;
-      else if (const std::optional<bool> answer = has_solution_between(box, parameter, place(vertices[k]).second, place(vertices[k + 1]).first))
+      else if (const std::optional<bool> answer =
+                   has_solution_between(box, parameter, place(vertices[k]).second, place(vertices[k + 1]).first))
         is_inside = *answer;
       else
         return false;
@@ -397,9 +432,11 @@ private:
   }
 
   // Whether the box has solutions with an unknown between two values, all or none of which have one.
-  std::optional<bool> has_solution_between(const Exact_ranges& box, int unknown, const Exact_rational& lower, const Exact_rational& upper)
+  std::optional<bool> has_solution_between(const Exact_ranges& box, int unknown, const Exact_rational& lower,
+                                           const Exact_rational& upper)
   {
-    const Solution_set_d<double> slice = m_vertices.solve(on_plane(m_closure, box, unknown, Exact_rational((lower + upper) / 2)));
+    const Solution_set_d<double> slice =
+        m_vertices.solve(on_plane(m_closure, box, unknown, Exact_rational((lower + upper) / 2)));
     if (slice.count(Solution_kind::CERTIFIED) > 0)
       return true;
     return slice.is_complete() && slice.empty() ? std::optional(false) : std::nullopt;

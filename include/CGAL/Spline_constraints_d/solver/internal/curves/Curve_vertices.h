@@ -22,10 +22,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point, or a zero of an inequality, inside of a box.
+// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point, or a zero of
+// an inequality, inside of a box.
 struct Plane_point
 {
-  enum Kind { REGULAR, SINGULAR, UNKNOWN };   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
+  // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
+  enum Kind { REGULAR, SINGULAR, UNKNOWN };
 
   Kind kind;
   Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
@@ -35,12 +37,17 @@ struct Plane_point
   bool is_singular = false;                               // by proof, and what ends there is known
 
   // On no plane.
-  static Plane_point singular(const Exact_ranges& box) { return {SINGULAR, box, box, std::vector<bool>(box.size(), false), std::nullopt, false, true}; }
+  static Plane_point singular(const Exact_ranges& box)
+  {
+    return {SINGULAR, box, box, std::vector<bool>(box.size(), false), std::nullopt, false, true};
+  }
 
   // Proved to be one point, whatever the box: two roots that were not told apart are not.
   bool is_one_point() const
   {
-    return kind == REGULAR || (kind == SINGULAR && std::all_of(box.begin(), box.end(), [](const auto& range) { return range.first == range.second; }));
+    return kind == REGULAR || (kind == SINGULAR && std::all_of(box.begin(), box.end(), [](const auto& range) {
+                                 return range.first == range.second;
+                               }));
   }
 
   bool is_singular_point() const { return is_singular && !is_excluded; }
@@ -90,12 +97,17 @@ inline bool is_within(const Exact_ranges& inner, const Exact_ranges& outer)
 }
 
 // Whether zero is excluded.
-inline bool is_strict(Relation relation) { return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL; }
+inline bool is_strict(Relation relation)
+{
+  return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL;
+}
 
 /*
-The solutions on the planes that the domain is cut along, each once. Boxes on both sides of a plane share them, so that nothing is ever joined by its distance.
+The solutions on the planes that the domain is cut along, each once. Boxes on both sides of a plane share them, so that
+nothing is ever joined by its distance.
 
-A point may lie on several planes. This is decided exactly: the equations with both unknowns fixed are one more than the unknowns that are left.
+A point may lie on several planes. This is decided exactly: the equations with both unknowns fixed are one more than the
+unknowns that are left.
 */
 class Curve_vertices
 {
@@ -108,7 +120,8 @@ public:
   explicit Curve_vertices(const Solver_options& options) : m_solver(options) {}
 
   // With some of the points of others, so that a task may add what it finds, without regard to other tasks.
-  Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points) : m_solver(options), m_continua(others.m_continua)
+  Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points)
+    : m_solver(options), m_continua(others.m_continua)
   {
     for (const std::size_t i : points)
       m_points.push_back(others[i]);
@@ -165,18 +178,21 @@ public:
   // Whether a box touches solutions on a plane that are not single points.
   bool meets_continuum(const Exact_ranges& box) const
   {
-    return std::any_of(m_continua.begin(), m_continua.end(), [&](const Exact_ranges& part) { return touch(part, box); });
+    return std::any_of(m_continua.begin(), m_continua.end(),
+                       [&](const Exact_ranges& part) { return touch(part, box); });
   }
 
   // Forgets the last points.
   void resize(std::size_t size) { m_points.resize(size); }
 
   /*
-  Adds to the points within a box where the solutions are a graph those where an inequality is zero, unless they are there: on a plane this is decided exactly, with one equality more than unknowns.
-  Whether zeros change the sign does not matter, as long as each is proved to be one point: else the reason why not.
+  Adds to the points within a box where the solutions are a graph those where an inequality is zero, unless they are
+  there: on a plane this is decided exactly, with one equality more than unknowns. Whether zeros change the sign does
+  not matter, as long as each is proved to be one point: else the reason why not.
   */
-  Undecided_reason add_zeros(const Constraint_system_d& equalities, const std::vector<Constraint_system_d::Inequality>& inequalities, std::size_t index, const Exact_ranges& box,
-                             std::vector<std::size_t>& points)
+  Undecided_reason add_zeros(const Constraint_system_d& equalities,
+                             const std::vector<Constraint_system_d::Inequality>& inequalities, std::size_t index,
+                             const Exact_ranges& box, std::vector<std::size_t>& points)
   {
     Constraint_system_d zeros = equalities_on(equalities, box);
     zeros.add(inequalities[index].function, Relation::EQUAL);
@@ -188,7 +204,10 @@ public:
       if (zero.kind == Plane_point::UNKNOWN || (zero.kind == Plane_point::SINGULAR && !isolate(zeros, zero)))
         return Undecided_reason::INEQUALITY;
       zero.is_fixed.assign(box.size(), false);
-      const auto place = std::find_if(known.begin(), known.end(), [&](std::size_t i) { return touch(m_points[i].box, zero.box) && is_within(m_points[i].box, zero.region) && vanishes_at(zeros, m_points[i]); });
+      const auto place = std::find_if(known.begin(), known.end(), [&](std::size_t i) {
+        return touch(m_points[i].box, zero.box) && is_within(m_points[i].box, zero.region) &&
+            vanishes_at(zeros, m_points[i]);
+      });
       const std::size_t i = place == known.end() ? m_points.size() : *place;
       if (place == known.end()) {
         points.push_back(i);
@@ -209,12 +228,16 @@ public:
     const Exact_ranges region = clipped(point.region, system);
     Constraint_system_d others = equalities_on(system, region);
     for (std::size_t k = 0; k < system.inequalities().size(); ++k)
-      others.add(system.inequalities()[k].function, k == point.inequality ? Relation::EQUAL : system.inequalities()[k].relation);
+      others.add(system.inequalities()[k].function,
+                 k == point.inequality ? Relation::EQUAL : system.inequalities()[k].relation);
     const std::optional<std::size_t> plane = point.first_plane();
-    const Solution_set_d<double> found = solve(plane ? internal::on_plane(others, region, static_cast<int>(*plane), region[*plane].first) : others);
+    const Solution_set_d<double> found =
+        solve(plane ? internal::on_plane(others, region, static_cast<int>(*plane), region[*plane].first) : others);
     if (found.empty() && found.is_complete())
       return false;
-    return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+    return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0
+        ? CGAL::Uncertain<bool>(true)
+        : CGAL::Uncertain<bool>::indeterminate();
   }
 
   Solution_set_d<double> solve(const Constraint_system_d& system)
@@ -225,10 +248,12 @@ public:
   }
 
   /*
-  The indices of the points on a plane within a box, in whose boundary all known points lie. With `needs_regular` nothing, if there are others than regular points, or if the plane passes too close to a known
-  point that does not lie on it.
+  The indices of the points on a plane within a box, in whose boundary all known points lie. With `needs_regular`
+  nothing, if there are others than regular points, or if the plane passes too close to a known point that does not lie
+  on it.
   */
-  std::optional<std::vector<std::size_t>> on_plane(const Constraint_system_d& system, const Exact_ranges& box, int axis, const Exact_rational& value, const std::vector<std::size_t>& known,
+  std::optional<std::vector<std::size_t>> on_plane(const Constraint_system_d& system, const Exact_ranges& box, int axis,
+                                                   const Exact_rational& value, const std::vector<std::size_t>& known,
                                                    bool needs_regular)
   {
     const std::size_t before = m_points.size();
@@ -246,7 +271,8 @@ public:
       result.push_back(placed(plane, point_of(solution, axis, value), box, axis, known));
     }
     const auto is_near = [&](std::size_t i) {
-      return m_points[i].box[axis].first < value && value < m_points[i].box[axis].second && std::find(result.begin(), result.end(), i) == result.end();
+      return m_points[i].box[axis].first < value && value < m_points[i].box[axis].second &&
+          std::find(result.begin(), result.end(), i) == result.end();
     };
     if (needs_regular && std::any_of(known.begin(), known.end(), is_near)) {
       m_points.resize(before);
@@ -260,13 +286,15 @@ public:
 private:
   void add_continuum(const Solution_d<double>& solution, int axis, const Exact_rational& value)
   {
-    for (Exact_ranges box : solution.cover().empty() ? std::vector<Exact_ranges>{solution.exact_box()} : solution.cover()) {
+    for (Exact_ranges box :
+         solution.cover().empty() ? std::vector<Exact_ranges>{solution.exact_box()} : solution.cover()) {
       box.insert(box.begin() + axis, {value, value});
       m_continua.push_back(std::move(box));
     }
   }
 
-  // Proves that a multiple root is one rational point, and makes this the box and a neighbourhood without other roots the region.
+  // Proves that a multiple root is one rational point, and makes this the box and a neighbourhood without other roots
+  // the region.
   static bool isolate(const Constraint_system_d& system, Plane_point& root)
   {
     std::vector<double> lower, upper, widths;
@@ -297,14 +325,20 @@ private:
     const std::optional<std::size_t> plane = point.first_plane();
     if (!plane)
       return false;
-    const Solution_set_d<double> found = solve(internal::on_plane(system, point.region, static_cast<int>(*plane), point.region[*plane].first));
+    const Solution_set_d<double> found =
+        solve(internal::on_plane(system, point.region, static_cast<int>(*plane), point.region[*plane].first));
     return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0;
   }
 
   static Plane_point point_of(const Solution_d<double>& solution)
   {
-    const Plane_point::Kind kind = solution.kind() == Solution_kind::CERTIFIED ? Plane_point::REGULAR : solution.kind() == Solution_kind::CLUSTER ? Plane_point::SINGULAR : Plane_point::UNKNOWN;
-    return {kind, solution.exact_box(), solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), {}};
+    const Plane_point::Kind kind = solution.kind() == Solution_kind::CERTIFIED ? Plane_point::REGULAR
+        : solution.kind() == Solution_kind::CLUSTER                            ? Plane_point::SINGULAR
+                                                                               : Plane_point::UNKNOWN;
+    return {kind,
+            solution.exact_box(),
+            solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(),
+            {}};
   }
 
   static Plane_point point_of(const Solution_d<double>& solution, int axis, const Exact_rational& value)
@@ -322,8 +356,10 @@ private:
     point.is_fixed[axis] = true;
   }
 
-  // The index of a point on a plane: of a known one, if both lie on an edge of the box and are the same; else it becomes known. What reaches an edge and is not proved to be one point stays unknown.
-  std::size_t placed(const Constraint_system_d& plane, Plane_point point, const Exact_ranges& box, int axis, const std::vector<std::size_t>& known)
+  // The index of a point on a plane: of a known one, if both lie on an edge of the box and are the same; else it
+  // becomes known. What reaches an edge and is not proved to be one point stays unknown.
+  std::size_t placed(const Constraint_system_d& plane, Plane_point point, const Exact_ranges& box, int axis,
+                     const std::vector<std::size_t>& known)
   {
     std::vector<std::pair<int, Exact_rational>> edges;
     for (int k = 0; k < static_cast<int>(box.size()); ++k)
@@ -334,7 +370,8 @@ private:
             break;
           }
           const std::vector<Exact_ranges> on_edge = points_on_edge(plane, point.box, axis, k, end);
-          const auto root = std::find_if(on_edge.begin(), on_edge.end(), [&](const Exact_ranges& x) { return is_within(x, point.region); });
+          const auto root = std::find_if(on_edge.begin(), on_edge.end(),
+                                         [&](const Exact_ranges& x) { return is_within(x, point.region); });
           if (root == on_edge.end())
             continue;
           for (const std::size_t i : known)
@@ -349,7 +386,8 @@ private:
   }
 
   // The solutions near a point on a plane with another unknown fixed as well.
-  std::vector<Exact_ranges> points_on_edge(const Constraint_system_d& plane, Exact_ranges near, int axis, int unknown, const Exact_rational& value)
+  std::vector<Exact_ranges> points_on_edge(const Constraint_system_d& plane, Exact_ranges near, int axis, int unknown,
+                                           const Exact_rational& value)
   {
     const Exact_rational fixed = near[axis].first;
     const int reduced = unknown - (unknown > axis ? 1 : 0);

@@ -74,7 +74,8 @@ struct Found_curves
 };
 
 /*
-A spline and the factor x - c, zero at an end c of the range of an unknown, or at a break in it. Where it is zero there, all of its terms are, as a rule: those with other unknowns.
+A spline and the factor x - c, zero at an end c of the range of an unknown, or at a break in it. Where it is zero there,
+all of its terms are, as a rule: those with other unknowns.
 */
 class Face_factor
 {
@@ -82,11 +83,14 @@ class Face_factor
   const int m_unknown;
   const Exact_rational m_value;
   const bool m_has_below, m_has_above;           // whether the domain goes on
-  std::pair<std::size_t, std::size_t> m_layers;   // of the cells at the face, on one side or both, the places among those of the unknown
+  // of the cells at the face, on one side or both, the places among those of the unknown
+  std::pair<std::size_t, std::size_t> m_layers;
 
 public:
-  Face_factor(const Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, const Exact_rational& value)
-    : m_function(function), m_unknown(unknown), m_value(value), m_has_below(range.first < value), m_has_above(value < range.second), m_layers(0, 0)
+  Face_factor(const Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range,
+              const Exact_rational& value)
+    : m_function(function), m_unknown(unknown), m_value(value), m_has_below(range.first < value),
+      m_has_above(value < range.second), m_layers(0, 0)
   {
     if (!function.terms().empty() && axis_of(function.terms().front()))
       m_layers = layers();
@@ -103,7 +107,8 @@ public:
     return !m_function.terms().empty();
   }
 
-  // Divided by x - c in the cells at the face and, so that it stays continuous, by constants in the others. \pre `divides()`
+  // Divided by x - c in the cells at the face and, so that it stays continuous, by constants in the others. \pre
+  // `divides()`
   Spline_function quotient() const
   {
     Spline_function result;
@@ -121,7 +126,8 @@ public:
   }
 
   // Divides a function by the factor as often as it can be. Returns how often this is.
-  static int divide_out(Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, const Exact_rational& value)
+  static int divide_out(Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range,
+                        const Exact_rational& value)
   {
     int exponent = 0;
     for (; Face_factor(function, unknown, range, value).divides(); ++exponent)
@@ -133,17 +139,22 @@ private:
   std::optional<std::size_t> axis_of(const Spline_term& term) const
   {
     const auto place = std::find(term.variables.begin(), term.variables.end(), m_unknown);
-    return place == term.variables.end() ? std::nullopt : std::optional(static_cast<std::size_t>(place - term.variables.begin()));
+    return place == term.variables.end() ? std::nullopt
+                                         : std::optional(static_cast<std::size_t>(place - term.variables.begin()));
   }
 
-  const std::vector<Exact_rational>& breaks() const { return m_function.terms().front().breaks[*axis_of(m_function.terms().front())]; }
+  const std::vector<Exact_rational>& breaks() const
+  {
+    return m_function.terms().front().breaks[*axis_of(m_function.terms().front())];
+  }
 
   std::pair<std::size_t, std::size_t> layers() const
   {
     if (breaks().empty())
       return {0, 0};
     const auto place = [&](const auto& next) { return static_cast<std::size_t>(next - breaks().begin()) - 1; };
-    const std::size_t above = place(std::upper_bound(breaks().begin() + 1, breaks().end() - 1, m_value)), below = place(std::lower_bound(breaks().begin() + 1, breaks().end() - 1, m_value));
+    const std::size_t above = place(std::upper_bound(breaks().begin() + 1, breaks().end() - 1, m_value)),
+                      below = place(std::lower_bound(breaks().begin() + 1, breaks().end() - 1, m_value));
     return {m_has_below ? below : above, m_has_above ? above : below};
   }
 
@@ -243,8 +254,9 @@ inline std::pair<Constraint_system_d, int> without_face(const Constraint_system_
 }
 
 /*
-The system on a face, whose curves lie within the domain: with the unknown that is constant there as an unknown whose range is wider, and with its equation in the place of the equality that is zero. Nothing if an inequality
-excludes the face.
+The system on a face, whose curves lie within the domain: with the unknown that is constant there as an unknown whose
+range is wider, and with its equation in the place of the equality that is zero. Nothing if an inequality excludes the
+face.
 */
 inline std::optional<Constraint_system_d> system_on_face(const Constraint_system_d& system, const Vanishing_face& face)
 {
@@ -288,7 +300,9 @@ protected:
   Vertex_indices m_vertices;   // that a point may be
 
 public:
-  Curve_divisions(Found_curves& all, std::size_t first, Vertex_indices vertices) : m_all(all), m_first(first), m_vertices(std::move(vertices)) {}
+  Curve_divisions(Found_curves& all, std::size_t first, Vertex_indices vertices)
+    : m_all(all), m_first(first), m_vertices(std::move(vertices))
+  {}
 
   // Whether the vertex, a solution, is a point of the curves; it is singular then.
   bool add(std::size_t i) { return joins_vertex(i) || splits_piece(i); }
@@ -303,7 +317,8 @@ private:
   // The point is a vertex.
   bool joins_vertex(std::size_t i)
   {
-    const auto same = std::find_if(m_vertices.begin(), m_vertices.end(), [&](std::size_t k) { return is_same(m_all.vertices[i], m_all.vertices[k]); });
+    const auto same = std::find_if(m_vertices.begin(), m_vertices.end(),
+                                   [&](std::size_t k) { return is_same(m_all.vertices[i], m_all.vertices[k]); });
     if (same == m_vertices.end())
       return false;
     m_all.vertices.identify(i, *same);
@@ -350,7 +365,8 @@ private:
 };
 
 /*
-Joins the curves on a face, or a plane of breaks, with all other ones, which meet it in points. There the equality has two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
+Joins the curves on a face, or a plane of breaks, with all other ones, which meet it in points. There the equality has
+two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
 vertex there, or lies in a piece, between its ends, since this has no other solutions in its box.
 */
 class Curves_on_face : Curve_divisions
@@ -361,7 +377,9 @@ class Curves_on_face : Curve_divisions
 
 public:
   // Adds `on_face` to `all`, the solutions without the face. The exponent is that of the factor of the face.
-  Curves_on_face(const Vanishing_face& face, int exponent, Found_curves& all) : Curve_divisions(all, all.pieces.size(), {}), m_face(face), m_exponent(exponent), m_first_undecided(all.undecided.size())
+  Curves_on_face(const Vanishing_face& face, int exponent, Found_curves& all)
+    : Curve_divisions(all, all.pieces.size(), {}), m_face(face), m_exponent(exponent),
+      m_first_undecided(all.undecided.size())
   {}
 
   void add(Found_curves&& on_face)
@@ -393,17 +411,22 @@ public:
   }
 
 private:
-  bool is_on_face(std::size_t i) const { return m_all.vertices[i].is_fixed[m_face.axis] && m_all.vertices[i].box[m_face.axis].first == m_face.value; }
+  bool is_on_face(std::size_t i) const
+  {
+    return m_all.vertices[i].is_fixed[m_face.axis] && m_all.vertices[i].box[m_face.axis].first == m_face.value;
+  }
 
   // Nothing is known of the face there.
   bool is_undecided(std::size_t i) const
   {
-    return std::any_of(m_all.undecided.begin() + static_cast<std::ptrdiff_t>(m_first_undecided), m_all.undecided.end(), [&](const Undecided_box& box) { return touch(box.box, m_all.vertices[i].box); });
+    return std::any_of(m_all.undecided.begin() + static_cast<std::ptrdiff_t>(m_first_undecided), m_all.undecided.end(),
+                       [&](const Undecided_box& box) { return touch(box.box, m_all.vertices[i].box); });
   }
 };
 
 /*
-The curves of two systems, which meet in the solutions of both: these are singular points of the union. What is not decided of them is undecided there.
+The curves of two systems, which meet in the solutions of both: these are singular points of the union. What is not
+decided of them is undecided there.
 */
 class United_curves
 {
@@ -412,7 +435,9 @@ class United_curves
   std::vector<Undecided_box> m_undecided;
 
 public:
-  United_curves(Found_curves&& first, Found_curves&& second, const Constraint_system_d& both) : m_found{std::move(first), std::move(second)}, m_both(both) {}
+  United_curves(Found_curves&& first, Found_curves&& second, const Constraint_system_d& both)
+    : m_found{std::move(first), std::move(second)}, m_both(both)
+  {}
 
   Found_curves operator()(const Solution_set_d<double>& common_points)
   {
@@ -426,7 +451,8 @@ public:
     const Vertex_indices places = result.merge(std::move(second));
     for (const auto& [i, other] : same) {
       result.vertices.identify(i, places[other]);
-      result.for_each_index([&, i = i, other = places[other]](std::size_t& index) { index = index == other ? i : index; });
+      result.for_each_index(
+          [&, i = i, other = places[other]](std::size_t& index) { index = index == other ? i : index; });
     }
     result.undecided.insert(result.undecided.end(), m_undecided.begin(), m_undecided.end());
     return std::move(result);
@@ -452,7 +478,8 @@ private:
   {
     for (const Found_curves& found : m_found)
       for (std::size_t i = 0; i < found.vertices.size(); ++i)
-        if (const Plane_point& vertex = found.vertices[i]; vertex.is_singular_point() && is_within(vertex.box, point.exact_uniqueness_region()) && is_solution(vertex.box))
+        if (const Plane_point& vertex = found.vertices[i]; vertex.is_singular_point() &&
+            is_within(vertex.box, point.exact_uniqueness_region()) && is_solution(vertex.box))
           return vertex.box;
     return point.exact_box();
   }
@@ -465,7 +492,8 @@ private:
         return false;
       point.push_back(lower);
     }
-    return std::all_of(m_both.equalities().begin(), m_both.equalities().end(), [&](const Spline_function& f) { return CGAL::is_zero(polynomial_at(f, point)(point)); });
+    return std::all_of(m_both.equalities().begin(), m_both.equalities().end(),
+                       [&](const Spline_function& f) { return CGAL::is_zero(polynomial_at(f, point)(point)); });
   }
 };
 

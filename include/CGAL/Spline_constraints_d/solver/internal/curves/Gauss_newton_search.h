@@ -115,8 +115,10 @@ struct Search_result
 };
 
 /*
-Looks in a box for a common zero of more polynomials than unknowns, with rational coordinates: the Gauss-Newton method, with the simplest rationals near its iterates, in doubles or rational numbers of some hundred bits. At
-points of high multiplicity steps become shorter by a constant factor, so that two of them tell how far all others will go. Every other one only leads back to a curve, wherever this is bent.
+Looks in a box for a common zero of more polynomials than unknowns, with rational coordinates: the Gauss-Newton method,
+with the simplest rationals near its iterates, in doubles or rational numbers of some hundred bits. At points of high
+multiplicity steps become shorter by a constant factor, so that two of them tell how far all others will go. Every other
+one only leads back to a curve, wherever this is bent.
 */
 template <class NT>
 class Gauss_newton_search
@@ -135,7 +137,8 @@ class Gauss_newton_search
 
 public:
   // `is_zero(point)` decides exactly.
-  Gauss_newton_search(const Polynomials_with_gradients<NT>& polynomials, const Exact_ranges& box, std::function<bool(const Exact_point&)> is_zero)
+  Gauss_newton_search(const Polynomials_with_gradients<NT>& polynomials, const Exact_ranges& box,
+                      std::function<bool(const Exact_point&)> is_zero)
     : m_polynomials(polynomials), m_box(box), m_is_zero(std::move(is_zero))
   {
     for (const auto& [lower, upper] : box) {
@@ -173,7 +176,8 @@ public:
       }
       if (is_short(steps[1]))
         return {};
-      const NT square = product(steps[0], steps[0]), ratio = square == 0 ? NT(0) : NT(product(steps[0], steps[1]) / square);
+      const NT square = product(steps[0], steps[0]),
+               ratio = square == 0 ? NT(0) : NT(product(steps[0], steps[1]) / square);
       if (ratio > 0 && ratio < NT(63) / 64) {
         for (NT& x : steps[1])
           x *= ratio / (1 - ratio);
@@ -220,7 +224,9 @@ private:
         rows[j * length + n] -= gradient[j] * value;
       }
     }
-    const std::vector<int> row_of = gauss_jordan(rows, length, n, n, [](const NT& x) { return x == 0 ? 0.0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300); });
+    const std::vector<int> row_of = gauss_jordan(rows, length, n, n, [](const NT& x) {
+      return x == 0 ? 0.0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300);
+    });
     for (std::size_t j = 0; j < row_of.size(); ++j) {
       result.offset.push_back(rows[static_cast<std::size_t>(row_of[j]) * length + n]);
       result.is_uncertain = result.is_uncertain || !CGAL::is_finite(result.offset.back());
@@ -267,7 +273,8 @@ private:
     for (std::size_t j = 0; j < m_place.size(); ++j) {
       if (!CGAL::is_finite(m_place[j]) || !CGAL::is_finite(margin))
         return {};
-      const Exact_rational lower = (std::max)(Exact_rational(m_place[j] - margin), m_box[j].first), upper = (std::min)(Exact_rational(m_place[j] + margin), m_box[j].second);
+      const Exact_rational lower = (std::max)(Exact_rational(m_place[j] - margin), m_box[j].first),
+                           upper = (std::min)(Exact_rational(m_place[j] + margin), m_box[j].second);
       if (upper < lower)
         return {};
       point.push_back(simplest_rational_between(lower, upper));
@@ -275,13 +282,15 @@ private:
     return may_be_zero(point) ? checked(std::move(point)) : Search_result();
   }
 
-  // Whether gradients are large enough for a zero nearby: four times as large at one of multiplicity m, if the margin is 1/m of the distance. In rational numbers to look at it costs more than to try.
+  // Whether gradients are large enough for a zero nearby: four times as large at one of multiplicity m, if the margin
+  // is 1/m of the distance. In rational numbers to look at it costs more than to try.
   bool may_be_zero_near(const NT& margin) const
   {
     if constexpr (is_rounded) {
       const auto values = m_polynomials(m_place);
       return std::all_of(values.begin(), values.end(), [&](const auto& x) {
-        const double slope = std::accumulate(x.gradient.begin(), x.gradient.end(), 0.0, [](double sum, double derivative) { return sum + std::abs(derivative); });
+        const double slope = std::accumulate(x.gradient.begin(), x.gradient.end(), 0.0,
+                                             [](double sum, double derivative) { return sum + std::abs(derivative); });
         return !(std::abs(x.value) > noise * x.size + 4 * margin * slope);
       });
     }
@@ -296,12 +305,16 @@ private:
       for (const Exact_rational& x : point)
         rounded.push_back(to_nearest_double(x));
       const auto values = m_polynomials(rounded);
-      return std::all_of(values.begin(), values.end(), [](const auto& x) { return !(std::abs(x.value) > noise * x.size); });
+      return std::all_of(values.begin(), values.end(),
+                         [](const auto& x) { return !(std::abs(x.value) > noise * x.size); });
     }
     return true;
   }
 
-  Search_result checked(Exact_point point) const { return m_is_zero(point) ? Search_result{std::move(point), false} : Search_result(); }
+  Search_result checked(Exact_point point) const
+  {
+    return m_is_zero(point) ? Search_result{std::move(point), false} : Search_result();
+  }
 
   static NT product(const Point& a, const Point& b)
   {

@@ -23,16 +23,19 @@ namespace internal {
 /*
 Proves that 0 is the only common zero of polynomials in boxes around it, whatever its multiplicity.
 
-For each unknown x_j an element c x_j^k + r of their ideal is looked for, with c != 0, where r has no terms of a degree below k. Let |x_i| <= h_i be the box, and |u| the largest of the |u_i| = |x_i| / h_i. If
-in the u_i the sum of the sizes of the coefficients of r is smaller than that of u_j^k, then no zero has |u_j| = |u| > 0, as r is at most that sum times |u|^k there. With such elements for all unknowns, there is
-no zero but 0.
+For each unknown x_j an element c x_j^k + r of their ideal is looked for, with c != 0, where r has no terms of a degree
+below k. Let |x_i| <= h_i be the box, and |u| the largest of the |u_i| = |x_i| / h_i. If in the u_i the sum of the sizes
+of the coefficients of r is smaller than that of u_j^k, then no zero has |u_j| = |u| > 0, as r is at most that sum times
+|u|^k there. With such elements for all unknowns, there is no zero but 0.
 
-The elements come from the products of the polynomials and monomials, in the order of the lowest degree of their terms, by exact elimination of terms of low degree. If 0 is isolated among the complex zeros, then all
-monomials of some degree are in the ideal up to terms of higher degree (Nakayama's lemma), so that small boxes pass.
+The elements come from the products of the polynomials and monomials, in the order of the lowest degree of their terms,
+by exact elimination of terms of low degree. If 0 is isolated among the complex zeros, then all monomials of some degree
+are in the ideal up to terms of higher degree (Nakayama's lemma), so that small boxes pass.
 */
 class Isolated_zero_test
 {
-  using Row = std::vector<std::pair<std::size_t, Exact_rational>>;   // columns and coefficients that are not zero, in order
+  // columns and coefficients that are not zero, in order
+  using Row = std::vector<std::pair<std::size_t, Exact_rational>>;
 
   static constexpr std::size_t most_monomials = 130;
 
@@ -43,7 +46,8 @@ class Isolated_zero_test
   std::vector<std::vector<Row>> m_elements;    // per unknown: they begin with powers of it
 
 public:
-  Isolated_zero_test(std::span<const Power_polynomial> polynomials, std::size_t dimension) : m_dimension(dimension), m_elements(dimension)
+  Isolated_zero_test(std::span<const Power_polynomial> polynomials, std::size_t dimension)
+    : m_dimension(dimension), m_elements(dimension)
   {
     constexpr int more_orders = 2;   // than small boxes need: they serve larger ones
     int last = 1, largest_degree = 0;
@@ -73,12 +77,16 @@ public:
   {
     const std::vector<Exact_rational> sizes = monomial_sizes(distances);
     return std::all_of(m_elements.begin(), m_elements.end(), [&](const std::vector<Row>& elements) {
-      return std::any_of(elements.begin(), elements.end(), [&](const Row& element) { return is_dominant(element, sizes); });
+      return std::any_of(elements.begin(), elements.end(),
+                         [&](const Row& element) { return is_dominant(element, sizes); });
     });
   }
 
 private:
-  static int degree(const std::vector<int>& exponents) { return std::accumulate(exponents.begin(), exponents.end(), 0); }
+  static int degree(const std::vector<int>& exponents)
+  {
+    return std::accumulate(exponents.begin(), exponents.end(), 0);
+  }
 
   std::size_t column_of_power(std::size_t unknown, int exponent) const
   {
@@ -122,14 +130,16 @@ private:
     }
   }
 
-  // A row minus the multiple of another one, which begins with the column of one of its entries, that has not this entry.
+  // A row minus the multiple of another one, which begins with the column of one of its entries, that has not this
+  // entry.
   static Row eliminated(const Row& row, std::size_t entry, const Row& other)
   {
     const Exact_rational factor = row[entry].second / other.front().second;
     Row result(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(entry));
     std::size_t i = entry + 1, k = 1;
     while (i < row.size() || k < other.size()) {
-      const bool takes_own = k == other.size() || (i < row.size() && row[i].first <= other[k].first), takes_other = i == row.size() || (k < other.size() && other[k].first <= row[i].first);
+      const bool takes_own = k == other.size() || (i < row.size() && row[i].first <= other[k].first),
+                 takes_other = i == row.size() || (k < other.size() && other[k].first <= row[i].first);
       const std::size_t column = takes_own ? row[i].first : other[k].first;
       Exact_rational coefficient = takes_own ? row[i++].second : Exact_rational(0);
       if (takes_other)
@@ -181,7 +191,8 @@ private:
     std::vector<Exact_rational> result(m_exponents.size(), Exact_rational(1));
     for (std::size_t c = 1; c < m_exponents.size(); ++c) {
       std::vector<int> lower = m_exponents[c];
-      const std::size_t j = static_cast<std::size_t>(std::find_if(lower.begin(), lower.end(), [](int e) { return e > 0; }) - lower.begin());
+      const std::size_t j = static_cast<std::size_t>(
+          std::find_if(lower.begin(), lower.end(), [](int e) { return e > 0; }) - lower.begin());
       --lower[j];
       result[c] = result[m_column.at(lower)] * distances[j];
     }

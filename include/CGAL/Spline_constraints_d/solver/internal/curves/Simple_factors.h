@@ -29,8 +29,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A spline as a product of powers in each of some cells: f = c g_1 g_2^2 ... g_m^m. Without the powers, and with constants that make it continuous between the cells, it has the same zeros in them, none of which are
-singular along a whole curve.
+A spline as a product of powers in each of some cells: f = c g_1 g_2^2 ... g_m^m. Without the powers, and with constants
+that make it continuous between the cells, it has the same zeros in them, none of which are singular along a whole
+curve.
 */
 class Factored_spline
 {
@@ -42,7 +43,8 @@ class Factored_spline
 
 public:
   // Of a function with these breaks of all unknowns, in cells which are given by their places among them.
-  Factored_spline(const Spline_function& function, const std::vector<Breaks_of_axis>& breaks, const std::vector<Cell>& cells)
+  Factored_spline(const Spline_function& function, const std::vector<Breaks_of_axis>& breaks,
+                  const std::vector<Cell>& cells)
   {
     for (const Spline_term& term : function.terms())
       m_unknowns.insert(m_unknowns.end(), term.variables.begin(), term.variables.end());
@@ -87,17 +89,20 @@ public:
     Spline_term result{m_unknowns, degrees, m_breaks, {}};
     for_each_index(sizes, [&](const Cell& cell) {
       const auto place = m_products.find(cell);
-      result.pieces.push_back(coefficients(place == m_products.end() ? Power_polynomial(Exact_rational(1)) : place->second, degrees));
+      result.pieces.push_back(
+          coefficients(place == m_products.end() ? Power_polynomial(Exact_rational(1)) : place->second, degrees));
     });
     return Spline_function(std::move(result));
   }
 
-  // How often the zero of the product in a box within a cell counts; 0 if more than one factor may be zero. \pre It is a regular one.
+  // How often the zero of the product in a box within a cell counts; 0 if more than one factor may be zero. \pre It is
+  // a regular one.
   int multiplicity(const Exact_ranges& cell, const Exact_ranges& zero) const
   {
     Cell own;
     for (std::size_t j = 0; j < m_unknowns.size(); ++j)
-      own.push_back(static_cast<int>(cell_at(m_breaks[j], Exact_rational((cell[m_unknowns[j]].first + cell[m_unknowns[j]].second) / 2))));
+      own.push_back(static_cast<int>(
+          cell_at(m_breaks[j], Exact_rational((cell[m_unknowns[j]].first + cell[m_unknowns[j]].second) / 2))));
     const Mpfr_precision_scope precision(128);
     std::vector<Mpfr_interval> box;
     for (const auto& [lower, upper] : zero)
@@ -148,11 +153,14 @@ private:
     return true;
   }
 
-  // Of the products of two neighbouring cells where they meet, or of their derivatives, if the products are zero there; nothing if they are not multiples of each other.
+  // Of the products of two neighbouring cells where they meet, or of their derivatives, if the products are zero there;
+  // nothing if they are not multiples of each other.
   std::optional<Exact_rational> ratio_between(const Cell& cell, const Cell& next, std::size_t axis) const
   {
     const Power_polynomial value(m_breaks[axis][static_cast<std::size_t>((std::max)(cell[axis], next[axis]))]);
-    const auto on_break = [&](const Power_polynomial& polynomial) { return polynomial.substituted(m_unknowns[axis], value); };
+    const auto on_break = [&](const Power_polynomial& polynomial) {
+      return polynomial.substituted(m_unknowns[axis], value);
+    };
     const auto slope = [&](const Cell& which) { return on_break(m_products.at(which).derivative(m_unknowns[axis])); };
     Power_polynomial a = on_break(m_products.at(cell)), b = on_break(m_products.at(next));
     if (a.is_zero() && b.is_zero())
@@ -182,16 +190,21 @@ private:
 inline std::optional<std::array<Power_polynomial, 2>> two_polynomials_in_space(const Constraint_system_d& system)
 {
   const std::vector<Spline_function>& equalities = system.equalities();
-  const auto is_polynomial = [](const Spline_function& f) { return std::all_of(f.terms().begin(), f.terms().end(), [](const Spline_term& term) { return term.pieces.size() == 1; }); };
-  if (system.dimension() != 3 || equalities.size() != 2 || !is_polynomial(equalities[0]) || !is_polynomial(equalities[1]))
+  const auto is_polynomial = [](const Spline_function& f) {
+    return std::all_of(f.terms().begin(), f.terms().end(),
+                       [](const Spline_term& term) { return term.pieces.size() == 1; });
+  };
+  if (system.dimension() != 3 || equalities.size() != 2 || !is_polynomial(equalities[0]) ||
+      !is_polynomial(equalities[1]))
     return std::nullopt;
   const std::vector<Exact_rational> origin(3, Exact_rational(0));
   return std::array{polynomial_at(equalities[0], origin), polynomial_at(equalities[1], origin)};
 }
 
 /*
-A system whose equalities have no repeated factors, with the same solutions as a given one: no curve is singular everywhere. It knows how often a curve counts in the given one. Of two polynomials in three unknowns without repeated factors it is that of a
-regular pair, or there are two systems with the solutions of which these are all.
+A system whose equalities have no repeated factors, with the same solutions as a given one: no curve is singular
+everywhere. It knows how often a curve counts in the given one. Of two polynomials in three unknowns without repeated
+factors it is that of a regular pair, or there are two systems with the solutions of which these are all.
 */
 class Simple_factors
 {
@@ -228,10 +241,12 @@ public:
   // With the other solutions, if there are two systems.
   const std::optional<Constraint_system_d>& other_system() const { return m_other; }
 
-  // How often the curve through a vertex counts, which is a regular solution of the other system; 0 if this is not known.
+  // How often the curve through a vertex counts, which is a regular solution of the other system; 0 if this is not
+  // known.
   int multiplicity_in_other(const Exact_ranges& vertex) const { return m_contact->multiplicity(1, vertex); }
 
-  // How often the curve through a vertex counts, which is a regular solution of the system and lies in a box of one cell; 0 if this is not known.
+  // How often the curve through a vertex counts, which is a regular solution of the system and lies in a box of one
+  // cell; 0 if this is not known.
   int multiplicity(const Exact_ranges& box, const Exact_ranges& vertex) const
   {
     if (m_pair)

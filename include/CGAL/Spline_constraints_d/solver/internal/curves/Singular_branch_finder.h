@@ -29,14 +29,16 @@ struct Singular_branches
 };
 
 /*
-Finishes boxes whose only solutions are proved to be branches that end in one singular point: in a rational point, which may lie on the boundary of the box, where inequalities are zero; or where two curves cross, or in
-an isolated solution, at any place inside.
+Finishes boxes whose only solutions are proved to be branches that end in one singular point: in a rational point, which
+may lie on the boundary of the box, where inequalities are zero; or where two curves cross, or in an isolated solution,
+at any place inside.
 */
 class Singular_branch_finder
 {
   using Indices = std::vector<std::size_t>;
 
-  // Relative to the domain. In moderate boxes a rational point is looked for, so that they are not split near it. Pieces in small boxes are drawn as chords.
+  // Relative to the domain. In moderate boxes a rational point is looked for, so that they are not split near it.
+  // Pieces in small boxes are drawn as chords.
   static constexpr double moderate = 0x1p-4, small = 0x1p-6, very_small = 0x1p-10;
 
   const Constraint_system_d& m_system;   // without breaks
@@ -48,12 +50,14 @@ class Singular_branch_finder
   std::size_t m_calls = 0, m_work = 0, m_attempts = 0, m_successes = 0;
 
 public:
-  Singular_branch_finder(const Constraint_system_d& system, const std::vector<double>& domain_widths, Curve_vertices& vertices)
+  Singular_branch_finder(const Constraint_system_d& system, const std::vector<double>& domain_widths,
+                         Curve_vertices& vertices)
     : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices), m_is_short(are_minors_short(system))
   {}
 
   // In a box with these vertices on its boundary, and inequalities that neither hold everywhere nor exclude it.
-  std::optional<Singular_branches> operator()(const Exact_ranges& box, const Indices& vertices, const Indices& open_inequalities)
+  std::optional<Singular_branches> operator()(const Exact_ranges& box, const Indices& vertices,
+                                              const Indices& open_inequalities)
   {
     constexpr std::size_t largest_dimension = 4;
     if (box.size() > largest_dimension || !is_smaller(box, moderate))
@@ -74,7 +78,9 @@ public:
   // A rational singular point in a box, if one is known.
   const Exact_point* known_point_in(const Exact_ranges& box) const
   {
-    const auto found = std::find_if(m_structures.begin(), m_structures.end(), [&](const Conic_structure_test& structure) { return is_within(as_box(structure.point()), box); });
+    const auto found =
+        std::find_if(m_structures.begin(), m_structures.end(),
+                     [&](const Conic_structure_test& structure) { return is_within(as_box(structure.point()), box); });
     return found == m_structures.end() ? nullptr : &found->point();
   }
 
@@ -87,7 +93,8 @@ private:
     for (const Spline_function& function : system.equalities()) {
       std::ptrdiff_t coefficients = 0;
       for (const Spline_term& term : function.terms())
-        coefficients += std::count_if(term.pieces.front().begin(), term.pieces.front().end(), [](const Exact_rational& x) { return !CGAL::is_zero(x); });
+        coefficients += std::count_if(term.pieces.front().begin(), term.pieces.front().end(),
+                                      [](const Exact_rational& x) { return !CGAL::is_zero(x); });
       number *= static_cast<double>(coefficients);
     }
     return number <= largest_number;
@@ -111,7 +118,10 @@ private:
   // The known rational point whose region has a box, if there is one; or one that is found now.
   const Conic_structure_test* structure_around(const Exact_ranges& box)
   {
-    const auto known = [&] { return std::find_if(m_structures.begin(), m_structures.end(), [&](const Conic_structure_test& structure) { return is_within(box, structure.region()); }); };
+    const auto known = [&] {
+      return std::find_if(m_structures.begin(), m_structures.end(),
+                          [&](const Conic_structure_test& structure) { return is_within(box, structure.region()); });
+    };
     if (known() == m_structures.end())
       find_rational_point(box);
     const auto found = known();
@@ -129,11 +139,14 @@ private:
       near[j].second += Exact_rational(small * m_domain_widths[j]);
     }
     const std::optional<Exact_point> point = curves().rational_singular_point_in(near, m_work);
-    if (point && std::none_of(m_structures.begin(), m_structures.end(), [&](const Conic_structure_test& structure) { return structure.point() == *point; }))
+    if (point && std::none_of(m_structures.begin(), m_structures.end(), [&](const Conic_structure_test& structure) {
+          return structure.point() == *point;
+        }))
       m_structures.emplace_back(curves(), *point, m_domain_widths);
   }
 
-  std::optional<Singular_branches> branches_of(const Conic_structure_test& structure, const Exact_ranges& box, const Indices& vertices, const Indices& open_inequalities)
+  std::optional<Singular_branches> branches_of(const Conic_structure_test& structure, const Exact_ranges& box,
+                                               const Indices& vertices, const Indices& open_inequalities)
   {
     Plane_point point = Plane_point::singular(as_box(structure.point()));
     for (const std::size_t g : open_inequalities) {
@@ -152,7 +165,8 @@ private:
       }
       if (!is_end_of_branch(structure, m_vertices[i], box))
         return std::nullopt;
-      const CGAL::Uncertain<bool> is_solution = open_inequalities.empty() ? CGAL::Uncertain<bool>(true) : m_vertices.satisfies_inequalities(m_system, i);
+      const CGAL::Uncertain<bool> is_solution =
+          open_inequalities.empty() ? CGAL::Uncertain<bool>(true) : m_vertices.satisfies_inequalities(m_system, i);
       if (!CGAL::is_certain(is_solution))
         return std::nullopt;
       if (CGAL::get_certain(is_solution))
@@ -171,7 +185,8 @@ private:
   {
     constexpr std::size_t few_attempts = 1000;   // and as many more after each success
     const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
-    if (m_attempts > few_attempts * (m_successes + 1) || (!vertices.empty() && vertices.size() != 4) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
+    if (m_attempts > few_attempts * (m_successes + 1) || (!vertices.empty() && vertices.size() != 4) ||
+        !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return std::nullopt;
     ++m_attempts;
     const std::optional<Proved_singularity> found = Singular_point_test(curves(), box)();
@@ -189,12 +204,15 @@ private:
     if (vertex.is_one_point())
       return true;
     const int axis = first_plane(vertex);
-    const Power_polynomial plane = Power_polynomial::variable(axis) - Power_polynomial(point[static_cast<std::size_t>(axis)].first);
+    const Power_polynomial plane =
+        Power_polynomial::variable(axis) - Power_polynomial(point[static_cast<std::size_t>(axis)].first);
     return is_within(vertex.box, domain_of(m_system)) && structure.is_only_zero_of(plane, vertex.box);
   }
 
-  // Whether a curve crosses the boundary of the box, in one face, such that it comes closer to the rational point inside.
-  static bool is_end_of_branch(const Conic_structure_test& structure, const Plane_point& vertex, const Exact_ranges& box)
+  // Whether a curve crosses the boundary of the box, in one face, such that it comes closer to the rational point
+  // inside.
+  static bool is_end_of_branch(const Conic_structure_test& structure, const Plane_point& vertex,
+                               const Exact_ranges& box)
   {
     if (vertex.kind != Plane_point::REGULAR || vertex.planes() != 1)
       return false;
@@ -205,7 +223,10 @@ private:
   }
 
   // The unknown that it fixes.
-  static int first_plane(const Plane_point& vertex) { return static_cast<int>(std::find(vertex.is_fixed.begin(), vertex.is_fixed.end(), true) - vertex.is_fixed.begin()); }
+  static int first_plane(const Plane_point& vertex)
+  {
+    return static_cast<int>(std::find(vertex.is_fixed.begin(), vertex.is_fixed.end(), true) - vertex.is_fixed.begin());
+  }
 
   static bool is_inside(const Exact_point& point, const Exact_ranges& box)
   {

@@ -33,15 +33,19 @@ struct Proved_singularity
 };
 
 /*
-Proves that a small box holds just one singular point of n - 1 polynomials f, and that the solutions in the box are four branches that end there, or none.
+Proves that a small box holds just one singular point of n - 1 polynomials f, and that the solutions in the box are four
+branches that end there, or none.
 
-A singular point p is a zero of f and of all minors of the Jacobian J. If n - 2 combinations g of the equations can be solved for as many unknowns w, and lambda is the left null vector of J(p), then the
-gradient of h = lambda f vanishes at p. For two solutions x and y of g = 0 in the box x - y = B d, with d the difference of the two other unknowns and B in an interval matrix, so that h(x) = d' Q d / 2 with
-d = x - p and the derivative of h along g = 0 is Q d, each with some Q in the interval matrix B' H B, where H bounds the second derivatives of h. In coordinates where Q is diag(+-1, +-1) up to errors of at most
-e < 1/3:
+A singular point p is a zero of f and of all minors of the Jacobian J. If n - 2 combinations g of the equations can be
+solved for as many unknowns w, and lambda is the left null vector of J(p), then the gradient of h = lambda f vanishes at
+p. For two solutions x and y of g = 0 in the box x - y = B d, with d the difference of the two other unknowns and B in
+an interval matrix, so that h(x) = d' Q d / 2 with d = x - p and the derivative of h along g = 0 is Q d, each with some
+Q in the interval matrix B' H B, where H bounds the second derivatives of h. In coordinates where Q is diag(+-1, +-1) up
+to errors of at most e < 1/3:
 
 - if the signs are equal, h is zero in p only;
-- otherwise zeros have ||d1| - |d2|| <= e (|d1| + |d2|), four cones, and in each of them the derivative by d1 has one sign: at most one zero for each d2, no closed curve, and near p there is one branch in each cone
+- otherwise zeros have ||d1| - |d2|| <= e (|d1| + |d2|), four cones, and in each of them the derivative by d1 has one
+  sign: at most one zero for each d2, no closed curve, and near p there is one branch in each cone
   by the lemma of Morse.
 */
 class Singular_point_test
@@ -52,13 +56,15 @@ class Singular_point_test
   const Curve_polynomials& m_curves;
   const Exact_ranges& m_box;
   Exact_point m_middle;
-  std::vector<Power_polynomial> m_centred;   // the equations in the differences from the middle of the box, so that intervals do not cancel
+  // the equations in the differences from the middle of the box, so that intervals do not cancel
+  std::vector<Power_polynomial> m_centred;
   std::size_t m_dimension;
 
   static constexpr double largest_error = 0.3;
 
 public:
-  Singular_point_test(const Curve_polynomials& curves, const Exact_ranges& box) : m_curves(curves), m_box(box), m_dimension(box.size())
+  Singular_point_test(const Curve_polynomials& curves, const Exact_ranges& box)
+    : m_curves(curves), m_box(box), m_dimension(box.size())
   {
     for (const auto& [lower, upper] : m_box)
       m_middle.push_back(Exact_rational((lower + upper) / 2));
@@ -117,7 +123,8 @@ private:
         rows[i * length + j] = 0.5 * (at_point[i][j].inf() + at_point[i][j].sup());
       rows[i * length + m_dimension + i] = 1;
     }
-    const std::vector<int> row_of = gauss_jordan(rows, length, m_dimension, solved, [](double x) { return std::abs(x); });
+    const std::vector<int> row_of =
+        gauss_jordan(rows, length, m_dimension, solved, [](double x) { return std::abs(x); });
     if (row_of.empty())
       return std::nullopt;
     const auto transformed = [&](const Matrix& jacobian, std::size_t row, std::size_t column) {
@@ -130,7 +137,8 @@ private:
     for (std::size_t j = 0; j < m_dimension; ++j)
       (row_of[j] >= 0 ? solved_for : others).push_back(j);
 
-    // How far the derivatives of g by w are from the identity, in the row sums; then those of w by the others are known.
+    // How far the derivatives of g by w are from the identity, in the row sums; then those of w by the others are
+    // known.
     Interval defect(0);
     for (std::size_t i = 0; i < solved; ++i) {
       Interval sum(0);
@@ -152,7 +160,8 @@ private:
         basis[j][c] = -transformed(on_all, static_cast<std::size_t>(row_of[j]), others[c]) + around_zero(error);
     }
 
-    // The null vector is the last row of T, up to a small combination of the others that makes its products with the columns of w zero.
+    // The null vector is the last row of T, up to a small combination of the others that makes its products with the
+    // columns of w zero.
     double residual = 0;
     for (const std::size_t j : solved_for)
       residual = (std::max)(residual, magnitude(transformed(at_point, solved, j)));
@@ -184,16 +193,19 @@ private:
     const auto middle = [](const Interval& x) { return 0.5 * (x.inf() + x.sup()); };
     const double a = middle(form[0]), b = middle(form[1]), c = middle(form[2]);
     const double angle = 0.5 * std::atan2(2 * b, a - c), cosine = std::cos(angle), sine = std::sin(angle);
-    const double first = a * cosine * cosine + 2 * b * cosine * sine + c * sine * sine, second = a * sine * sine - 2 * b * cosine * sine + c * cosine * cosine;
+    const double first = a * cosine * cosine + 2 * b * cosine * sine + c * sine * sine,
+                 second = a * sine * sine - 2 * b * cosine * sine + c * cosine * cosine;
     if (!(std::abs(first) > 0 && std::abs(second) > 0))
       return std::nullopt;
     const double p = 1 / std::sqrt(std::abs(first)), q = 1 / std::sqrt(std::abs(second));
-    const std::array<std::array<Interval, 2>, 2> directions{{{Interval(p * cosine), Interval(p * sine)}, {Interval(-q * sine), Interval(q * cosine)}}};
+    const std::array<std::array<Interval, 2>, 2> directions{
+        {{Interval(p * cosine), Interval(p * sine)}, {Interval(-q * sine), Interval(q * cosine)}}};
     const auto product = [&](std::size_t i, std::size_t k) {
       const auto &u = directions[i], &v = directions[k];
       return u[0] * form[0] * v[0] + u[0] * form[1] * v[1] + u[1] * form[1] * v[0] + u[1] * form[2] * v[1];
     };
-    const double error = (std::max)({magnitude(product(0, 0) - Interval(first > 0 ? 1 : -1)), magnitude(product(0, 1)), magnitude(product(1, 1) - Interval(second > 0 ? 1 : -1))});
+    const double error = (std::max)({magnitude(product(0, 0) - Interval(first > 0 ? 1 : -1)), magnitude(product(0, 1)),
+                                     magnitude(product(1, 1) - Interval(second > 0 ? 1 : -1))});
     if (!(error < largest_error))
       return std::nullopt;
     return (first > 0) == (second > 0) ? 0 : 4;

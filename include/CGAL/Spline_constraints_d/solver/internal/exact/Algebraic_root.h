@@ -71,8 +71,8 @@ Number determinant_of(const std::vector<Number>& matrix, std::size_t n)
 }
 
 /*
-n equations in n unknowns: polynomials; or the first n - 1 of n polynomials and the determinant of the Jacobian of all of them, which is zero at their multiple roots. The determinant is not
-expanded.
+n equations in n unknowns: polynomials; or the first n - 1 of n polynomials and the determinant of the Jacobian of all
+of them, which is zero at their multiple roots. The determinant is not expanded.
 */
 class Algebraic_equations
 {
@@ -96,12 +96,15 @@ public:
   {}
 
   // Near an origin, the ranges of polynomials of a high degree are much narrower when they are expanded around it.
-  Algebraic_equations(std::vector<Power_polynomial> polynomials, bool ends_with_determinant, std::vector<Exact_rational> origin)
-    : m_polynomials(std::move(polynomials)), m_ends_with_determinant(ends_with_determinant), m_origin(std::move(origin)), m_around_origin(m_polynomials)
+  Algebraic_equations(std::vector<Power_polynomial> polynomials, bool ends_with_determinant,
+                      std::vector<Exact_rational> origin)
+    : m_polynomials(std::move(polynomials)), m_ends_with_determinant(ends_with_determinant),
+      m_origin(std::move(origin)), m_around_origin(m_polynomials)
   {
     for (Power_polynomial& f : m_around_origin)
       for (std::size_t j = 0; j < m_origin.size(); ++j)
-        f = f.substituted(static_cast<int>(j), Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(m_origin[j]));
+        f = f.substituted(static_cast<int>(j),
+                          Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(m_origin[j]));
   }
 
   std::size_t dimension() const { return m_polynomials.size(); }
@@ -113,7 +116,8 @@ public:
     std::vector<Number> place = box;
     for (std::size_t j = 0; j < m_origin.size(); ++j)
       place[j] -= Number(m_origin[j]);
-    const Polynomial_jets jets(m_origin.empty() ? m_polynomials : m_around_origin, place, m_ends_with_determinant ? 2 : 1);
+    const Polynomial_jets jets(m_origin.empty() ? m_polynomials : m_around_origin, place,
+                               m_ends_with_determinant ? 2 : 1);
     Values result;
     for (std::size_t i = 0; i < n; ++i) {
       result.values.push_back(jets.value(i));
@@ -147,7 +151,8 @@ public:
       if (!m_ends_with_determinant || i + 1 < n)
         result = larger(result, own);
       determinant.degree += (std::max)(own.degree - 1, 0);
-      determinant.bits += own.bits + std::log2((std::max)(own.degree, 1));   // each entry of a row: derivatives of one polynomial
+      // each entry of a row: derivatives of one polynomial
+      determinant.bits += own.bits + std::log2((std::max)(own.degree, 1));
       determinant.bits += std::log2(static_cast<double>(i + 1));             // of n! products
     }
     return m_ends_with_determinant ? larger(result, determinant) : result;
@@ -155,8 +160,9 @@ public:
 };
 
 /*
-A regular real root of n equations in n unknowns, the only one in the box that it was found in: its enclosure can be made as narrow as is asked for, and the sign of a polynomial at the root is
-decided, zero as well: a polynomial that is not zero there is larger than the `zero_bound()`.
+A regular real root of n equations in n unknowns, the only one in the box that it was found in: its enclosure can be
+made as narrow as is asked for, and the sign of a polynomial at the root is decided, zero as well: a polynomial that is
+not zero there is larger than the `zero_bound()`.
 */
 class Algebraic_root
 {
@@ -171,14 +177,17 @@ class Algebraic_root
   double m_contraction = 0;
   CGAL::Sign m_orientation = CGAL::ZERO;
 
-  Algebraic_root(Algebraic_equations equations, std::vector<Number> box) : m_equations(std::move(equations)), m_box(std::move(box)) {}
+  Algebraic_root(Algebraic_equations equations, std::vector<Number> box)
+    : m_equations(std::move(equations)), m_box(std::move(box))
+  {}
 
 public:
   // Proves by Krawczyk's operator that there is one root in the box; nothing when that fails.
   static std::optional<Algebraic_root> in(const Algebraic_equations& equations, const Exact_box& box)
   {
     long bits = 256;
-    for (const auto& [lower, upper] : box)   // values are as small as the box times the smallest slope, which near another root is as small as the box
+    // values are as small as the box times the smallest slope, which near another root is as small as the box
+    for (const auto& [lower, upper] : box)
       bits = (std::max)(bits, 256 + 3 * bit_length(denominator_of(Exact_rational(upper - lower))));
     const Mpfr_precision_scope scope(bits);
     std::vector<Number> numbers;
@@ -202,7 +211,8 @@ public:
   }
 
   // A few steps of Newton's method: a guess of a root, with some bits.
-  static std::vector<Exact_rational> guess(const Algebraic_equations& equations, std::vector<Exact_rational> point, int bits = 256)
+  static std::vector<Exact_rational> guess(const Algebraic_equations& equations, std::vector<Exact_rational> point,
+                                           int bits = 256)
   {
     const std::size_t n = point.size();
     const Mpfr_precision_scope scope(bits);
@@ -252,7 +262,9 @@ public:
   // Every number in x has at least so many zeros behind the binary point.
   static double bits_of_size(const Number& x)
   {
-    const auto of_end = [](mpfr_srcptr end) { return mpfr_zero_p(end) ? HUGE_VAL : mpfr_number_p(end) ? -static_cast<double>(mpfr_get_exp(end)) : -HUGE_VAL; };
+    const auto of_end = [](mpfr_srcptr end) {
+      return mpfr_zero_p(end) ? HUGE_VAL : mpfr_number_p(end) ? -static_cast<double>(mpfr_get_exp(end)) : -HUGE_VAL;
+    };
     return (std::min)(of_end(x.lower_mpfr()), of_end(x.upper_mpfr()));
   }
 
@@ -319,7 +331,9 @@ public:
         rows[2 * n * i + j] = Number(jacobian[i * n + j].midpoint());
       }
     }
-    const std::vector<int> row_of = gauss_jordan(rows, 2 * n, n, n, [](const Number& x) { return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0; });
+    const std::vector<int> row_of = gauss_jordan(rows, 2 * n, n, n, [](const Number& x) {
+      return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0;
+    });
     std::vector<Number> result;
     for (std::size_t i = 0; i < n && !row_of.empty(); ++i)
       for (std::size_t j = 0; j < n; ++j) {
@@ -339,7 +353,8 @@ private:
   }
 
   /*
-  c - C f(c) + (I - C J(X)) (X - c), with the middle c of the box X. All roots in X lie in it; if it lies in the interior of X, there is exactly one (Krawczyk 1969).
+  c - C f(c) + (I - C J(X)) (X - c), with the middle c of the box X. All roots in X lie in it; if it lies in the
+  interior of X, there is exactly one (Krawczyk 1969).
   */
   struct Image
   {

@@ -18,8 +18,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A node of the subdivision in one unknown: an interval with the Bernstein coefficients of a polynomial times 2^-scale, in double, and a bound on their errors. The signs at
-the ends are exact and not zero.
+A node of the subdivision in one unknown: an interval with the Bernstein coefficients of a polynomial times 2^-scale, in
+double, and a bound on their errors. The signs at the ends are exact and not zero.
 */
 struct Bernstein_interval
 {
@@ -30,7 +30,8 @@ struct Bernstein_interval
   long scale = 0;
   int cuts = 0;   // since the values were computed from the integers
 
-  // Computes the values anew. The largest lies in [1/4, 1]; truncation, a rounded denominator and a division are 3 x 2^-52, and 2^-1000 covers what underflows.
+  // Computes the values anew. The largest lies in [1/4, 1]; truncation, a rounded denominator and a division are 3 x
+  // 2^-52, and 2^-1000 covers what underflows.
   void rebuild(const Integer_polynomial& polynomial)
   {
     const auto exact = polynomial.bernstein(lower, upper);
@@ -55,13 +56,15 @@ struct Bernstein_interval
     return result;
   }
 
-  // The largest number of sign variations that the exact coefficients can have: each that is not certain may have either sign.
+  // The largest number of sign variations that the exact coefficients can have: each that is not certain may have
+  // either sign.
   int most_variations() const { return variations(error); }
 
   // That of the coefficients as they are.
   int apparent_variations() const { return variations(0); }
 
-  // Becomes the part above a point and gives the one below, except the sign at the point. A cut enlarges the error as proved in the manual ("Doubles with an Error Bound").
+  // Becomes the part above a point and gives the one below, except the sign at the point. A cut enlarges the error as
+  // proved in the manual ("Doubles with an Error Bound").
   void split(double at, Bernstein_interval& below)
   {
     const std::size_t d = values.size() - 1;
@@ -90,7 +93,10 @@ struct Bernstein_interval
     return std::isfinite(width) ? (x - lower) / width : (x / 2 - lower / 2) / (upper / 2 - lower / 2);
   }
 
-  double point_at(double t) const { return std::isfinite(upper - lower) ? lower + t * (upper - lower) : (1 - t) * lower + t * upper; }
+  double point_at(double t) const
+  {
+    return std::isfinite(upper - lower) ? lower + t * (upper - lower) : (1 - t) * lower + t * upper;
+  }
 
   // Where the control polygon leaves the sign of the lower end.
   double crossing_of_polygon() const

@@ -41,7 +41,8 @@ inline Exact_rational simple_dyadic_between(const Exact_rational& lower, const E
 }
 
 /*
-A real root of a polynomial, the only one in an open interval where it is simple, or exactly the point that the interval is.
+A real root of a polynomial, the only one in an open interval where it is simple, or exactly the point that the interval
+is.
 */
 class Exact_root
 {
@@ -50,8 +51,10 @@ class Exact_root
   CGAL::Sign m_lower_sign = CGAL::ZERO;   // of the polynomial between the lower end and the root
 
 public:
-  Exact_root(std::shared_ptr<const Integer_polynomial> polynomial, Exact_rational lower, Exact_rational upper, CGAL::Sign lower_sign)
-    : m_polynomial(std::move(polynomial)), m_lower(std::move(lower)), m_upper(std::move(upper)), m_lower_sign(lower_sign)
+  Exact_root(std::shared_ptr<const Integer_polynomial> polynomial, Exact_rational lower, Exact_rational upper,
+             CGAL::Sign lower_sign)
+    : m_polynomial(std::move(polynomial)), m_lower(std::move(lower)), m_upper(std::move(upper)),
+      m_lower_sign(lower_sign)
   {}
 
   explicit Exact_root(const Exact_rational& point) : m_lower(point), m_upper(point) {}
@@ -80,7 +83,8 @@ public:
   // Becomes the simplest rational of the interval, if that is the root.
   void settle_on_simplest_rational()
   {
-    if (const Exact_rational x = simplest_rational_between(m_lower, m_upper); !is_point() && m_polynomial->sign_at(x) == CGAL::ZERO)
+    if (const Exact_rational x = simplest_rational_between(m_lower, m_upper);
+        !is_point() && m_polynomial->sign_at(x) == CGAL::ZERO)
       m_lower = m_upper = x;
   }
 
@@ -88,10 +92,13 @@ public:
   {
     if (m_lower < x && x < m_upper)
       cut(x);
-    return m_upper < x || (m_upper == x && !is_point()) ? CGAL::SMALLER : m_lower == x && is_point() ? CGAL::EQUAL : CGAL::LARGER;
+    return m_upper < x || (m_upper == x && !is_point()) ? CGAL::SMALLER
+        : m_lower == x && is_point()                    ? CGAL::EQUAL
+                                                        : CGAL::LARGER;
   }
 
-  // The sign of another polynomial at the root. They have the root in common exactly if their greatest common divisor changes its sign on the interval.
+  // The sign of another polynomial at the root. They have the root in common exactly if their greatest common divisor
+  // changes its sign on the interval.
   CGAL::Sign sign_of_value(const Integer_polynomial& other)
   {
     if (other.is_zero() || is_point())
@@ -99,7 +106,8 @@ public:
     bool is_compared = false;
     while (!is_point()) {
       const std::vector<Big_integer> values = bernstein_on_dyadic_hull(other);
-      if (std::all_of(values.begin(), values.end(), [&](const Big_integer& v) { return v.sign() * values.front().sign() > 0; }))
+      if (std::all_of(values.begin(), values.end(),
+                      [&](const Big_integer& v) { return v.sign() * values.front().sign() > 0; }))
         return sign_of(values.front());
       if (!is_compared && vanishes_with(other))
         return CGAL::ZERO;
@@ -114,7 +122,9 @@ private:
   std::vector<Big_integer> bernstein_on_dyadic_hull(const Integer_polynomial& polynomial) const
   {
     const Exact_rational room = width() / Exact_rational(8);
-    return polynomial.bernstein(simple_dyadic_between(m_lower - room, m_lower), simple_dyadic_between(m_upper, m_upper + room)).values;
+    return polynomial
+        .bernstein(simple_dyadic_between(m_lower - room, m_lower), simple_dyadic_between(m_upper, m_upper + room))
+        .values;
   }
 
   bool vanishes_with(const Integer_polynomial& other)
@@ -133,13 +143,15 @@ private:
 };
 
 /*
-Isolates the roots of a polynomial without multiple roots between two dyadic points by Descartes' rule: the sign variations of the Bernstein coefficients on an interval are at
-least the number of roots in its interior, and equal to it where they are none or one (Collins, Akritas 1976; in Bernstein form Rouillier, Zimmermann 2004). The interval
-is halved until they are.
-Calls `is_stopped()` for every interval, and `left_open(lower, upper)` for those that are left when it says so.
+Isolates the roots of a polynomial without multiple roots between two dyadic points by Descartes' rule: the sign
+variations of the Bernstein coefficients on an interval are at least the number of roots in its interior, and equal to
+it where they are none or one (Collins, Akritas 1976; in Bernstein form Rouillier, Zimmermann 2004). The interval is
+halved until they are. Calls `is_stopped()` for every interval, and `left_open(lower, upper)` for those that are left
+when it says so.
 */
 template <class Predicate, class Visitor>
-std::vector<Exact_root> isolate_roots(const std::shared_ptr<const Integer_polynomial>& polynomial, const Exact_rational& lower, const Exact_rational& upper,
+std::vector<Exact_root> isolate_roots(const std::shared_ptr<const Integer_polynomial>& polynomial,
+                                      const Exact_rational& lower, const Exact_rational& upper,
                                       const Predicate& is_stopped, const Visitor& left_open)
 {
   struct Node
@@ -161,7 +173,8 @@ std::vector<Exact_root> isolate_roots(const std::shared_ptr<const Integer_polyno
     if (variations == 0)
       continue;
     if (variations == 1) {
-      const auto first = std::find_if(right.values.begin(), right.values.end(), [](const Big_integer& v) { return v != 0; });
+      const auto first =
+          std::find_if(right.values.begin(), right.values.end(), [](const Big_integer& v) { return v != 0; });
       roots.emplace_back(polynomial, right.lower, right.upper, sign_of(*first));
       continue;
     }

@@ -24,8 +24,8 @@ namespace internal {
 inline CGAL::Sign sign_of(const Big_integer& value) { return static_cast<CGAL::Sign>(value.sign()); }
 
 /*
-A polynomial in one unknown with integer coefficients, for the exact questions about its roots: signs at points, Bernstein coefficients on an interval with dyadic ends,
-common divisors and square-free factors.
+A polynomial in one unknown with integer coefficients, for the exact questions about its roots: signs at points,
+Bernstein coefficients on an interval with dyadic ends, common divisors and square-free factors.
 */
 class Integer_polynomial
 {
@@ -60,7 +60,10 @@ public:
   // \pre not zero
   const Big_integer& leading_coefficient() const { return m_coefficients.back(); }
 
-  friend bool operator==(const Integer_polynomial& a, const Integer_polynomial& b) { return a.m_coefficients == b.m_coefficients; }
+  friend bool operator==(const Integer_polynomial& a, const Integer_polynomial& b)
+  {
+    return a.m_coefficients == b.m_coefficients;
+  }
 
   friend Integer_polynomial operator*(const Integer_polynomial& a, const Integer_polynomial& b)
   {
@@ -81,7 +84,8 @@ public:
     return Integer_polynomial(std::move(result));
   }
 
-  // The value at a double, without error: an integer times a power of two. With what is needed on the way, so that one can serve many calls.
+  // The value at a double, without error: an integer times a power of two. With what is needed on the way, so that one
+  // can serve many calls.
   struct Value
   {
     Big_integer value;
@@ -95,7 +99,9 @@ public:
     int binary_exponent = 0;
     mpz_set_d(mantissa.backend().data(), std::ldexp(std::frexp(x, &binary_exponent), 53));
     exponent = binary_exponent - 53;
-    const long zeros = mantissa == 0 ? exponent : (std::min)(static_cast<long>(mpz_scan1(mantissa.backend().data(), 0)), (std::max)(-exponent, 0L));
+    const long zeros = mantissa == 0
+        ? exponent
+        : (std::min)(static_cast<long>(mpz_scan1(mantissa.backend().data(), 0)), (std::max)(-exponent, 0L));
     if (mantissa == 0)
       exponent = 0;
     else {
@@ -108,7 +114,8 @@ public:
     for (int k = degree(); k >= 0; --k) {
       sum *= mantissa;
       if (m_coefficients[k] != 0) {
-        mpz_mul_2exp(shifted.backend().data(), m_coefficients[k].backend().data(), static_cast<mp_bitcnt_t>(-exponent) * (degree() - k));
+        mpz_mul_2exp(shifted.backend().data(), m_coefficients[k].backend().data(),
+                     static_cast<mp_bitcnt_t>(-exponent) * (degree() - k));
         sum += shifted;
       }
     }
@@ -141,7 +148,8 @@ public:
   {
     const Big_integer p = numerator_of(root), q = denominator_of(root);
     int multiplicity = 0;
-    for (; degree() > 0 && sign_at(root) == CGAL::ZERO; ++multiplicity) {   // by q x - p: the quotient has integer coefficients (Gauss)
+    // by q x - p: the quotient has integer coefficients (Gauss)
+    for (; degree() > 0 && sign_at(root) == CGAL::ZERO; ++multiplicity) {
       std::vector<Big_integer> quotient(m_coefficients.size() - 1);
       Big_integer carry(0);
       for (int k = degree(); k > 0; --k) {
@@ -194,7 +202,8 @@ public:
     return from_cgal(CGAL::gcd(a.to_cgal(), b.to_cgal()));
   }
 
-  // Coprime polynomials without multiple roots, each with an exponent: their product with these exponents is this one, up to a constant factor (Yun 1976). \pre not zero
+  // Coprime polynomials without multiple roots, each with an exponent: their product with these exponents is this one,
+  // up to a constant factor (Yun 1976). \pre not zero
   std::vector<std::pair<Integer_polynomial, int>> square_free_factors() const
   {
     using Factorize = CGAL::Polynomial_traits_d<Polynomial>::Square_free_factorize_up_to_constant_factor;

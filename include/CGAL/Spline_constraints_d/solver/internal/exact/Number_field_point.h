@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A polynomial in one number t, modulo a polynomial q that is zero there: if it is zero, so is the number. Rationals come without q.
+// A polynomial in one number t, modulo a polynomial q that is zero there: if it is zero, so is the number. Rationals
+// come without q.
 class Residue
 {
   using Coefficients = std::vector<Exact_rational>;   // of 1, t, t^2, ...; of q without the leading one, which is 1
@@ -29,7 +30,9 @@ class Residue
 
 public:
   explicit Residue(const Exact_rational& x) : m_coefficients{x} {}
-  Residue(Coefficients coefficients, std::shared_ptr<const Coefficients> modulus) : m_modulus(std::move(modulus)), m_coefficients(std::move(coefficients)) {}
+  Residue(Coefficients coefficients, std::shared_ptr<const Coefficients> modulus)
+    : m_modulus(std::move(modulus)), m_coefficients(std::move(coefficients))
+  {}
 
   bool is_zero() const
   {
@@ -77,8 +80,8 @@ private:
 };
 
 /*
-A point whose coordinates are polynomials in one of them, which is a root of a polynomial q of low degree in a range where q changes its sign. At such a point it is decided exactly, and soon, that a
-polynomial is zero.
+A point whose coordinates are polynomials in one of them, which is a root of a polynomial q of low degree in a range
+where q changes its sign. At such a point it is decided exactly, and soon, that a polynomial is zero.
 */
 class Number_field_point
 {
@@ -88,7 +91,8 @@ class Number_field_point
   std::vector<Residue> m_coordinates;
 
 public:
-  // Guesses the polynomials from many digits of a root. The point lies in the region of the root; whether it is the root, the caller has to prove.
+  // Guesses the polynomials from many digits of a root. The point lies in the region of the root; whether it is the
+  // root, the caller has to prove.
   static std::optional<Number_field_point> near(Algebraic_root& root)
   {
     const long bits = m_bits_of_term * (m_most_degree + 2);
@@ -129,7 +133,10 @@ public:
     return result;
   }
 
-  bool is_zero_of(const Power_polynomial& polynomial) const { return polynomial.value(std::span<const Residue>(m_coordinates)).is_zero(); }
+  bool is_zero_of(const Power_polynomial& polynomial) const
+  {
+    return polynomial.value(std::span<const Residue>(m_coordinates)).is_zero();
+  }
 
 private:
   static std::vector<Exact_rational> powers_of(const Exact_rational& t, int degree)
@@ -165,10 +172,12 @@ private:
     std::vector<Exact_rational> numbers = powers_of(t, degree - 1);
     numbers.push_back(x);
     const auto relation = integer_relation(numbers, m_bits_of_term * (degree + 1));
-    return relation.empty() || relation.back() == 0 ? std::vector<Exact_rational>() : quotients(relation, Big_integer(-relation.back()), degree);
+    return relation.empty() || relation.back() == 0 ? std::vector<Exact_rational>()
+                                                    : quotients(relation, Big_integer(-relation.back()), degree);
   }
 
-  static std::vector<Exact_rational> quotients(const std::vector<Big_integer>& numerators, const Big_integer& denominator, int count)
+  static std::vector<Exact_rational> quotients(const std::vector<Big_integer>& numerators,
+                                               const Big_integer& denominator, int count)
   {
     std::vector<Exact_rational> result;
     for (int i = 0; i < count; ++i)

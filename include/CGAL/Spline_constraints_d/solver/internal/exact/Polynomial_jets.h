@@ -29,7 +29,8 @@ class Polynomial_jets
 public:
   // Derivatives up to an order, 0, 1 or 2.
   Polynomial_jets(std::span<const Power_polynomial> polynomials, const std::vector<Number>& box, int order)
-    : m_dimension(box.size()), m_values(polynomials.size(), Number(0)), m_gradients(order < 1 ? 0 : m_dimension * polynomials.size(), Number(0)),
+    : m_dimension(box.size()), m_values(polynomials.size(), Number(0)),
+      m_gradients(order < 1 ? 0 : m_dimension * polynomials.size(), Number(0)),
       m_hessians(order < 2 ? 0 : m_dimension * m_gradients.size(), Number(0))
   {
     const std::vector<std::vector<Number>> powers = powers_of(box, polynomials);
@@ -68,10 +69,14 @@ public:
   std::size_t dimension() const { return m_dimension; }
   const Number& value(std::size_t i) const { return m_values[i]; }
   const Number& gradient(std::size_t i, std::size_t j) const { return m_gradients[i * m_dimension + j]; }
-  const Number& hessian(std::size_t i, std::size_t j, std::size_t l) const { return m_hessians[(i * m_dimension + j) * m_dimension + l]; }
+  const Number& hessian(std::size_t i, std::size_t j, std::size_t l) const
+  {
+    return m_hessians[(i * m_dimension + j) * m_dimension + l];
+  }
 
 private:
-  static std::vector<std::vector<Number>> powers_of(const std::vector<Number>& box, std::span<const Power_polynomial> polynomials)
+  static std::vector<std::vector<Number>> powers_of(const std::vector<Number>& box,
+                                                    std::span<const Power_polynomial> polynomials)
   {
     std::vector<std::vector<Number>> result;
     for (std::size_t j = 0; j < box.size(); ++j) {

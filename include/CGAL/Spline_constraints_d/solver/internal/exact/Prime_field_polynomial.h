@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A polynomial in one unknown over the integers modulo a prime: it tells in no time what exact numbers will find, or most probably not.
+// A polynomial in one unknown over the integers modulo a prime: it tells in no time what exact numbers will find, or
+// most probably not.
 class Prime_field_polynomial
 {
 public:
@@ -66,7 +67,8 @@ public:
   // Of a rational number whose denominator the prime does not divide.
   static Number residue(const Exact_rational& x)
   {
-    return mpz_fdiv_ui(numerator_of(x).backend().data(), prime) * inverse(mpz_fdiv_ui(denominator_of(x).backend().data(), prime)) % prime;
+    return mpz_fdiv_ui(numerator_of(x).backend().data(), prime) *
+        inverse(mpz_fdiv_ui(denominator_of(x).backend().data(), prime)) % prime;
   }
 
   bool is_zero() const { return m_coefficients.empty(); }
@@ -120,17 +122,20 @@ private:
 };
 
 /*
-Whether two surfaces seem to touch along a curve: then two curves in which some plane cuts them have multiple intersections, and so the resultant of their equations has multiple zeros. Complex curves count as well. It may be wrong about what it sees by chance, and
-serves to save work only. Surfaces of high degrees are not looked at.
+Whether two surfaces seem to touch along a curve: then two curves in which some plane cuts them have multiple
+intersections, and so the resultant of their equations has multiple zeros. Complex curves count as well. It may be wrong
+about what it sees by chance, and serves to save work only. Surfaces of high degrees are not looked at.
 */
 inline bool seem_to_touch_along_curves(const std::array<Power_polynomial, 2>& surfaces)
 {
   using Field = Prime_field_polynomial;
-  const std::size_t m = static_cast<std::size_t>(surfaces[0].total_degree()), n = static_cast<std::size_t>(surfaces[1].total_degree());
+  const std::size_t m = static_cast<std::size_t>(surfaces[0].total_degree()),
+                    n = static_cast<std::size_t>(surfaces[1].total_degree());
   constexpr std::size_t most = 64;
   if (m * n > most)
     return false;
-  constexpr std::array<std::array<Field::Number, 3>, 3> plane{{{271, 1828, 459}, {314, 159, 2653}, {577, 2156, 649}}};   // a point and two directions
+  // a point and two directions
+  constexpr std::array<std::array<Field::Number, 3>, 3> plane{{{271, 1828, 459}, {314, 159, 2653}, {577, 2156, 649}}};
   const auto coefficient_residues = [&](const Power_polynomial& f) {
     std::vector<std::pair<Monomial, Field::Number>> result;
     for (const auto& [monomial, coefficient] : f.terms())

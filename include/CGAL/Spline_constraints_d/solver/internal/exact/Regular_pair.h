@@ -45,8 +45,10 @@ struct Polynomial_multiple
   Power_polynomial multiplier, product;
 };
 
-// Whether a multiple of the first polynomial seems to be a sum of others and of the last ones, modulo a prime: this takes no time, and serves to save work only.
-inline bool seem_to_be_dependent(const std::vector<Polynomial_multiple>& multiples, const std::map<Monomial, std::size_t>& place)
+// Whether a multiple of the first polynomial seems to be a sum of others and of the last ones, modulo a prime: this
+// takes no time, and serves to save work only.
+inline bool seem_to_be_dependent(const std::vector<Polynomial_multiple>& multiples,
+                                 const std::map<Monomial, std::size_t>& place)
 {
   Prime_field_rows rows;
   for (auto multiple = multiples.rbegin(); multiple != multiples.rend(); ++multiple) {
@@ -60,10 +62,12 @@ inline bool seem_to_be_dependent(const std::vector<Polynomial_multiple>& multipl
 }
 
 /*
-The polynomials c_i with c_0 f_0 + c_1 f_1 + ... = 0, up to some degrees: a basis, by linear algebra in their coefficients, in echelon form. If c_0 has the degree zero and is not zero in one of them, it is so in the first, where it is 1. None if these are more than `most` coefficients, or c_0 seems to be zero in
-all of them.
+The polynomials c_i with c_0 f_0 + c_1 f_1 + ... = 0, up to some degrees: a basis, by linear algebra in their
+coefficients, in echelon form. If c_0 has the degree zero and is not zero in one of them, it is so in the first, where
+it is 1. None if these are more than `most` coefficients, or c_0 seems to be zero in all of them.
 */
-inline std::vector<std::vector<Power_polynomial>> polynomial_relations(const std::vector<Power_polynomial>& f, const std::vector<int>& degrees, std::size_t most = 130)
+inline std::vector<std::vector<Power_polynomial>>
+polynomial_relations(const std::vector<Power_polynomial>& f, const std::vector<int>& degrees, std::size_t most = 130)
 {
   std::vector<Polynomial_multiple> products;
   std::map<Monomial, std::size_t> place;
@@ -97,23 +101,30 @@ inline std::vector<std::vector<Power_polynomial>> polynomial_relations(const std
 }
 
 // Polynomials a and b with c = a f + b g, where all products have a degree at most.
-inline std::optional<std::array<Power_polynomial, 2>> combination(const Power_polynomial& c, const std::array<Power_polynomial, 2>& fg, int degree)
+inline std::optional<std::array<Power_polynomial, 2>> combination(const Power_polynomial& c,
+                                                                  const std::array<Power_polynomial, 2>& fg, int degree)
 {
-  const auto relations = polynomial_relations({c, fg[0], fg[1]}, {0, degree - fg[0].total_degree(), degree - fg[1].total_degree()});
+  const auto relations =
+      polynomial_relations({c, fg[0], fg[1]}, {0, degree - fg[0].total_degree(), degree - fg[1].total_degree()});
   if (relations.empty() || relations.front()[0].is_zero())
     return std::nullopt;
   return std::array{-relations.front()[1], -relations.front()[2]};
 }
 
 /*
-Two surfaces f = g = 0 may touch along a curve, where their gradients are parallel. This is a pair of polynomials p and q with the same common zeros, which are regular there:
+Two surfaces f = g = 0 may touch along a curve, where their gradients are parallel. This is a pair of polynomials p and
+q with the same common zeros, which are regular there:
 
   f = a_00 p + a_01 q, g = a_10 p + a_11 q, and p^k = b_00 f + b_01 g, q^k = b_10 f + b_11 g, as polynomials.
 
-They are looked for among f, g and the polynomials h with h <w, grad f x grad g> = a f + b g, for a vector w. On a curve that counts m times in f = g = 0 the gradients' product vanishes to the order m - 1, so that h vanishes to the first order, and on all other curves as well.
+They are looked for among f, g and the polynomials h with h <w, grad f x grad g> = a f + b g, for a vector w. On a curve
+that counts m times in f = g = 0 the gradients' product vanishes to the order m - 1, so that h vanishes to the first
+order, and on all other curves as well.
 
-In a regular zero of p and q, f and g are regular if det(a_ij) is not zero: m = 1. Otherwise let f be regular there. On the surface f = 0, g vanishes to the order m along the curve, and p or q to the first order: so m <= k; and m is a multiple of k, if b_01 or b_11 is not zero. As both pairs have the same complex zeros, m is
-the same all along a curve of regular zeros.
+In a regular zero of p and q, f and g are regular if det(a_ij) is not zero: m = 1. Otherwise let f be regular there. On
+the surface f = 0, g vanishes to the order m along the curve, and p or q to the first order: so m <= k; and m is a
+multiple of k, if b_01 or b_11 is not zero. As both pairs have the same complex zeros, m is the same all along a curve
+of regular zeros.
 */
 class Regular_pair
 {
@@ -153,7 +164,9 @@ public:
     std::vector<Mpfr_interval> box;
     for (const auto& [lower, upper] : zero)
       box.emplace_back(lower, upper);
-    const auto is_not_zero = [&](const Power_polynomial& f) { return CGAL::certainly(f.value(std::span<const Mpfr_interval>(box)).sign() != CGAL::ZERO); };
+    const auto is_not_zero = [&](const Power_polynomial& f) {
+      return CGAL::certainly(f.value(std::span<const Mpfr_interval>(box)).sign() != CGAL::ZERO);
+    };
     if (is_not_zero(m_determinant))
       return 1;
     for (const int i : {0, 1}) {
@@ -165,7 +178,8 @@ public:
     return 0;
   }
 
-  // The same pair, or with the difference of multiples in the place of one, where the terms of the highest degree are multiples of each other.
+  // The same pair, or with the difference of multiples in the place of one, where the terms of the highest degree are
+  // multiples of each other.
   static Polynomials with_lower_degree(const Polynomials& fg)
   {
     const int degree = fg[0].total_degree();
@@ -185,7 +199,8 @@ public:
     Power_polynomial product;
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      product += Power_polynomial(w[i]) * (fg[0].derivative(j) * fg[1].derivative(k) - fg[0].derivative(k) * fg[1].derivative(j));
+      product += Power_polynomial(w[i]) *
+          (fg[0].derivative(j) * fg[1].derivative(k) - fg[0].derivative(k) * fg[1].derivative(j));
     }
     const int f = fg[0].total_degree(), g = fg[1].total_degree(), all = degree + f + g - 2;
     std::vector<Power_polynomial> result;
@@ -202,8 +217,10 @@ private:
   // Whether the equations above are true for some k.
   bool has_same_zeros()
   {
-    const int given = (std::max)(m_given[0].total_degree(), m_given[1].total_degree()), regular = (std::max)(m_regular[0].total_degree(), m_regular[1].total_degree());
-    const auto f = combination(m_given[0], m_regular, (std::max)(given, regular)), g = combination(m_given[1], m_regular, (std::max)(given, regular));
+    const int given = (std::max)(m_given[0].total_degree(), m_given[1].total_degree()),
+              regular = (std::max)(m_regular[0].total_degree(), m_regular[1].total_degree());
+    const auto f = combination(m_given[0], m_regular, (std::max)(given, regular)),
+               g = combination(m_given[1], m_regular, (std::max)(given, regular));
     if (!f || !g)
       return false;
     m_determinant = (*f)[0] * (*g)[1] - (*f)[1] * (*g)[0];
@@ -211,7 +228,10 @@ private:
     for (m_exponent = 2; m_exponent <= most; ++m_exponent) {
       bool is_combination = true;
       for (const int i : {0, 1})
-        if (const auto cofactors = is_combination ? combination(pow(m_regular[i], m_exponent), m_given, (std::max)(given, m_exponent * m_regular[i].total_degree())) : std::nullopt)
+        if (const auto cofactors = is_combination
+                ? combination(pow(m_regular[i], m_exponent), m_given,
+                              (std::max)(given, m_exponent * m_regular[i].total_degree()))
+                : std::nullopt)
           m_cofactors[i] = *cofactors;
         else
           is_combination = false;

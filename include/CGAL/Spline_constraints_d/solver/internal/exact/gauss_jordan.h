@@ -13,11 +13,14 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Gauss-Jordan elimination of a row-major matrix with `rank` pivots in its first `columns` columns, each the entry with the largest `size(entry)` of the rows and columns that are left. The columns behind
-take part. The rows of the pivots come first; the result tells for each of the first columns the row of its pivot, or -1. It is empty when all entries that are left have the size zero before.
+Gauss-Jordan elimination of a row-major matrix with `rank` pivots in its first `columns` columns, each the entry with
+the largest `size(entry)` of the rows and columns that are left. The columns behind take part. The rows of the pivots
+come first; the result tells for each of the first columns the row of its pivot, or -1. It is empty when all entries
+that are left have the size zero before.
 */
 template <class NT, class Size>
-std::vector<int> gauss_jordan(std::vector<NT>& matrix, std::size_t length, std::size_t columns, std::size_t rank, const Size& size)
+std::vector<int> gauss_jordan(std::vector<NT>& matrix, std::size_t length, std::size_t columns, std::size_t rank,
+                              const Size& size)
 {
   const std::size_t rows = matrix.size() / length;
   std::vector<int> row_of(columns, -1);
@@ -35,7 +38,8 @@ std::vector<int> gauss_jordan(std::vector<NT>& matrix, std::size_t length, std::
     if (row == rows)
       return {};
     if (row != pivots)
-      std::swap_ranges(matrix.begin() + pivots * length, matrix.begin() + (pivots + 1) * length, matrix.begin() + row * length);
+      std::swap_ranges(matrix.begin() + pivots * length, matrix.begin() + (pivots + 1) * length,
+                       matrix.begin() + row * length);
     row_of[column] = static_cast<int>(pivots);
     NT* const own = matrix.data() + pivots * length;
     const NT pivot = own[column];

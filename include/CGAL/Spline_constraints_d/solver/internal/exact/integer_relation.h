@@ -18,8 +18,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Reduction of a basis of a lattice of integer vectors (Lenstra, Lenstra, Lovasz 1982), in integers: d[i] is the determinant of the Gram matrix of the first i vectors, and lambda[i][j] / d[j+1] the
-coefficient of the Gram-Schmidt process.
+Reduction of a basis of a lattice of integer vectors (Lenstra, Lenstra, Lovasz 1982), in integers: d[i] is the
+determinant of the Gram matrix of the first i vectors, and lambda[i][j] / d[j+1] the coefficient of the Gram-Schmidt
+process.
 */
 class Reduced_lattice
 {
@@ -30,7 +31,9 @@ class Reduced_lattice
 
 public:
   // The vectors are independent.
-  explicit Reduced_lattice(std::vector<Vector> basis) : m_basis(std::move(basis)), m_lambda(m_basis.size(), Vector(m_basis.size())), m_d(m_basis.size() + 1, Big_integer(1))
+  explicit Reduced_lattice(std::vector<Vector> basis)
+    : m_basis(std::move(basis)), m_lambda(m_basis.size(), Vector(m_basis.size())),
+      m_d(m_basis.size() + 1, Big_integer(1))
   {
     orthogonalize();
     for (std::size_t k = 1; k < m_basis.size();) {
@@ -68,7 +71,9 @@ private:
   {
     if (2 * abs(m_lambda[k][l]) <= m_d[l + 1])
       return;
-    const Big_integer sum = 2 * abs(m_lambda[k][l]) + m_d[l + 1], q = m_lambda[k][l] < 0 ? Big_integer(-(sum / (2 * m_d[l + 1]))) : Big_integer(sum / (2 * m_d[l + 1]));
+    const Big_integer sum = 2 * abs(m_lambda[k][l]) + m_d[l + 1],
+                      q = m_lambda[k][l] < 0 ? Big_integer(-(sum / (2 * m_d[l + 1])))
+                                             : Big_integer(sum / (2 * m_d[l + 1]));
     for (std::size_t i = 0; i < m_basis[k].size(); ++i)
       m_basis[k][i] -= q * m_basis[l][i];
     m_lambda[k][l] -= q * m_d[l + 1];
@@ -92,7 +97,8 @@ private:
 };
 
 /*
-Integers c, not all zero and much smaller than those that there are by chance, such that the sum of all c x is zero up to about 2^-bits; none when there seem to be none. It is a guess.
+Integers c, not all zero and much smaller than those that there are by chance, such that the sum of all c x is zero up
+to about 2^-bits; none when there seem to be none. It is a guess.
 */
 inline std::vector<Big_integer> integer_relation(const std::vector<Exact_rational>& x, long bits)
 {
@@ -104,7 +110,9 @@ inline std::vector<Big_integer> integer_relation(const std::vector<Exact_rationa
     basis[i][n] = numerator_of(scaled) / denominator_of(scaled);
   }
   std::vector<Big_integer> result = Reduced_lattice(std::move(basis)).first();
-  const bool is_short = std::all_of(result.begin(), result.end(), [&](const Big_integer& c) { return bit_length(c) * 2 * static_cast<long>(n) < bits; });
+  const bool is_short = std::all_of(result.begin(), result.end(), [&](const Big_integer& c) {
+    return bit_length(c) * 2 * static_cast<long>(n) < bits;
+  });
   result.pop_back();
   return is_short ? result : std::vector<Big_integer>();
 }

@@ -47,13 +47,15 @@ inline double place_above(double lower, double upper, double t)
   return next_above(lower + (t + slack) * (upper - lower));
 }
 
-// The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a thousandth: the fewer digits the ends of boxes have, the shorter
-// are the numbers where functions are built on them exactly.
+// The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a
+// thousandth: the fewer digits the ends of boxes have, the shorter are the numbers where functions are built on them
+// exactly.
 // \pre 2^-900 < width < 2^1000
 inline double short_below(double x, double width)
 {
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(width) & 0x7ff0000000000000;   // alone: a power of two
-  const double unit = 0x1p-10 * std::bit_cast<double>(exponent), inverse = 0x1p10 * std::bit_cast<double>(0x7fe0000000000000 - exponent);
+  const double unit = 0x1p-10 * std::bit_cast<double>(exponent),
+               inverse = 0x1p10 * std::bit_cast<double>(0x7fe0000000000000 - exponent);
   return std::floor(x * inverse) * unit;
 }
 
@@ -93,7 +95,8 @@ bool is_one_half(const NT& parameter)
   }
 }
 
-// Few numbers, as are those of most nodes of curves, are copied in whole steps, some behind the last one too, and without a call of a library function: it would cost more than they do.
+// Few numbers, as are those of most nodes of curves, are copied in whole steps, some behind the last one too, and
+// without a call of a library function: it would cost more than they do.
 constexpr std::size_t copied_at_a_time = 4 * pack_size;
 
 template <class NT>
@@ -103,15 +106,16 @@ void copy_with_some_behind(const NT* from, std::size_t count, NT* to)
   if constexpr (std::is_same_v<NT, double>)
     if (count <= few) {
       for (const double* const end = from + count; from < end; from += copied_at_a_time, to += copied_at_a_time)
-        unroll<copied_at_a_time / pack_size>([=](auto k) { store(to + k * pack_size, load(Pack(), from + k * pack_size)); });
+        unroll<copied_at_a_time / pack_size>(
+            [=](auto k) { store(to + k * pack_size, load(Pack(), from + k * pack_size)); });
       return;
     }
   std::copy_n(from, count, to);
 }
 
 /*
-A box of the subdivision with the Bernstein coefficients of all functions on exactly this box. Doubles carry a bound on their error per block and function
-(unpadded doubles lose roots); other number types carry their error themselves.
+A box of the subdivision with the Bernstein coefficients of all functions on exactly this box. Doubles carry a bound on
+their error per block and function (unpadded doubles lose roots); other number types carry their error themselves.
 */
 template <class NT>
 class Box_node
@@ -125,7 +129,9 @@ public:
 private:
   static constexpr bool has_errors = std::is_same_v<NT, double>;
 
-  std::vector<NT> m_numbers;      // the coefficients; of doubles, also their bounds, so that what a split leaves alone lies together, and some places to copy beyond the end
+  // the coefficients; of doubles, also their bounds, so that what a split leaves alone lies together, and some places
+  // to copy beyond the end
+  std::vector<NT> m_numbers;
   std::vector<double> m_bounds;   // of other number types
   std::size_t m_size = 0, m_errors = 0;
 
@@ -179,7 +185,8 @@ private:
       return node.m_bounds.data();
   }
 
-  // As far as there are such places: bounds lie behind the coefficients only of doubles. Some places behind them are copied as well.
+  // As far as there are such places: bounds lie behind the coefficients only of doubles. Some places behind them are
+  // copied as well.
   void copy_places(const Place_range& range, const Box_node& other)
   {
     const std::size_t end = has_errors ? range.end : (std::min)(range.end, m_size);
@@ -199,15 +206,17 @@ private:
   }
 
   /*
-  Adds what `cuts` de Casteljau schemes of a degree d may add to the error E of coefficients bounded by M, with u = 2^-52 for any rounding mode. A cut does d
-  levels s a + t b, each with two products, a sum and the rounding of s = 1 - t: at most 3 u M a level. Its parameter is a quotient of two rounded
-  differences, off by 3 u, and moves a coefficient by at most 2 d M times that: together 9 d u M. Inside the box |s| + |t| = 1; beyond it each
-  level grows by `growth`. Underflow adds less than the 2^-1000 that every error starts with.
+  Adds what `cuts` de Casteljau schemes of a degree d may add to the error E of coefficients bounded by M, with u =
+  2^-52 for any rounding mode. A cut does d levels s a + t b, each with two products, a sum and the rounding of s = 1 -
+  t: at most 3 u M a level. Its parameter is a quotient of two rounded differences, off by 3 u, and moves a coefficient
+  by at most 2 d M times that: together 9 d u M. Inside the box |s| + |t| = 1; beyond it each level grows by `growth`.
+  Underflow adds less than the 2^-1000 that every error starts with.
   */
   void add_error(const Block_axis& block, int cuts, double growth)
   {
     const int degree = block.view.degree;
-    const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40), relative = 10 * cuts * degree * 0x1p-52;
+    const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40),
+                 relative = 10 * cuts * degree * 0x1p-52;
     double *error = errors().data() + block.first_error, *size = sizes().data() + block.first_error;
     for_each_place(block.functions, [=](auto type, std::size_t m) {
       const auto grown_error = load(type, error + m) * power, grown_size = load(type, size + m) * power;
@@ -240,7 +249,8 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
 }
 
 template <class NT>
-void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Coordinate& new_lower, const Coordinate& new_upper)
+void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Coordinate& new_lower,
+                                 const Coordinate& new_upper)
 {
   const bool cuts_before = new_lower != lower[axis], cuts_after = new_upper != upper[axis];
   if (!cuts_before && !cuts_after)
@@ -284,7 +294,8 @@ void Box_node<NT>::restrict_to(const System_layout& layout, const Local_box& par
 }
 
 /*
-What the analysis sees of a node: for doubles the node itself, else the coefficients rounded to double, with the rounding as the error bound.
+What the analysis sees of a node: for doubles the node itself, else the coefficients rounded to double, with the
+rounding as the error bound.
 */
 template <class NT>
 class Lowered_node
@@ -314,7 +325,8 @@ public:
           const double middle = 0.5 * (interval.inf() + interval.sup());
           m_coefficients[block.offset + i] = middle;
           double& error = m_errors[block.first_error + i % block.functions.size()];
-          error = (std::max)(error, 0.5 * (interval.sup() - interval.inf()) * (1 + 0x1p-50) + 0x1p-51 * std::abs(middle));
+          error =
+              (std::max)(error, 0.5 * (interval.sup() - interval.inf()) * (1 + 0x1p-50) + 0x1p-51 * std::abs(middle));
         }
       view.reset(m_coefficients.data(), m_errors.data());
     }

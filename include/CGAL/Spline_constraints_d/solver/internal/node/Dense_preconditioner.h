@@ -41,7 +41,8 @@ struct Columns_in_registers
   explicit Columns_in_registers(const double* columns)
   {
     unroll<n>([&](auto i) {
-      unroll<packs>([&](auto r) { pairs[i][r] = Pack(columns[i * n + r * pack_size], columns[i * n + r * pack_size + 1]); });
+      unroll<packs>(
+          [&](auto r) { pairs[i][r] = Pack(columns[i * n + r * pack_size], columns[i * n + r * pack_size + 1]); });
       last_row[i] = columns[i * n + n - 1];
     });
   }
@@ -70,8 +71,8 @@ struct Columns_in_registers
 };
 
 /*
-The control points of C f, formed block by block: at most n^2 multiplications per control point. Tighter than the affine rows, since the cancellation between the equations happens before the
-bounds are taken, where they share blocks.
+The control points of C f, formed block by block: at most n^2 multiplications per control point. Tighter than the affine
+rows, since the cancellation between the equations happens before the bounds are taken, where they share blocks.
 */
 class Dense_preconditioner
 {
@@ -91,7 +92,8 @@ public:
       lay_out(source);
   }
 
-  // Every block that holds an equality holds them all, and some have several axes: along single ones, as of two curves, nothing cancels that the linear rows do not see.
+  // Every block that holds an equality holds them all, and some have several axes: along single ones, as of two curves,
+  // nothing cancels that the linear rows do not see.
   static bool may_pay(const System_layout& layout)
   {
     bool has_several_axes = false;
@@ -104,8 +106,9 @@ public:
     return has_several_axes;
   }
 
-  // By counted operations, to form C f costs no more than to split the node and look at both halves: n multiplications per coefficient, beside half a degree for the split and about
-  // a dozen operations in the passes that bound functions, slopes, derivatives and layers, each on two nodes.
+  // By counted operations, to form C f costs no more than to split the node and look at both halves: n multiplications
+  // per coefficient, beside half a degree for the split and about a dozen operations in the passes that bound
+  // functions, slopes, derivatives and layers, each on two nodes.
   bool is_cheap() const { return m_is_cheap; }
 
   // The preconditioned equalities of a square system as a node of their own; null when the mean slopes are singular.
@@ -134,9 +137,11 @@ private:
       for (std::size_t i = 0; i < members; ++i) {
         const std::size_t entry = source.first_error + i;
         const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
-        m_source_errors[i] = (node.errors()[entry] + analysis_error * size) * (1 + m_layout.equalities * analysis_error);
+        m_source_errors[i] =
+            (node.errors()[entry] + analysis_error * size) * (1 + m_layout.equalities * analysis_error);
       }
-      multiply(node.coefficients() + source.offset, source.functions.size(), members, target.points, m_coefficients.data() + target.offset, m_errors.data() + target.first_error);
+      multiply(node.coefficients() + source.offset, source.functions.size(), members, target.points,
+               m_coefficients.data() + target.offset, m_errors.data() + target.first_error);
     }
     m_view->reset(m_coefficients.data(), m_errors.data());
     return *m_view;
@@ -145,7 +150,8 @@ private:
   // How many equalities a block holds.
   static std::size_t members_of(const Block& block, int equalities)
   {
-    return static_cast<std::size_t>(std::lower_bound(block.functions.begin(), block.functions.end(), equalities) - block.functions.begin());
+    return static_cast<std::size_t>(std::lower_bound(block.functions.begin(), block.functions.end(), equalities) -
+                                    block.functions.begin());
   }
 
   // The columns of C for the equalities that a block holds; returns their number.
@@ -158,18 +164,23 @@ private:
     return members;
   }
 
-  // to <- C from, control point by control point, and errors <- |C| errors of the source; sizes known to the compiler where it pays.
-  void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to, double* errors) const
+  // to <- C from, control point by control point, and errors <- |C| errors of the source; sizes known to the compiler
+  // where it pays.
+  void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to,
+                double* errors) const
   {
     run_with_constant<6>(static_cast<int>(members) == m_layout.equalities ? members : 0, [&](auto size) {
       if constexpr (size > 0)
         multiply_fixed<size>(from, stride, points, to, errors);
       else {
-        const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members), count = static_cast<Eigen::Index>(points);
+        const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members),
+                           count = static_cast<Eigen::Index>(points);
         const Eigen::Map<const Eigen::MatrixXd> matrix(m_columns.data(), rows, columns);
-        const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+        const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(
+            from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
         Eigen::Map<Eigen::MatrixXd>(to, rows, count).noalias() = matrix.lazyProduct(source);
-        Eigen::Map<Eigen::VectorXd>(errors, rows).noalias() = matrix.cwiseAbs().lazyProduct(Eigen::Map<const Eigen::VectorXd>(m_source_errors.data(), columns));
+        Eigen::Map<Eigen::VectorXd>(errors, rows).noalias() =
+            matrix.cwiseAbs().lazyProduct(Eigen::Map<const Eigen::VectorXd>(m_source_errors.data(), columns));
       }
     });
   }

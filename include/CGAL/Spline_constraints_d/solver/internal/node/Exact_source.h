@@ -25,11 +25,13 @@ namespace internal {
 using Cell = std::vector<int>;
 
 /*
-The functions of a system as integer polynomials, one set per cell, and what the solver asks of them exactly: the Bernstein
-coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding happens once, at the end.
+The functions of a system as integer polynomials, one set per cell, and what the solver asks of them exactly: the
+Bernstein coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding happens once, at the
+end.
 
-Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. On request all of them are multiplied by a matrix, when
-every block of the layout holds them all. Not shared between threads: the scratch numbers live here.
+Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. On request
+all of them are multiplied by a matrix, when every block of the layout holds them all. Not shared between threads: the
+scratch numbers live here.
 */
 class Exact_source
 {
@@ -38,7 +40,8 @@ class Exact_source
     int function;
     std::size_t block;
     std::size_t member;                            // place of the function in the block
-    std::vector<std::vector<std::size_t>> offsets;   // per axis with breaks, of a cell of the system: of its piece; no axis: there is one piece
+    // per axis with breaks, of a cell of the system: of its piece; no axis: there is one piece
+    std::vector<std::vector<std::size_t>> offsets;
     std::vector<std::vector<Short_integer>> pieces;  // padded to the degrees of the block
   };
 
@@ -70,7 +73,8 @@ public:
   {}
 
   // With the cells of another source of the same system.
-  Exact_source(const Constraint_system_d& system, const System_layout& layout, std::vector<std::vector<Exact_rational>> breaks)
+  Exact_source(const Constraint_system_d& system, const System_layout& layout,
+               std::vector<std::vector<Exact_rational>> breaks)
     : m_layout(layout), m_breaks(std::move(breaks)), m_fixed_point(layout)
   {
     for (int f = 0; f < layout.functions; ++f)
@@ -131,12 +135,12 @@ public:
   const std::vector<Short_integer>& matrix() const { return m_matrix; }
   void set_matrix(const std::vector<Short_integer>& matrix) { m_matrix = matrix; }
 
-  // Multiplies the functions by a matrix (row-major) whose columns act on the functions times 2^-scale. The rows are multiplied by powers of two. Returns whether
-  // all numbers are finite.
+  // Multiplies the functions by a matrix (row-major) whose columns act on the functions times 2^-scale. The rows are
+  // multiplied by powers of two. Returns whether all numbers are finite.
   bool multiply(const double* matrix, const std::vector<long>& scale);
 
-  // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by 2^-scale[f] such that the largest lies
-  // in [1/2, 1), and a bound on the rounding error per block and function.
+  // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by
+  // 2^-scale[f] such that the largest lies in [1/2, 1), and a bound on the rounding error per block and function.
   template <class NT, class Coordinate>
   void bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper,
                               NT* coefficients, double* errors, std::vector<long>& scale);
@@ -156,7 +160,8 @@ public:
     evaluate(cell, point, values);
   }
 
-  // Most of the boxes and points that are asked for lie in this part of a cell, until leave_home(). What was asked for before has no influence on the answers.
+  // Most of the boxes and points that are asked for lie in this part of a cell, until leave_home(). What was asked for
+  // before has no influence on the answers.
   template <class Coordinate>
   void set_home(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
   void leave_home()
@@ -190,14 +195,16 @@ private:
 
   template <class Coordinate>
   void set_point(std::span<const Coordinate> point);
-  void contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree, const Short_integer& x, long exponent);
+  void contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree, const Short_integer& x,
+                          long exponent);
   void load(const Cell& cell);
   template <class Coordinate>
   void expand(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
   void gather_constants();
   template <class Coordinate>
   bool has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
-  static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
+  static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system,
+                                                                 const System_layout& layout);
   void add_function(const Spline_function& function, int index);
   static Short_integer common_binomial(int degree);
 
@@ -222,9 +229,11 @@ void Exact_source::set_home(const Cell& cell, std::span<const Coordinate> lower,
   }
 }
 
-// Whether fixed-point numbers may answer for a box. They begin with the expansion on the home box, which most boxes and points ask for first.
+// Whether fixed-point numbers may answer for a box. They begin with the expansion on the home box, which most boxes and
+// points ask for first.
 template <class Coordinate>
-bool Exact_source::has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
+bool Exact_source::has_fixed_point(const Cell& cell, std::span<const Coordinate> lower,
+                                   std::span<const Coordinate> upper)
 {
   if constexpr (std::is_same_v<Coordinate, double>) {
     if (!m_matrix.empty() || !is_in_home(cell, lower, upper))
@@ -258,8 +267,9 @@ inline void Exact_source::load(const Cell& cell)
   }
 }
 
-// Fills m_values with the Bernstein coefficients on a box, as integers: those of block b times 2^m_exponents[b] / m_denominators[b]. Along each axis: x = begin + width t in integers,
-// p(x) -> sum_i p_i t^i, then sums of binomially weighted coefficients.
+// Fills m_values with the Bernstein coefficients on a box, as integers: those of block b times 2^m_exponents[b] /
+// m_denominators[b]. Along each axis: x = begin + width t in integers, p(x) -> sum_i p_i t^i, then sums of binomially
+// weighted coefficients.
 template <class Coordinate>
 void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
 {
@@ -305,7 +315,8 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
                                           std::vector<long>& scale)
 {
   if constexpr (std::is_same_v<NT, double> && std::is_same_v<Coordinate, double>)
-    if (has_fixed_point(cell, lower, upper) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
+    if (has_fixed_point(cell, lower, upper) &&
+        m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
       return;
   expand(cell, lower, upper);
   gather_constants();
@@ -329,7 +340,8 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
     const std::size_t members = block.functions.size();
-    const long length = bit_length(m_denominators[b]);   // in the hundreds of degrees, the denominator leaves the range of double
+    // in the hundreds of degrees, the denominator leaves the range of double
+    const long length = bit_length(m_denominators[b]);
     const double denominator = to_scaled_double(m_denominators[b], -length);
     for (std::size_t m = 0; m < members; ++m)
       errors[block.first_error + m] = 0;
@@ -343,7 +355,8 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
         double& error = errors[block.first_error + m];
         error = (std::max)(error, std::abs(rounded));
       } else {
-        coefficients[block.offset + i] = Number_traits<NT>::from_rational(scaled_rational(value.to_big_integer(), shift) / scaled_rational(m_denominators[b].to_big_integer(), 0));
+        coefficients[block.offset + i] = Number_traits<NT>::from_rational(
+            scaled_rational(value.to_big_integer(), shift) / scaled_rational(m_denominators[b].to_big_integer(), 0));
       }
     }
     for (std::size_t m = 0; m < members; ++m)
@@ -353,14 +366,17 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
   }
 }
 
-// A function that nearly vanishes on a box may be the sum of blocks that do not. Their constant parts cancel here, where it is exact: each block gives (nearly) its
-// first control value to the block with the finest unit, and what is left of it is as small as its variation.
+// A function that nearly vanishes on a box may be the sum of blocks that do not. Their constant parts cancel here,
+// where it is exact: each block gives (nearly) its first control value to the block with the finest unit, and what is
+// left of it is as small as its variation.
 inline void Exact_source::gather_constants()
 {
   for (const std::vector<Place>& places : m_places) {
     if (places.size() < 2)
       continue;
-    const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) { return m_exponents[a.block] < m_exponents[b.block]; });
+    const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+      return m_exponents[a.block] < m_exponents[b.block];
+    });
     Short_integer sum(0);   // in units of the home block
     for (const Place& place : places)
       if (&place != &home) {
@@ -391,7 +407,8 @@ void Exact_source::set_point(std::span<const Coordinate> point)
 }
 
 // Horner's scheme on every row of the last axis, at x 2^exponent, into m_work; the coefficients may lie there.
-inline void Exact_source::contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree, const Short_integer& x, long exponent)
+inline void Exact_source::contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree,
+                                             const Short_integer& x, long exponent)
 {
   for (std::size_t p = 0; p < points; ++p) {
     const Short_integer* a = coefficients + p * (degree + 1);

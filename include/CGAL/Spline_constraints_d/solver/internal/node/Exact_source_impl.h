@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(const Constraint_system_d& system, const System_layout& layout)
+inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(const Constraint_system_d& system,
+                                                                             const System_layout& layout)
 {
   std::vector<std::vector<Exact_rational>> result(layout.dimension);
   for (int f = 0; f < layout.functions; ++f)
@@ -26,7 +27,8 @@ inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(con
         std::vector<Exact_rational>& breaks = result[term.variables[j]];
         if (breaks.empty())
           breaks = {lower, upper};   // also of a domain that is one point
-        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks), [&lower = lower, &upper = upper](const Exact_rational& b) { return lower < b && b < upper; });
+        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks),
+                     [&lower = lower, &upper = upper](const Exact_rational& b) { return lower < b && b < upper; });
       }
   for (std::vector<Exact_rational>& breaks : result)
     if (breaks.size() > 2) {

@@ -28,10 +28,12 @@ struct Scaled_value
 };
 
 /*
-The Bernstein coefficients of all functions of a system on a home box, as fixed-point numbers of 127 bits, and what follows from them on boxes and at points within, without
-integers of any length. Every result has a bound on its error, and where that is too large beside the result there is none: then exact arithmetic has to answer.
+The Bernstein coefficients of all functions of a system on a home box, as fixed-point numbers of 127 bits, and what
+follows from them on boxes and at points within, without integers of any length. Every result has a bound on its error,
+and where that is too large beside the result there is none: then exact arithmetic has to answer.
 
-The unit of a function is chosen such that the sum of its blocks stays below 2^124 units. `multiplied()` is off by 6 units at most (number/fixed_point.h).
+The unit of a function is chosen such that the sum of its blocks stays below 2^124 units. `multiplied()` is off by 6
+units at most (number/fixed_point.h).
 */
 class Fixed_point_source
 {
@@ -55,11 +57,13 @@ public:
   void clear() { m_home.clear(); }
 
   // The coefficients of block b on the box [lower, upper] are values / denominators[b] 2^exponents[b].
-  void set(std::span<const double> lower, std::span<const double> upper, const std::vector<Short_integer>& values, const std::vector<Short_integer>& denominators,
-           const std::vector<long>& exponents);
+  void set(std::span<const double> lower, std::span<const double> upper, const std::vector<Short_integer>& values,
+           const std::vector<Short_integer>& denominators, const std::vector<long>& exponents);
 
-  // As Exact_source::bernstein_coefficients(), for a box within the home box. Returns whether the error is as small as that of rounding to double.
-  bool bernstein_coefficients(std::span<const double> lower, std::span<const double> upper, double* coefficients, double* errors, std::vector<long>& scale);
+  // As Exact_source::bernstein_coefficients(), for a box within the home box. Returns whether the error is as small as
+  // that of rounding to double.
+  bool bernstein_coefficients(std::span<const double> lower, std::span<const double> upper, double* coefficients,
+                              double* errors, std::vector<long>& scale);
 
   // The values at a point of the home box.
   void evaluate(std::span<const double> point, std::vector<Scaled_value>& values);
@@ -71,7 +75,8 @@ private:
   void compute_basis(int degree, Unsigned_fixed_point t);
 };
 
-inline void Fixed_point_source::set(std::span<const double> lower, std::span<const double> upper, const std::vector<Short_integer>& values,
+inline void Fixed_point_source::set(std::span<const double> lower, std::span<const double> upper,
+                                    const std::vector<Short_integer>& values,
                                     const std::vector<Short_integer>& denominators, const std::vector<long>& exponents)
 {
   m_lower.assign(lower.begin(), lower.end());
@@ -79,7 +84,8 @@ inline void Fixed_point_source::set(std::span<const double> lower, std::span<con
   m_range.clear();
   for (std::size_t v = 0; v < lower.size(); ++v)
     m_range.emplace_back(lower[v], upper[v]);
-  const long spare_bits = bit_length(Unsigned_two_words(m_layout.blocks.size())) + 1;   // one: the quotient of lengths is rounded
+  // one: the quotient of lengths is rounded
+  const long spare_bits = bit_length(Unsigned_two_words(m_layout.blocks.size())) + 1;
   m_unit.assign(m_layout.functions, (std::numeric_limits<long>::min)() / 2);
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
@@ -87,19 +93,22 @@ inline void Fixed_point_source::set(std::span<const double> lower, std::span<con
       const Short_integer& value = values[block.offset + i];
       long& unit = m_unit[block.functions[i % block.functions.size()]];
       if (value != 0)
-        unit = (std::max)(unit, bit_length(value) - bit_length(denominators[b]) + exponents[b] + spare_bits - fixed_point_bits);
+        unit = (std::max)(
+            unit, bit_length(value) - bit_length(denominators[b]) + exponents[b] + spare_bits - fixed_point_bits);
     }
   }
   m_home.resize(m_layout.size);
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
     for (std::size_t i = 0; i < block.size(); ++i)
-      m_home[block.offset + i] = fixed_point_quotient(values[block.offset + i], exponents[b] - m_unit[block.functions[i % block.functions.size()]], denominators[b]);
+      m_home[block.offset + i] =
+          fixed_point_quotient(values[block.offset + i],
+                               exponents[b] - m_unit[block.functions[i % block.functions.size()]], denominators[b]);
   }
 }
 
-inline bool Fixed_point_source::bernstein_coefficients(std::span<const double> lower, std::span<const double> upper, double* coefficients, double* errors,
-                                                       std::vector<long>& scale)
+inline bool Fixed_point_source::bernstein_coefficients(std::span<const double> lower, std::span<const double> upper,
+                                                       double* coefficients, double* errors, std::vector<long>& scale)
 {
   m_work = m_home;
   m_error.assign(m_layout.errors, 2);   // of the home box
@@ -107,14 +116,17 @@ inline bool Fixed_point_source::bernstein_coefficients(std::span<const double> l
     const bool cuts_before = lower[v] != m_lower[v], cuts_after = upper[v] != m_upper[v];
     if (!cuts_before && !cuts_after)
       continue;
-    const Unsigned_fixed_point to = m_range[v](upper[v]), from = cuts_before ? Fixed_point_range(m_lower[v], upper[v])(lower[v]) : 0;
+    const Unsigned_fixed_point to = m_range[v](upper[v]),
+                               from = cuts_before ? Fixed_point_range(m_lower[v], upper[v])(lower[v]) : 0;
     for (const Block_axis& axis : m_layout.blocks_of_axis[v]) {
       if (cuts_after)
         keep_lower_part(axis, to);
       if (cuts_before)
         keep_upper_part(axis, from);
       const Block& block = m_layout.blocks[axis.block];
-      for (std::size_t m = 0; m < block.functions.size(); ++m)   // 6 units per level of de Casteljau's scheme, and the rounding of the parameter: a quarter of a unit times the degree
+      // 6 units per level of de Casteljau's scheme, and the rounding of the parameter: a quarter of a unit times the
+      // degree
+      for (std::size_t m = 0; m < block.functions.size(); ++m)
         m_error[block.first_error + m] += 14.0 * axis.view.degree;
     }
   }
@@ -174,7 +186,8 @@ inline void Fixed_point_source::keep_upper_part(const Block_axis& axis, Unsigned
         data[i] += multiplied(data[i + inner] - data[i], t);
 }
 
-// The first control value of every block but one moves to this one, where it cancels with those of others: what is left of a block is as small as its variation.
+// The first control value of every block but one moves to this one, where it cancels with those of others: what is left
+// of a block is as small as its variation.
 inline void Fixed_point_source::gather_constants()
 {
   m_sum.assign(m_layout.functions, 0);
@@ -194,7 +207,8 @@ inline void Fixed_point_source::gather_constants()
   for (int f = 0; f < m_layout.functions; ++f)
     if (m_sum[f] != 0) {
       const std::size_t members = m_first_block[f]->functions.size();
-      const std::size_t m = std::find(m_first_block[f]->functions.begin(), m_first_block[f]->functions.end(), f) - m_first_block[f]->functions.begin();
+      const std::size_t m = std::find(m_first_block[f]->functions.begin(), m_first_block[f]->functions.end(), f) -
+          m_first_block[f]->functions.begin();
       for (std::size_t i = m; i < m_first_block[f]->size(); i += members)
         m_work[m_first_block[f]->offset + i] += m_sum[f];
     }
@@ -237,7 +251,8 @@ inline void Fixed_point_source::evaluate(std::span<const double> point, std::vec
           sum += multiplied(rest[k * inner + i], m_basis[k]);
         m_work[i] = sum;
       }
-      // A Bernstein polynomial is off by 12 units of 2^-127 per level and twice the degree for the parameter, times coefficients below 2^124; 6 units per product.
+      // A Bernstein polynomial is off by 12 units of 2^-127 per level and twice the degree for the parameter, times
+      // coefficients below 2^124; 6 units per product.
       error += (degree + 1) * (14.0 * degree / 8 + 6);
     }
     for (std::size_t m = 0; m < block.functions.size(); ++m) {

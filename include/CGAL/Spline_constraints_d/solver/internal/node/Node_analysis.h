@@ -51,8 +51,8 @@ public:
 
   // Without `tracks_rounding` the error bounds are left out of everything that the view says.
   Node_analysis(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
-    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0), m_tracks_rounding(tracks_rounding), view(layout),
-      linear(layout.dimension, layout.equalities)
+    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0),
+      m_tracks_rounding(tracks_rounding), view(layout), linear(layout.dimension, layout.equalities)
   {}
 
   // Looks at a node; its linear rows are formed on demand.
@@ -66,7 +66,8 @@ public:
         node.sizes()[e] = (std::max)(std::abs(view.block_lower(e)), std::abs(view.block_upper(e)));
   }
 
-  // Applies the Newton operator to the box of a node: mapped into itself by a contraction, it holds exactly one root of C f; image and box disjoint, none.
+  // Applies the Newton operator to the box of a node: mapped into itself by a contraction, it holds exactly one root of
+  // C f; image and box disjoint, none.
   Image_test test_image(Node& node)
   {
     look_at(node);
@@ -99,7 +100,8 @@ public:
 
   Exact_source& source() { return m_source; }
 
-  // The error of some equality is well above that of a fresh start, where coefficients are rounded once and, near a root, as small as the function varies.
+  // The error of some equality is well above that of a fresh start, where coefficients are rounded once and, near a
+  // root, as small as the function varies.
   bool can_be_sharpened(const Node& node)
   {
     m_variation.assign(m_layout.functions, 0);
@@ -108,15 +110,17 @@ public:
         const std::size_t entry = block.first_error + m;
         m_variation[block.functions[m]] += view.block_upper(entry) - view.block_lower(entry);
       }
-    return visit_errors(node, [&](int f, double error) { return error > 8 * analysis_error * m_variation[f] && error > 0x1p-900; });
+    return visit_errors(
+        node, [&](int f, double error) { return error > 8 * analysis_error * m_variation[f] && error > 0x1p-900; });
   }
 
   // Starts again from the exact functions on the box of the node.
   void rebuild(const Cell& cell, Node& node)
   {
     const auto start = std::chrono::steady_clock::now();
-    m_source.bernstein_coefficients(cell, std::span<const Coordinate>(node.lower), std::span<const Coordinate>(node.upper),
-                                    node.coefficients().data(), node.errors().data(), node.scale);
+    m_source.bernstein_coefficients(cell, std::span<const Coordinate>(node.lower),
+                                    std::span<const Coordinate>(node.upper), node.coefficients().data(),
+                                    node.errors().data(), node.scale);
     for (std::size_t e = 0; e < m_layout.errors; ++e)
       node.sizes()[e] = node.errors()[e] * 0x1p50;
     ++m_summary.restarts;

@@ -15,12 +15,15 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-// Along a line, what the affine enclosure needs comes with the bounds. Those of a function of the block, or of two neighbouring ones.
+// Along a line, what the affine enclosure needs comes with the bounds. Those of a function of the block, or of two
+// neighbouring ones.
 template <class Number>
-BOOST_FORCEINLINE internal::Line_bounds<Number> Node_view::bound_line_at(const internal::Block& block, const Plan& plan, std::size_t m, std::size_t functions)
+BOOST_FORCEINLINE internal::Line_bounds<Number> Node_view::bound_line_at(const internal::Block& block, const Plan& plan,
+                                                                         std::size_t m, std::size_t functions)
 {
   const std::size_t entry = block.first_error + m;
-  internal::Line_bounds<Number> line(m_coefficients + block.offset + m, block.points, functions, m_greville.data() + plan.greville);
+  internal::Line_bounds<Number> line(m_coefficients + block.offset + m, block.points, functions,
+                                     m_greville.data() + plan.greville);
   line.widen(internal::load(Number(), m_errors + entry), internal::analysis_error);
   internal::store(m_block_lower.data() + entry, line.least);
   internal::store(m_block_upper.data() + entry, line.most);
@@ -78,7 +81,8 @@ inline void Node_view::bound_differences_of_line(const internal::Block& block, s
 {
   const std::size_t functions = block.functions.size();
   internal::for_each_place(functions, [&](auto type, std::size_t m) {
-    const auto [least, most] = internal::bound_differences<decltype(type)>(m_coefficients + block.offset + m, block.points, functions);
+    const auto [least, most] =
+        internal::bound_differences<decltype(type)>(m_coefficients + block.offset + m, block.points, functions);
     internal::store(m_block_rest_lower.data() + m, least);
     internal::store(m_block_rest_upper.data() + m, most);
   });

@@ -21,10 +21,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Gauss-Jordan with full pivoting of rows with interval right-hand sides, weighed by what they can still contract: a row whose interval part is larger than half its pivot bounds nothing and would
-only blur the others, so elimination stops there (in a huge box the linear equations are solved and the rest waits). In place: the column of a pivot then holds that of its row in the inverse.
+Gauss-Jordan with full pivoting of rows with interval right-hand sides, weighed by what they can still contract: a row
+whose interval part is larger than half its pivot bounds nothing and would only blur the others, so elimination stops
+there (in a huge box the linear equations are solved and the rest waits). In place: the column of a pivot then holds
+that of its row in the inverse.
 
-`size` is the number of rows and of columns if that is known to the compiler, else 0. Rows and columns change places until each pivot has a place that is known, too, and everything stays in registers.
+`size` is the number of rows and of columns if that is known to the compiler, else 0. Rows and columns change places
+until each pivot has a place that is known, too, and everything stays in registers.
 */
 template <int size>
 class Row_elimination

@@ -21,9 +21,9 @@ namespace internal {
 /*
 How the Bernstein coefficients of all functions of a system lie in one array.
 
-A block is a tensor over some unknowns whose entries are interleaved: the functions that have a term on exactly these unknowns stand side
-by side as the fastest index, so that one pass over the block splits, bounds and differentiates all of them. Functions are numbered
-equalities first, then inequalities.
+A block is a tensor over some unknowns whose entries are interleaved: the functions that have a term on exactly these
+unknowns stand side by side as the fastest index, so that one pass over the block splits, bounds and differentiates all
+of them. Functions are numbered equalities first, then inequalities.
 */
 struct Block
 {
@@ -34,7 +34,8 @@ struct Block
   std::size_t offset = 0;       // of the first number in the array
   std::size_t first_error = 0;  // of the first function's error bound: one per function of the block
 
-  std::vector<std::size_t> lengths;  // numbers that axis j and the faster ones span; one more entry for the functions alone
+  // numbers that axis j and the faster ones span; one more entry for the functions alone
+  std::vector<std::size_t> lengths;
 
   std::size_t size() const { return points * functions.size(); }
 
@@ -83,7 +84,9 @@ struct System_layout
   std::size_t errors = 0;   // error bounds
   std::vector<Block> blocks;
   std::vector<std::vector<Block_axis>> blocks_of_axis;
-  std::vector<std::vector<Place_range>> ranges_without_axis;   // the blocks that an axis does not concern, and two bounds per block and function behind all blocks; those side by side joined
+  // the blocks that an axis does not concern, and two bounds per block and function behind all blocks; those side by
+  // side joined
+  std::vector<std::vector<Place_range>> ranges_without_axis;
 
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
@@ -200,7 +203,8 @@ inline void System_layout::place_blocks()
     size += blocks[b].size();
     errors += blocks[b].functions.size();
     for (std::size_t j = 0; j < blocks[b].axes.size(); ++j)
-      blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j), blocks[b].offset, blocks[b].first_error, blocks[b].functions.size()});
+      blocks_of_axis[blocks[b].axes[j]].push_back(
+          {b, j, blocks[b].view(j), blocks[b].offset, blocks[b].first_error, blocks[b].functions.size()});
     for (int axis = 0; axis < dimension; ++axis)
       if (!std::binary_search(blocks[b].axes.begin(), blocks[b].axes.end(), axis))
         append_range(ranges_without_axis[axis], {blocks[b].offset, size});

@@ -38,7 +38,8 @@ std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const
     const auto floor_of = [&](const Exact_rational& x) {
       const Exact_rational scaled = x * unit;
       Big_integer quotient;
-      mpz_fdiv_q(quotient.backend().data(), numerator_of(scaled).backend().data(), denominator_of(scaled).backend().data());
+      mpz_fdiv_q(quotient.backend().data(), numerator_of(scaled).backend().data(),
+                 denominator_of(scaled).backend().data());
       return scaled_rational(quotient, -bits);
     };
     Exact_rational lo = floor_of(lower), hi = -floor_of(-upper);
@@ -52,7 +53,8 @@ std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const
 
 // The part of a box in a cell, up to the rounding to dyadic ends; `range(v)` is the pair of its ends along an unknown.
 template <class Coordinate, class Range>
-std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const Exact_source& source, const Cell& cell, const Range& range, int bits)
+std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const Exact_source& source, const Cell& cell,
+                                                                         const Range& range, int bits)
 {
   std::vector<Coordinate> part_lower, part_upper;
   part_lower.reserve(cell.size());
@@ -61,7 +63,8 @@ std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const E
     const auto& [lower, upper] = range(v);
     const std::vector<Exact_rational>& breaks = source.breaks(v);
     const bool has_breaks = breaks.size() > 2;
-    const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
+    const bool is_first = !has_breaks || cell[v] == 0,
+               is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
     const Exact_rational& begin = is_first ? lower : (std::max)(lower, breaks[cell[v]]);
     const Exact_rational& end = is_last ? upper : (std::min)(upper, breaks[cell[v] + 1]);
     const auto [from, to] = dyadic_hull<Coordinate>(begin, end, bits);
@@ -73,14 +76,15 @@ std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const E
 
 // Calls visit(cell, lower, upper) for every cell that a box meets, with the part of the box in that cell.
 template <class Coordinate, class Visitor>
-void visit_cell_boxes(Exact_source& source, const std::vector<Exact_rational>& lower, const std::vector<Exact_rational>& upper, int bits,
-                      const Visitor& visit)
+void visit_cell_boxes(Exact_source& source, const std::vector<Exact_rational>& lower,
+                      const std::vector<Exact_rational>& upper, int bits, const Visitor& visit)
 {
   const auto range = [&](int v) { return std::pair<const Exact_rational&, const Exact_rational&>(lower[v], upper[v]); };
-  source.visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
-    const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source, cell, range, bits);
-    visit(cell, part_lower, part_upper);
-  });
+  source.visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper),
+                     [&](const Cell& cell) {
+                       const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source, cell, range, bits);
+                       visit(cell, part_lower, part_upper);
+                     });
 }
 
 } // namespace internal

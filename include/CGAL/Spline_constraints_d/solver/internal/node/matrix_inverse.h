@@ -55,7 +55,8 @@ bool invert_fixed(int rows, double* work, double* inverse, double least_pivot)
 // Two rows by Cramer's rule, with one division; the pivots are those of elimination.
 inline bool invert_pair(const double* a, double* inverse, double least_pivot)
 {
-  const double first = greater(std::abs(a[0]), std::abs(a[2])), largest = greater(first, greater(std::abs(a[1]), std::abs(a[3])));
+  const double first = greater(std::abs(a[0]), std::abs(a[2])),
+               largest = greater(first, greater(std::abs(a[1]), std::abs(a[3])));
   const double determinant = a[0] * a[3] - a[1] * a[2], factor = 1 / determinant;
   inverse[0] = a[3] * factor;
   inverse[1] = -a[1] * factor;
@@ -65,15 +66,18 @@ inline bool invert_pair(const double* a, double* inverse, double least_pivot)
 }
 
 /*
-The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
-false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` and `inverse` are two; the first is destroyed.
+The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation
+(Eigen's inverse makes a temporary); false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever
+uses it measures what it got wrong. `work` and `inverse` are two; the first is destroyed.
 */
 inline bool invert(int size, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
 {
   if (size == 2)
     return invert_pair(work.data(), inverse.data(), least_pivot);
   bool is_regular = false;
-  run_with_constant<4>(size, [&](auto constant) { is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot); });
+  run_with_constant<4>(size, [&](auto constant) {
+    is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot);
+  });
   return is_regular;
 }
 
@@ -83,15 +87,18 @@ struct Derivative_range
   double middle, radius, size;
 
   Derivative_range() = default;
-  Derivative_range(double lower, double upper) : middle(0.5 * (lower + upper)), radius(0.5 * (upper - lower)), size(std::abs(lower) + std::abs(upper)) {}
+  Derivative_range(double lower, double upper)
+    : middle(0.5 * (lower + upper)), radius(0.5 * (upper - lower)), size(std::abs(lower) + std::abs(upper))
+  {}
 };
 
 /*
-Row j of a bound on |I - C J|, for a row of C and the ranges `range(i, k)` of the derivatives of m functions by n unknowns: fills n entries and returns
-their sum, in any rounding mode.
+Row j of a bound on |I - C J|, for a row of C and the ranges `range(i, k)` of the derivatives of m functions by n
+unknowns: fills n entries and returns their sum, in any rounding mode.
 */
 template <class Range>
-BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Range& range, double* entries)
+BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Range& range,
+                                         double* entries)
 {
   double sum = 0;
   for (int k = 0; k < n; ++k) {

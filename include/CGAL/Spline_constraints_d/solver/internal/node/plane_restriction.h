@@ -19,7 +19,8 @@ namespace internal {
 
 using Exact_ranges = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
-// Keeps of the layers of a row-major array along one axis, which has `layers` of them with `inner` entries next to each other, what `merged(first entry, distance)` makes of each row.
+// Keeps of the layers of a row-major array along one axis, which has `layers` of them with `inner` entries next to each
+// other, what `merged(first entry, distance)` makes of each row.
 template <class T, class Merge>
 std::vector<T> without_axis(const std::vector<T>& entries, std::size_t layers, std::size_t inner, const Merge& merged)
 {
@@ -41,14 +42,16 @@ inline Spline_term with_fixed(const Spline_term& term, std::size_t axis, const E
   const std::size_t cell = cell_at(term.breaks[axis], value);
   const int degree = term.degrees[axis];
   Spline_term result;
-  result.pieces = without_axis(term.pieces, term.cells(axis), inner_cells, [&](const std::vector<Exact_rational>* piece, std::size_t step) {
-    return without_axis(piece[cell * step], static_cast<std::size_t>(degree) + 1, inner_size, [&](const Exact_rational* coefficient, std::size_t distance) {
-      Exact_rational sum = coefficient[degree * distance];
-      for (int k = degree - 1; k >= 0; --k)
-        sum = Exact_rational(sum * value + coefficient[k * distance]);
-      return sum;
-    });
-  });
+  result.pieces = without_axis(
+      term.pieces, term.cells(axis), inner_cells, [&](const std::vector<Exact_rational>* piece, std::size_t step) {
+        return without_axis(piece[cell * step], static_cast<std::size_t>(degree) + 1, inner_size,
+                            [&](const Exact_rational* coefficient, std::size_t distance) {
+                              Exact_rational sum = coefficient[degree * distance];
+                              for (int k = degree - 1; k >= 0; --k)
+                                sum = Exact_rational(sum * value + coefficient[k * distance]);
+                              return sum;
+                            });
+      });
   for (std::size_t j = 0; j < term.variables.size(); ++j)
     if (j != axis) {
       result.variables.push_back(term.variables[j]);
@@ -64,7 +67,9 @@ inline Spline_function with_fixed(const Spline_function& function, int unknown, 
   Spline_function result;
   for (const Spline_term& term : function.terms()) {
     const auto place = std::find(term.variables.begin(), term.variables.end(), unknown);
-    Spline_term rest = place == term.variables.end() ? term : with_fixed(term, static_cast<std::size_t>(place - term.variables.begin()), value);
+    Spline_term rest = place == term.variables.end()
+        ? term
+        : with_fixed(term, static_cast<std::size_t>(place - term.variables.begin()), value);
     for (int& v : rest.variables)
       v -= v > unknown;
     result += Spline_function(std::move(rest));
@@ -85,10 +90,12 @@ Constraint_system_d changed(const Constraint_system_d& system, Exact_ranges box,
 }
 
 // A system on the part of a plane, where an unknown has a fixed value, that lies in a box.
-inline Constraint_system_d on_plane(const Constraint_system_d& system, Exact_ranges box, int unknown, const Exact_rational& value)
+inline Constraint_system_d on_plane(const Constraint_system_d& system, Exact_ranges box, int unknown,
+                                    const Exact_rational& value)
 {
   box.erase(box.begin() + unknown);
-  return changed(system, std::move(box), [&](const Spline_function& function) { return with_fixed(function, unknown, value); });
+  return changed(system, std::move(box),
+                 [&](const Spline_function& function) { return with_fixed(function, unknown, value); });
 }
 
 // A system on a box within one cell, as polynomials.
@@ -100,7 +107,10 @@ inline Constraint_system_d on_cell(const Constraint_system_d& system, const Exac
       std::size_t piece = 0;
       for (std::size_t j = 0; j < term.variables.size(); ++j)
         piece = piece * term.cells(j) + cell_at(term.breaks[j], box[term.variables[j]].first);
-      polynomial += Spline_function(Spline_term{term.variables, term.degrees, std::vector<std::vector<Exact_rational>>(term.variables.size()), {term.pieces[piece]}});
+      polynomial += Spline_function(Spline_term{term.variables,
+                                                term.degrees,
+                                                std::vector<std::vector<Exact_rational>>(term.variables.size()),
+                                                {term.pieces[piece]}});
     }
     return polynomial;
   });
@@ -123,7 +133,10 @@ inline Exact_ranges domain_of(const Constraint_system_d& system)
   return domain;
 }
 
-inline Constraint_system_d equalities_of(const Constraint_system_d& system) { return equalities_on(system, domain_of(system)); }
+inline Constraint_system_d equalities_of(const Constraint_system_d& system)
+{
+  return equalities_on(system, domain_of(system));
+}
 
 // The closure of what a system allows, where no inequation f != 0 has its zeros along a whole curve.
 inline Constraint_system_d without_inequations(const Constraint_system_d& system)

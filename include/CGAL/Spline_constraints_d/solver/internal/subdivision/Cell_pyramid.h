@@ -26,11 +26,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The cells of the domain that may hold a solution, without looking at each of them: two splines with a thousand pieces each make a million cells, most of which are far from any solution.
+The cells of the domain that may hold a solution, without looking at each of them: two splines with a thousand pieces
+each make a million cells, most of which are far from any solution.
 
-Every term of the constraints is bounded on the cells of its own unknowns only, a thousand numbers per spline rather than a million; and these bounds are united over pairs of neighbouring cells along
-each axis, pairs of pairs, and so on. The cells are visited as a tree from the top of that pyramid; a group in which the sum of the bounds excludes a constraint is left out at once. For curves
-that meet, this is the simultaneous descent in their trees of bounding boxes.
+Every term of the constraints is bounded on the cells of its own unknowns only, a thousand numbers per spline rather
+than a million; and these bounds are united over pairs of neighbouring cells along each axis, pairs of pairs, and so on.
+The cells are visited as a tree from the top of that pyramid; a group in which the sum of the bounds excludes a
+constraint is left out at once. For curves that meet, this is the simultaneous descent in their trees of bounding boxes.
 */
 class Cell_pyramid
 {
@@ -102,7 +104,8 @@ private:
       m_sizes.push_back(halved(m_sizes.back()));
   }
 
-  Bounded_function bounded(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks, const Spline_function& function, Relation relation) const
+  Bounded_function bounded(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks,
+                           const Spline_function& function, Relation relation) const
   {
     Bounded_function result{relation, {}};
     for (const Spline_term& term : function.terms()) {
@@ -114,18 +117,22 @@ private:
   }
 
   // A term on every cell of its unknowns, by Bernstein coefficients.
-  Level cell_bounds(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks, const Spline_term& term) const
+  Level cell_bounds(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks,
+                    const Spline_term& term) const
   {
     const std::size_t dimension = term.variables.size();
     Level result;
     std::vector<std::vector<Row_matrix<Interval>>> conversions(dimension);   // per axis and cell
-    std::vector<std::vector<std::size_t>> pieces(dimension);                 // where the cell lies in the term's own grid
+    // where the cell lies in the term's own grid
+    std::vector<std::vector<std::size_t>> pieces(dimension);
     for (std::size_t j = 0; j < dimension; ++j) {
       const int unknown = term.variables[j];
       result.sizes.push_back(m_sizes[0][unknown]);
       for (int k = 0; k < result.sizes[j]; ++k) {
-        const auto [begin, end] = result.sizes[j] == 1 ? system.domain(unknown) : std::pair(breaks[unknown][k], breaks[unknown][k + 1]);
-        conversions[j].push_back(from_power_matrix(term.degrees[j], Interval(to_double_interval(begin)), Interval(to_double_interval(end))));
+        const auto [begin, end] =
+            result.sizes[j] == 1 ? system.domain(unknown) : std::pair(breaks[unknown][k], breaks[unknown][k + 1]);
+        conversions[j].push_back(
+            from_power_matrix(term.degrees[j], Interval(to_double_interval(begin)), Interval(to_double_interval(end))));
         pieces[j].push_back(cell_at(term.breaks[j], begin));
       }
     }
@@ -154,7 +161,10 @@ private:
     return result;
   }
 
-  static Bounds united(const Bounds& a, const Bounds& b) { return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)}; }
+  static Bounds united(const Bounds& a, const Bounds& b)
+  {
+    return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+  }
 
   static std::vector<int> last_of(std::vector<int> sizes)
   {

@@ -41,11 +41,13 @@ template <class Examiner, class Node>
 concept BoxExaminer = requires(Examiner examiner, Node& node, typename Examiner::State& state, int depth) {
   { examiner.goes_on(node, state, depth) } -> std::same_as<bool>;   // counts the box, or puts it aside
   { examiner.examine(node, state, depth) } -> std::same_as<Box_verdict>;
-  { examiner.split(node, state, depth) } -> std::same_as<std::optional<Box_split<typename Examiner::State>>>;   // none: the box is left as it is, and that is noted
+  // none: the box is left as it is, and that is noted
+  { examiner.split(node, state, depth) } -> std::same_as<std::optional<Box_split<typename Examiner::State>>>;
 };
 
 /*
-The driver of the solver, for points and for curves of solutions: subdivides a box depth-first. The nodes, one for each level, are made once.
+The driver of the solver, for points and for curves of solutions: subdivides a box depth-first. The nodes, one for each
+level, are made once.
 */
 template <class Number_type>
 class Depth_first_subdivision
@@ -96,7 +98,8 @@ private:
   }
 };
 
-// When a box shrinks to a part of it. No axis becomes a small part of its width at once: one that collapses would hide the others.
+// When a box shrinks to a part of it. No axis becomes a small part of its width at once: one that collapses would hide
+// the others.
 struct Box_contraction
 {
   static constexpr double least_gain = 0.1, thinnest = 0x1p-10;
@@ -109,7 +112,8 @@ struct Box_contraction
       part.widen(j, (std::max)(thinnest, least_share(j)));
   }
 
-  // Whether the part is so much smaller than the box that it is worth a pass, if it may not be less than shares of its width.
+  // Whether the part is so much smaller than the box that it is worth a pass, if it may not be less than shares of its
+  // width.
   template <std::invocable<int> Least_share>
   static bool is_worth_a_pass(const Local_box& part, const Least_share& least_share)
   {

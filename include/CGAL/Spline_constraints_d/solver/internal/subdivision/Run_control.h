@@ -19,7 +19,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-What ends a run from outside, the clock and the visitor, for all threads of the run. The visitor is called by one of them at a time.
+What ends a run from outside, the clock and the visitor, for all threads of the run. The visitor is called by one of
+them at a time.
 */
 class Run_control
 {
@@ -36,8 +37,8 @@ class Run_control
 public:
   template <class Visitor>
   Run_control(Visitor& visitor, const Solver_options& options)
-    : m_is_stopped([&visitor] { return static_cast<bool>(visitor.stop()); }), m_on_progress([&visitor](double fraction) { visitor.on_progress(fraction); }),
-      m_time_limit(options.time_limit)
+    : m_is_stopped([&visitor] { return static_cast<bool>(visitor.stop()); }),
+      m_on_progress([&visitor](double fraction) { visitor.on_progress(fraction); }), m_time_limit(options.time_limit)
   {}
 
   // Why the run was stopped, if it was.

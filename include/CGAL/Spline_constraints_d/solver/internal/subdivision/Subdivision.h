@@ -62,8 +62,9 @@ struct Task_limits
 };
 
 /*
-Points of solutions: what becomes of the boxes in a part of the domain, up to a number of nodes. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open;
-what is left at the end of the budget comes back as tasks.
+Points of solutions: what becomes of the boxes in a part of the domain, up to a number of nodes. A box ends empty, by a
+proof; or with all its roots inside regions that hold exactly one root each; or open; what is left at the end of the
+budget comes back as tasks.
 */
 template <class Traits>
 class Subdivision
@@ -76,7 +77,8 @@ public:
   struct State
   {
     double share;            // of the domain
-    int passes = 0;          // over the box and those that it is a part of, as long as they lie below the planes of splits
+    // over the box and those that it is a part of, as long as they lie below the planes of splits
+    int passes = 0;
     bool is_fresh = false;   // it was rebuilt since it last shrank, and is not rebuilt again
   };
 
@@ -116,11 +118,11 @@ private:
   double m_tolerance, m_done = 0;
 
 public:
-  Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
-              Run_control& control, Root_collection<NT>& roots, Summary& summary)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
-      m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
-      m_driver(layout),
+  Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source,
+              const Solver_options& options, Run_control& control, Root_collection<NT>& roots, Summary& summary)
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary),
+      m_analysis(layout, source, summary, Traits::tracks_rounding), m_preconditioned(system, layout, source, summary),
+      m_certification(layout, source, m_preconditioned, roots, summary), m_driver(layout),
       m_tolerance(options.tolerance)
   {
     if (layout.dimension >= 3)
@@ -139,7 +141,8 @@ public:
     m_last_node = m_summary.nodes + limits.nodes;
     m_open_before = limits.open_before;
     m_deepest = limits.depth;
-    m_tolerance = m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
+    m_tolerance =
+        m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
     m_most_looks = limits.looks;
     m_most_attempts = limits.attempts;
     m_most_guesses = limits.guesses;
@@ -147,7 +150,8 @@ public:
     Node& root = m_driver.root();
     root.lower = task.lower;
     root.upper = task.upper;
-    m_analysis.source().set_home(m_cell, std::span<const Coordinate>(task.lower), std::span<const Coordinate>(task.upper));
+    m_analysis.source().set_home(m_cell, std::span<const Coordinate>(task.lower),
+                                 std::span<const Coordinate>(task.upper));
     m_analysis.rebuild(m_cell, root);
     m_driver.run(*this, State{task.share}, task.depth);
     m_analysis.source().leave_home();
@@ -155,7 +159,8 @@ public:
   }
 
   // The task that a box in one cell is.
-  static Task make_task(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
+  static Task make_task(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper,
+                        double share)
   {
     Task task{.cell = cell, .lower = lower, .upper = upper, .domain_widths = {}, .share = share};
     for (std::size_t j = 0; j < lower.size(); ++j)
@@ -180,9 +185,12 @@ public:
   void set_known_multiple_roots(const std::vector<Multiple_root>* roots) { m_known_multiple_roots = roots; }
 
   // Tries whether the simplest point of a box is a multiple root; if so, it is kept.
-  bool guess_multiple_root(const Cell& cell, const std::vector<Coordinate>& box_lower, const std::vector<Coordinate>& box_upper, const std::vector<double>& widths)
+  bool guess_multiple_root(const Cell& cell, const std::vector<Coordinate>& box_lower,
+                           const std::vector<Coordinate>& box_upper, const std::vector<double>& widths)
   {
-    const auto root_between = [&](const std::vector<double>& lower, const std::vector<double>& upper) { return multiple_root_in(m_system, lower, upper, widths); };
+    const auto root_between = [&](const std::vector<double>& lower, const std::vector<double>& upper) {
+      return multiple_root_in(m_system, lower, upper, widths);
+    };
     std::optional<Multiple_root> root;
     if constexpr (std::is_same_v<Coordinate, double>)
       root = root_between(box_lower, box_upper);
@@ -214,7 +222,8 @@ public:
 
   Box_verdict examine(Node& node, State& state, int depth)
   {
-    const Box_verdict verdict = holds_multiple_root(node, state.passes++) ? Box_verdict::DONE : look_at(node, state, depth);
+    const Box_verdict verdict =
+        holds_multiple_root(node, state.passes++) ? Box_verdict::DONE : look_at(node, state, depth);
     if (verdict == Box_verdict::DONE)
       m_done += state.share;
     return verdict;
@@ -235,7 +244,8 @@ public:
     }
     // Off the middle the first time an axis is cut: roots like to sit on the planes of symmetry.
     const double place = m_widths[axis] > 0.9 ? 125.0 / 256 : 0.5;
-    return Box_split<State>{axis, place, {.share = state.share / 2, .passes = state.passes}, {.share = state.share / 2}};
+    return Box_split<State>{
+        axis, place, {.share = state.share / 2, .passes = state.passes}, {.share = state.share / 2}};
   }
 
 private:
@@ -254,24 +264,29 @@ private:
 
   static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
 
-  // The node lies in the box of a multiple root. It may hold a new one when it has shrunk again and again, but nothing else came of it: then boxes shrink by a constant factor only.
+  // The node lies in the box of a multiple root. It may hold a new one when it has shrunk again and again, but nothing
+  // else came of it: then boxes shrink by a constant factor only.
   bool holds_multiple_root(const Node& node, int passes)
   {
     const auto covers = [&](const Multiple_root& root) { return root.covers(node.lower, node.upper); };
     if (std::any_of(m_multiple_roots.begin(), m_multiple_roots.end(), covers) ||
-        (m_known_multiple_roots != nullptr && std::any_of(m_known_multiple_roots->begin(), m_known_multiple_roots->end(), covers)))
+        (m_known_multiple_roots != nullptr &&
+         std::any_of(m_known_multiple_roots->begin(), m_known_multiple_roots->end(), covers)))
       return true;
-    if ((passes != 6 && passes != 12 && passes != 24) || m_point_guesses >= m_most_guesses + 8 * m_multiple_roots.size())
+    if ((passes != 6 && passes != 12 && passes != 24) ||
+        m_point_guesses >= m_most_guesses + 8 * m_multiple_roots.size())
       return false;
     ++m_point_guesses;
     return guess_multiple_root(m_cell, node.lower, node.upper, m_domain_widths) && covers(m_multiple_roots.back());
   }
 
-  // With two unknowns a common factor of the equalities would tell. Asked now and then, and not many times more often than it pays.
+  // With two unknowns a common factor of the equalities would tell. Asked now and then, and not many times more often
+  // than it pays.
   bool is_piece_of_curve(const Node& node, int depth)
   {
     const int n = m_layout.dimension;
-    if (!m_curve_test || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size() ||
+    if (!m_curve_test || depth == 0 || depth % n != 0 ||
+        m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size() ||
         !m_curve_test->may_be_singular(m_analysis.view))
       return false;
     ++m_curve_guesses;
@@ -288,7 +303,8 @@ private:
     m_box.reset(m_layout.dimension);
     if (!m_reduction.contract(m_analysis.view, m_analysis.linear, m_box))
       return Box_verdict::DONE;
-    if (m_analysis.linear.has_inverse() && m_certification.certify(m_cell, node, m_analysis.view, m_analysis.linear, m_box, m_test))
+    if (m_analysis.linear.has_inverse() &&
+        m_certification.certify(m_cell, node, m_analysis.view, m_analysis.linear, m_box, m_test))
       return Box_verdict::DONE;
     if (contract(node))
       return Box_verdict::AGAIN;
@@ -310,13 +326,14 @@ private:
       if (view.lower(f) > 0 || view.upper(f) < 0)
         return true;
     for (std::size_t g = 0; g < m_relations.size(); ++g)
-      if (is_certainly_violated(m_relations[g], view.lower(m_layout.equalities + g), view.upper(m_layout.equalities + g)))
+      if (is_certainly_violated(m_relations[g], view.lower(m_layout.equalities + g),
+                                view.upper(m_layout.equalities + g)))
         return true;
     return false;
   }
 
-  // Looks at C f, formed exactly: for a node that rounding blurs although its coefficients are fresh, and now and then for a deep one, since the linear rows do not see how the
-  // equations cancel beyond their slopes.
+  // Looks at C f, formed exactly: for a node that rounding blurs although its coefficients are fresh, and now and then
+  // for a deep one, since the linear rows do not see how the equations cancel beyond their slopes.
   Box_verdict look_closer(Node& node)
   {
     ++m_looks;
@@ -360,13 +377,15 @@ private:
     return m_tolerance * (std::max)({1.0, lower, upper});
   }
 
-  // While another axis is wider than the tolerance, an axis may become as thin as this: near y = x^2 a box of width h needs the height h^2.
-  // Doubles end earlier: a box has to stay many units of its last place wide to shrink at all, and beside zero far from underflow.
+  // While another axis is wider than the tolerance, an axis may become as thin as this: near y = x^2 a box of width h
+  // needs the height h^2. Doubles end earlier: a box has to stay many units of its last place wide to shrink at all,
+  // and beside zero far from underflow.
   double finest_width(const Node& node, int j) const
   {
     const double finest = m_tolerance * least_width(node, j);
     if constexpr (std::is_same_v<Coordinate, double>)
-      return (std::max)({finest, 0x1p-250 * m_domain_widths[j], 0x1p-49 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j]))});
+      return (std::max)({finest, 0x1p-250 * m_domain_widths[j],
+                         0x1p-49 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j]))});
     return finest;
   }
 
@@ -378,8 +397,9 @@ private:
     return m_control.must_stop(is_asked);
   }
 
-  // The best rated axis to split; -1 when there is none left. However it is rated, an axis is not split while another is thousands of times wider: where two equations say
-  // nearly the same of some unknowns, the others would have to wait for their last digit.
+  // The best rated axis to split; -1 when there is none left. However it is rated, an axis is not split while another
+  // is thousands of times wider: where two equations say nearly the same of some unknowns, the others would have to
+  // wait for their last digit.
   int choose_axis(const Node& node)
   {
     constexpr double thinnest = 0x1p-12;

@@ -31,8 +31,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The walk over the domain, in rounds. The tasks of a round are independent of each other: each is subdivided up to a number of nodes, and what is left are tasks of the next round. Between the
-rounds, in the order of the tasks, roots are collected, each once, and open boxes counted. So the answer does not depend on the number of threads.
+The walk over the domain, in rounds. The tasks of a round are independent of each other: each is subdivided up to a
+number of nodes, and what is left are tasks of the next round. Between the rounds, in the order of the tasks, roots are
+collected, each once, and open boxes counted. So the answer does not depend on the number of threads.
 */
 template <class Traits, class Concurrency_tag>
 class Subdivision_walk
@@ -59,9 +60,11 @@ class Subdivision_walk
     Root_collection<NT> roots;
     Walk walk;
 
-    Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control,
-           const std::vector<Found_root<Coordinate>>* known, const std::vector<Multiple_root>* known_multiple_roots)
-      : source(system, layout), roots(system, layout, source, options.precision, known), walk(system, layout, source, options, control, roots, summary)
+    Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options,
+           Run_control& control, const std::vector<Found_root<Coordinate>>* known,
+           const std::vector<Multiple_root>* known_multiple_roots)
+      : source(system, layout), roots(system, layout, source, options.precision, known),
+        walk(system, layout, source, options, control, roots, summary)
     {
       walk.set_known_multiple_roots(known_multiple_roots);
     }
@@ -69,8 +72,13 @@ class Subdivision_walk
     Outcome run(const Task& task, const Task_limits& limits)
     {
       walk.run(task, limits);
-      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.curve_boxes(), {}), std::exchange(walk.pending(), {}),
-              std::exchange(walk.multiple_roots(), {}), walk.looks(), walk.gains()};
+      return {std::exchange(roots.roots(), {}),
+              std::exchange(walk.open_boxes(), {}),
+              std::exchange(walk.curve_boxes(), {}),
+              std::exchange(walk.pending(), {}),
+              std::exchange(walk.multiple_roots(), {}),
+              walk.looks(),
+              walk.gains()};
     }
   };
 
@@ -89,8 +97,10 @@ class Subdivision_walk
   std::vector<std::unique_ptr<Worker>> m_workers;   // per slot of the threads
 
 public:
-  Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, &m_roots.roots(), &m_multiple_roots)
+  Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options,
+                   Run_control& control)
+    : m_system(system), m_layout(layout), m_options(options), m_control(control),
+      m_worker(system, layout, options, control, &m_roots.roots(), &m_multiple_roots)
   {}
 
   Exact_source& source() { return m_worker.source; }
@@ -103,7 +113,8 @@ public:
   // Multiple roots that were guessed and proved; one may be there several times, with different boxes.
   const std::vector<Multiple_root>& multiple_roots() const { return m_multiple_roots; }
 
-  // Cells that the walk has left since the equalities have a common factor there; solutions that were certified there stay among the roots.
+  // Cells that the walk has left since the equalities have a common factor there; solutions that were certified there
+  // stay among the roots.
   std::vector<Common_cell> common_cells() const
   {
     std::vector<Common_cell> result;
@@ -121,7 +132,8 @@ public:
 
   void run()
   {
-    // The first round is short: it makes the tasks of the others, and ends where boxes become small and stay undecided. Later ones are long beside the exact rebuild that each task starts with.
+    // The first round is short: it makes the tasks of the others, and ends where boxes become small and stay undecided.
+    // Later ones are long beside the exact rebuild that each task starts with.
     constexpr std::size_t first_budget = 128, last_budget = 8192;
     std::vector<Task> tasks = tasks_of_cells();
     for (std::size_t budget = first_budget; !tasks.empty() && m_control.reason() == Undecided_reason::NONE;) {
@@ -141,15 +153,17 @@ public:
         break;
       budget = (std::min)(2 * budget, last_budget);
     }
-    const Undecided_reason reason = m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason();
+    const Undecided_reason reason =
+        m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason();
     for (const Task& task : tasks)
       m_open.push_back({task.lower, task.upper, reason, task.cell});
     merge_boxes_that_meet(m_open);
   }
 
   /*
-  Looks again, with a finer tolerance, at the open boxes that `holds_solution(box)` does not know to hold one; those that turn out empty are dropped. Beside a root that is not regular
-  some boxes end at the tolerance just before they would be excluded.
+  Looks again, with a finer tolerance, at the open boxes that `holds_solution(box)` does not know to hold one; those
+  that turn out empty are dropped. Beside a root that is not regular some boxes end at the tolerance just before they
+  would be excluded.
   */
   template <class Predicate>
   void look_again(const Predicate& holds_solution)
@@ -162,9 +176,10 @@ public:
     Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_multiple_roots);
     std::vector<Open_box<Coordinate>> kept;
     for (Open_box<Coordinate>& box : m_open) {
-      if (box.reason == Undecided_reason::TOLERANCE && !m_control.must_stop(true) && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
-          !holds_solution(box)) {
-        Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
+      if (box.reason == Undecided_reason::TOLERANCE && !m_control.must_stop(true) &&
+          !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) && !holds_solution(box)) {
+        Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0),
+                                     {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
         const bool are_counted = collect_roots(outcome.roots, box.cell, kept);
         std::move(outcome.multiple_roots.begin(), outcome.multiple_roots.end(), std::back_inserter(m_multiple_roots));
@@ -228,7 +243,8 @@ private:
     return cells;
   }
 
-  // Takes the tasks that are not for this round. Where boxes stay open, as on a continuum, rounds are small: the number of open boxes tells the next ones how coarse they may be.
+  // Takes the tasks that are not for this round. Where boxes stay open, as on a continuum, rounds are small: the number
+  // of open boxes tells the next ones how coarse they may be.
   std::vector<Task> postponed(std::vector<Task>& tasks) const
   {
     constexpr std::size_t few_tasks = 8;
@@ -265,7 +281,8 @@ private:
     std::erase_if(m_curve_boxes, is_common);
   }
 
-  // One of the boxes that are left may hold the multiple root that keeps the others open: the smaller, the easier to guess.
+  // One of the boxes that are left may hold the multiple root that keeps the others open: the smaller, the easier to
+  // guess.
   void guess_multiple_roots(const std::vector<Task>& tasks)
   {
     constexpr std::size_t most_guesses = 64;
@@ -276,9 +293,11 @@ private:
     std::stable_sort(order.begin(), order.end(), [](const Task* a, const Task* b) { return a->depth > b->depth; });
     order.resize((std::min)(order.size(), most_guesses));
     for (const Task* task : order)
-      if (std::none_of(m_multiple_roots.begin(), m_multiple_roots.end(), [&](const Multiple_root& root) { return root.covers(task->lower, task->upper); })) {
+      if (std::none_of(m_multiple_roots.begin(), m_multiple_roots.end(),
+                       [&](const Multiple_root& root) { return root.covers(task->lower, task->upper); })) {
         m_worker.walk.guess_multiple_root(task->cell, task->lower, task->upper, task->domain_widths);
-        std::move(m_worker.walk.multiple_roots().begin(), m_worker.walk.multiple_roots().end(), std::back_inserter(m_multiple_roots));
+        std::move(m_worker.walk.multiple_roots().begin(), m_worker.walk.multiple_roots().end(),
+                  std::back_inserter(m_multiple_roots));
         m_worker.walk.multiple_roots().clear();
       }
   }
@@ -286,12 +305,14 @@ private:
   // Splits after which most boxes around regular roots are done.
   int deep_level() const { return 8 * (m_layout.dimension + 1); }
 
-  // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts that are left.
+  // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts
+  // that are left.
   std::vector<Task_limits> limits_of(std::size_t count, std::size_t budget)
   {
     const std::size_t all_looks = m_few_looks + 4 * m_gains, looks = m_looks < all_looks ? all_looks - m_looks : 0;
     const std::size_t attempts = m_open.size() < m_few_open ? m_few_open - m_open.size() + count - 1 : 0;
-    std::vector<Task_limits> limits(count, {.nodes = budget, .looks = looks / count, .attempts = attempts / count, .open_before = m_open.size()});
+    std::vector<Task_limits> limits(
+        count, {.nodes = budget, .looks = looks / count, .attempts = attempts / count, .open_before = m_open.size()});
     for (std::size_t i = 0; i < looks % count; ++i)
       ++limits[i].looks;
     if (m_options.node_limit > 0) {
@@ -322,7 +343,8 @@ private:
         [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
         std::unique_ptr<Worker>& worker = m_workers[slot];
         if (worker == nullptr)
-          worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
+          worker =
+              std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
         run_task(order[i], *worker);
       });
       return outcomes;
@@ -337,7 +359,8 @@ private:
   {
     std::vector<std::size_t> order(tasks.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return tasks[i].share > tasks[k].share; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t k) { return tasks[i].share > tasks[k].share; });
     return order;
   }
 
@@ -347,7 +370,8 @@ private:
     std::vector<Task> pending;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       collect_roots(outcomes[i].roots, tasks[i].cell, m_open);
-      std::move(outcomes[i].multiple_roots.begin(), outcomes[i].multiple_roots.end(), std::back_inserter(m_multiple_roots));
+      std::move(outcomes[i].multiple_roots.begin(), outcomes[i].multiple_roots.end(),
+                std::back_inserter(m_multiple_roots));
       m_looks += outcomes[i].looks;
       m_gains += outcomes[i].gains;
       std::move(outcomes[i].open.begin(), outcomes[i].open.end(), std::back_inserter(m_open));
@@ -357,8 +381,10 @@ private:
     return pending;
   }
 
-  // Roots that were found by tasks that did not know of each other; one that may be another one or not is left open. Returns whether there is none of these.
-  bool collect_roots(std::vector<Found_root<Coordinate>>& found, const Cell& cell, std::vector<Open_box<Coordinate>>& open)
+  // Roots that were found by tasks that did not know of each other; one that may be another one or not is left open.
+  // Returns whether there is none of these.
+  bool collect_roots(std::vector<Found_root<Coordinate>>& found, const Cell& cell,
+                     std::vector<Open_box<Coordinate>>& open)
   {
     bool are_counted = true;
     if (m_roots.roots().empty())

@@ -18,14 +18,16 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A part of the domain of the only unknown where every function is one polynomial. Functions are multiplied by positive constants, the same in all cells.
+A part of the domain of the only unknown where every function is one polynomial. Functions are multiplied by positive
+constants, the same in all cells.
 */
 struct Univariate_cell
 {
   Exact_rational lower, upper;
   std::vector<Integer_polynomial> equalities, inequalities;
 
-  // The polynomial whose roots are those that all equalities have in common, with the smallest multiplicity; zero where all of them are.
+  // The polynomial whose roots are those that all equalities have in common, with the smallest multiplicity; zero where
+  // all of them are.
   Integer_polynomial common_equality() const
   {
     Integer_polynomial result = equalities.front();
@@ -36,7 +38,8 @@ struct Univariate_cell
 };
 
 // The pieces of a function of one unknown, on intervals that each lie in one of its cells.
-inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& function, const std::vector<Exact_rational>& breaks)
+inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& function,
+                                                      const std::vector<Exact_rational>& breaks)
 {
   Big_integer denominator(1);
   for (const Spline_term& term : function.terms())
@@ -63,7 +66,8 @@ inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& fun
   return result;
 }
 
-// The cells of a system in one unknown, from left to right. Breaks where no polynomial changes are none. A domain that is a point is one cell.
+// The cells of a system in one unknown, from left to right. Breaks where no polynomial changes are none. A domain that
+// is a point is one cell.
 inline std::vector<Univariate_cell> univariate_cells(const Constraint_system_d& system)
 {
   const Exact_rational &lower = system.domain(0).first, &upper = system.domain(0).second;
@@ -71,7 +75,8 @@ inline std::vector<Univariate_cell> univariate_cells(const Constraint_system_d& 
   const auto add_breaks = [&](const Spline_function& function) {
     for (const Spline_term& term : function.terms())
       for (const auto& own : term.breaks)
-        std::copy_if(own.begin(), own.end(), std::back_inserter(breaks), [&](const Exact_rational& b) { return lower < b && b < upper; });
+        std::copy_if(own.begin(), own.end(), std::back_inserter(breaks),
+                     [&](const Exact_rational& b) { return lower < b && b < upper; });
   };
   for (const Spline_function& function : system.equalities())
     add_breaks(function);
@@ -97,7 +102,8 @@ inline std::vector<Univariate_cell> univariate_cells(const Constraint_system_d& 
 
   std::vector<Univariate_cell> merged;
   for (Univariate_cell& cell : cells)
-    if (!merged.empty() && merged.back().equalities == cell.equalities && merged.back().inequalities == cell.inequalities)
+    if (!merged.empty() && merged.back().equalities == cell.equalities &&
+        merged.back().inequalities == cell.inequalities)
       merged.back().upper = cell.upper;
     else
       merged.push_back(std::move(cell));

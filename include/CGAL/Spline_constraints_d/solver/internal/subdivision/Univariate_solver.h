@@ -21,9 +21,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-All solutions of a system in one unknown. Cell by cell, the roots in the interior come from `Univariate_walk`, those at its ends from exact division, and the inequalities
-are decided, in exact arithmetic where intervals do not decide them; then the cells are joined, and regions laid between neighbours. So nothing is undecided unless a limit
-is reached.
+All solutions of a system in one unknown. Cell by cell, the roots in the interior come from `Univariate_walk`, those at
+its ends from exact division, and the inequalities are decided, in exact arithmetic where intervals do not decide them;
+then the cells are joined, and regions laid between neighbours. So nothing is undecided unless a limit is reached.
 */
 class Univariate_solver
 {
@@ -33,7 +33,8 @@ class Univariate_solver
   struct Cell_answers
   {
     std::vector<Univariate_answer> inside;
-    Integer_polynomial polynomial;   // the common one of the equalities, without its roots at the ends; zero where all of them are
+    // the common one of the equalities, without its roots at the ends; zero where all of them are
+    Integer_polynomial polynomial;
     int lower_multiplicity = 0, upper_multiplicity = 0;
   };
 
@@ -45,7 +46,8 @@ class Univariate_solver
   std::vector<Univariate_answer> m_answers;   // from left to right
 
 public:
-  Univariate_solver(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
+  Univariate_solver(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+                    Summary& summary)
     : m_system(system), m_start(control.seconds()), m_walk(options, control, summary), m_cells(univariate_cells(system))
   {
     summary.setup_seconds = control.seconds() - m_start;
@@ -108,7 +110,8 @@ private:
     return satisfies_inequalities(cell, point);
   }
 
-  // A cell where all equalities vanish: the roots of the inequalities cut it into parts that are solutions as a whole, or not at all.
+  // A cell where all equalities vanish: the roots of the inequalities cut it into parts that are solutions as a whole,
+  // or not at all.
   std::vector<Univariate_answer> satisfying_parts(const Univariate_cell& cell)
   {
     if (cell.lower == cell.upper)
@@ -129,7 +132,8 @@ private:
     const auto end_of_part = [&](std::size_t i) { return i == cuts.size() ? cell.upper : cuts[i].first.lower(); };
     std::vector<bool> is_part_in, is_cut_in;
     for (std::size_t i = 0; i <= cuts.size(); ++i)
-      is_part_in.push_back(satisfies_inequalities(cell, Exact_rational((begin_of_part(i) + end_of_part(i)) / Exact_rational(2))));
+      is_part_in.push_back(
+          satisfies_inequalities(cell, Exact_rational((begin_of_part(i) + end_of_part(i)) / Exact_rational(2))));
     for (auto& [root, multiplicity] : cuts)
       is_cut_in.push_back(satisfies_inequalities(cell, root));
 
@@ -139,14 +143,16 @@ private:
         const Exact_rational begin = i == 0 ? cell.lower : cuts[i - 1].first.lower();
         while (i < cuts.size() && is_cut_in[i] && is_part_in[i + 1])
           ++i;
-        answers.push_back(interval_answer(Solution_kind::CONTINUUM, begin, i == cuts.size() ? cell.upper : cuts[i].first.upper()));
+        answers.push_back(
+            interval_answer(Solution_kind::CONTINUUM, begin, i == cuts.size() ? cell.upper : cuts[i].first.upper()));
       } else if (i < cuts.size() && is_cut_in[i] && !is_part_in[i + 1])
         answers.push_back({Solution_kind::CLUSTER, Undecided_reason::NONE, 0, cuts[i].first});
     }
     return answers;
   }
 
-  // Puts the answers of the cells and those at their ends one after the other. Continua, and undecided intervals, that meet become one.
+  // Puts the answers of the cells and those at their ends one after the other. Continua, and undecided intervals, that
+  // meet become one.
   void join()
   {
     const bool is_point = m_cells.front().lower == m_cells.front().upper;
@@ -159,20 +165,26 @@ private:
     }
   }
 
-  // The point between the cells i - 1 and i, or at an end of the domain. Where a continuum begins or ends it adds nothing but that two of them are one.
+  // The point between the cells i - 1 and i, or at an end of the domain. Where a continuum begins or ends it adds
+  // nothing but that two of them are one.
   void add_end(const Exact_rational& x, std::size_t i)
   {
     const bool has_left = i > 0, has_right = i < m_cells.size();
-    const auto vanishes = [](const Cell_answers& found, int multiplicity) { return found.polynomial.is_zero() || multiplicity > 0; };
-    if ((has_left && !vanishes(m_found[i - 1], m_found[i - 1].upper_multiplicity)) || (has_right && !vanishes(m_found[i], m_found[i].lower_multiplicity)))
+    const auto vanishes = [](const Cell_answers& found, int multiplicity) {
+      return found.polynomial.is_zero() || multiplicity > 0;
+    };
+    if ((has_left && !vanishes(m_found[i - 1], m_found[i - 1].upper_multiplicity)) ||
+        (has_right && !vanishes(m_found[i], m_found[i].lower_multiplicity)))
       return;
     const bool is_solution = satisfies_inequalities(m_cells[has_right ? i : i - 1], x);
-    const bool ends_continuum = has_left && !m_answers.empty() && m_answers.back().kind == Solution_kind::CONTINUUM && m_answers.back().end() == x;
-    const bool begins_continuum =
-      has_right && !m_found[i].inside.empty() && m_found[i].inside.front().kind == Solution_kind::CONTINUUM && m_found[i].inside.front().begin() == x;
+    const bool ends_continuum = has_left && !m_answers.empty() && m_answers.back().kind == Solution_kind::CONTINUUM &&
+        m_answers.back().end() == x;
+    const bool begins_continuum = has_right && !m_found[i].inside.empty() &&
+        m_found[i].inside.front().kind == Solution_kind::CONTINUUM && m_found[i].inside.front().begin() == x;
     if (ends_continuum || begins_continuum) {
       if (ends_continuum && begins_continuum && is_solution) {
-        m_found[i].inside.front() = interval_answer(Solution_kind::CONTINUUM, m_answers.back().begin(), m_found[i].inside.front().end());
+        m_found[i].inside.front() =
+            interval_answer(Solution_kind::CONTINUUM, m_answers.back().begin(), m_found[i].inside.front().end());
         m_answers.pop_back();
       }
       return;
@@ -201,16 +213,18 @@ private:
 
   void add(Univariate_answer answer)
   {
-    if (!m_answers.empty() && answer.kind == Solution_kind::UNDECIDED && m_answers.back().kind == Solution_kind::UNDECIDED &&
-        m_answers.back().end() == answer.begin())
-      m_answers.back() = interval_answer(Solution_kind::UNDECIDED, m_answers.back().begin(), answer.end(), answer.reason);
+    if (!m_answers.empty() && answer.kind == Solution_kind::UNDECIDED &&
+        m_answers.back().kind == Solution_kind::UNDECIDED && m_answers.back().end() == answer.begin())
+      m_answers.back() =
+          interval_answer(Solution_kind::UNDECIDED, m_answers.back().begin(), answer.end(), answer.reason);
     else
       m_answers.push_back(std::move(answer));
   }
 
   Solution reported(std::size_t i) const { return m_answers[i].exact ? exact_solution(i) : double_solution(i); }
 
-  // The region of a root ends half way to the next answers, of those that do not satisfy the inequalities too; at the ends of the domain, or beyond them if it lies there.
+  // The region of a root ends half way to the next answers, of those that do not satisfy the inequalities too; at the
+  // ends of the domain, or beyond them if it lies there.
   Solution double_solution(std::size_t i) const
   {
     const Univariate_answer& answer = m_answers[i];
@@ -222,7 +236,8 @@ private:
     if (i + 1 < m_answers.size())
       end = middle(end, answer.upper);
     const Solution::Box region{{(std::min)(begin, answer.lower), (std::max)(end, answer.upper)}};
-    return Solution(answer.kind, {{answer.lower, answer.upper}}, region, Number_traits<double>::name, answer.reason, answer.multiplicity);
+    return Solution(answer.kind, {{answer.lower, answer.upper}}, region, Number_traits<double>::name, answer.reason,
+                    answer.multiplicity);
   }
 
   Solution exact_solution(std::size_t i) const
@@ -233,24 +248,38 @@ private:
     Fine::Box region;
     if (answer.kind == Solution_kind::CERTIFIED) {
       const auto [first, last] = m_system.domain(0);
-      const Exact_rational lower = i > 0 ? Exact_rational((m_answers[i - 1].end() + begin) / two) : first < begin ? first : beyond(begin, m_found.front().polynomial, -1);
+      const Exact_rational lower = i > 0 ? Exact_rational((m_answers[i - 1].end() + begin) / two)
+          : first < begin                ? first
+                                         : beyond(begin, m_found.front().polynomial, -1);
       const bool has_right = i + 1 < m_answers.size();
-      const Exact_rational upper = has_right ? Exact_rational((m_answers[i + 1].begin() + end) / two) : end < last ? last : beyond(end, m_found.back().polynomial, 1);
+      const Exact_rational upper = has_right ? Exact_rational((m_answers[i + 1].begin() + end) / two)
+          : end < last                       ? last
+                                             : beyond(end, m_found.back().polynomial, 1);
       region.emplace_back(lower, upper);
     }
     if (answer.kind == Solution_kind::CLUSTER) {   // within the domain
       const auto [first, last] = m_system.domain(0);
-      const Exact_rational lower = i > 0 ? Exact_rational((m_answers[i - 1].end() + begin) / two) : (std::min)(first, begin);
-      const Exact_rational upper = i + 1 < m_answers.size() ? Exact_rational((m_answers[i + 1].begin() + end) / two) : (std::max)(last, end);
+      const Exact_rational lower =
+          i > 0 ? Exact_rational((m_answers[i - 1].end() + begin) / two) : (std::min)(first, begin);
+      const Exact_rational upper =
+          i + 1 < m_answers.size() ? Exact_rational((m_answers[i + 1].begin() + end) / two) : (std::max)(last, end);
       region.emplace_back(lower, upper);
     }
     if (answer.kind == Solution_kind::CONTINUUM)
       return Solution(answer.kind, 1, {{{begin, end}}}, {});
-    return Solution(Fine(answer.kind, {{begin, end}}, region, Number_traits<Exact_rational>::name, answer.reason, answer.multiplicity), 0);
+    return Solution(Fine(answer.kind, {{begin, end}}, region, Number_traits<Exact_rational>::name, answer.reason,
+                         answer.multiplicity),
+                    0);
   }
 
-  static double lower_end(const Univariate_answer& answer) { return answer.exact ? to_double_interval(answer.exact->lower()).first : answer.lower; }
-  static double upper_end(const Univariate_answer& answer) { return answer.exact ? to_double_interval(answer.exact->upper()).second : answer.upper; }
+  static double lower_end(const Univariate_answer& answer)
+  {
+    return answer.exact ? to_double_interval(answer.exact->lower()).first : answer.lower;
+  }
+  static double upper_end(const Univariate_answer& answer)
+  {
+    return answer.exact ? to_double_interval(answer.exact->upper()).second : answer.upper;
+  }
 
   // Between the end of another answer, which is not given, and that of this one.
   static double middle(double other, double own)
@@ -263,9 +292,14 @@ private:
   Exact_rational beyond(const Exact_rational& end, const Integer_polynomial& polynomial, int direction) const
   {
     const Exact_rational domain = m_system.domain(0).second - m_system.domain(0).first;
-    for (Exact_rational reach = direction * (domain == Exact_rational(0) ? Exact_rational(1) : domain) / Exact_rational(4);; reach /= Exact_rational(16)) {
-      const auto dyadic_near = [&](const Exact_rational& a, const Exact_rational& b) { return simple_dyadic_between((std::min)(a, b), (std::max)(a, b)); };
-      const Exact_rational far = dyadic_near(end + reach / Exact_rational(2), end + reach), near = dyadic_near(end, end - reach / Exact_rational(8));
+    for (Exact_rational reach =
+             direction * (domain == Exact_rational(0) ? Exact_rational(1) : domain) / Exact_rational(4);
+         ; reach /= Exact_rational(16)) {
+      const auto dyadic_near = [&](const Exact_rational& a, const Exact_rational& b) {
+        return simple_dyadic_between((std::min)(a, b), (std::max)(a, b));
+      };
+      const Exact_rational far = dyadic_near(end + reach / Exact_rational(2), end + reach),
+                           near = dyadic_near(end, end - reach / Exact_rational(8));
       const std::vector<Big_integer> values = polynomial.bernstein((std::min)(far, near), (std::max)(far, near)).values;
       if (sign_variations(values) == 0 && values.front() != 0 && values.back() != 0)
         return far;

@@ -40,15 +40,17 @@ struct Univariate_answer
   Exact_rational end() const { return exact ? exact->upper() : Exact_rational(upper); }
 };
 
-inline Univariate_answer interval_answer(Solution_kind kind, const Exact_rational& lower, const Exact_rational& upper, Undecided_reason reason = Undecided_reason::NONE)
+inline Univariate_answer interval_answer(Solution_kind kind, const Exact_rational& lower, const Exact_rational& upper,
+                                         Undecided_reason reason = Undecided_reason::NONE)
 {
   return {kind, reason, 0, Exact_root(nullptr, lower, upper, CGAL::ZERO)};
 }
 
 /*
-Finds the roots of a polynomial in an open interval, at whose ends it does not vanish, by Descartes' rule on Bernstein coefficients in double. Intervals are cut where the
-polynomial has a certain sign, so each root lies in the interior of one of them. An interval that cannot be cut any more, as around a multiple root, goes to the
-square-free factors and exact arithmetic.
+Finds the roots of a polynomial in an open interval, at whose ends it does not vanish, by Descartes' rule on Bernstein
+coefficients in double. Intervals are cut where the polynomial has a certain sign, so each root lies in the interior of
+one of them. An interval that cannot be cut any more, as around a multiple root, goes to the square-free factors and
+exact arithmetic.
 */
 class Univariate_walk
 {
@@ -61,7 +63,8 @@ class Univariate_walk
   Exact_rational m_lower, m_upper;                 // the interval
   double m_inner_lower = 0, m_inner_upper = 0;     // doubles in it, next to its ends
   double m_width = 0, m_share = 0;                 // its width, and its part of the domain
-  std::vector<std::pair<std::shared_ptr<const Integer_polynomial>, int>> m_factors;   // square-free, with their exponents; made when they are needed
+  // square-free, with their exponents; made when they are needed
+  std::vector<std::pair<std::shared_ptr<const Integer_polynomial>, int>> m_factors;
   std::vector<Bernstein_interval> m_stack;         // the nodes beyond the size keep their memory
   std::size_t m_size = 0;
   std::vector<double> m_work;
@@ -69,10 +72,13 @@ class Univariate_walk
   std::vector<Univariate_answer> m_answers;
 
 public:
-  Univariate_walk(const Solver_options& options, Run_control& control, Summary& summary) : m_options(options), m_control(control), m_summary(summary) {}
+  Univariate_walk(const Solver_options& options, Run_control& control, Summary& summary)
+    : m_options(options), m_control(control), m_summary(summary)
+  {}
 
   // The answers from left to right. `share` is what this interval is of the domain.
-  std::vector<Univariate_answer> run(Integer_polynomial polynomial, const Exact_rational& lower, const Exact_rational& upper, double share)
+  std::vector<Univariate_answer> run(Integer_polynomial polynomial, const Exact_rational& lower,
+                                     const Exact_rational& upper, double share)
   {
     m_answers.clear();
     if (polynomial.degree() < 1 || lower == upper)
@@ -101,12 +107,15 @@ public:
     return std::exchange(m_answers, {});
   }
 
-  // All roots of a polynomial in the open interval, each with its multiplicity, in exact arithmetic; none if a limit is reached.
-  std::vector<std::pair<Exact_root, int>> exact_roots(Integer_polynomial polynomial, const Exact_rational& lower, const Exact_rational& upper)
+  // All roots of a polynomial in the open interval, each with its multiplicity, in exact arithmetic; none if a limit is
+  // reached.
+  std::vector<std::pair<Exact_root, int>> exact_roots(Integer_polynomial polynomial, const Exact_rational& lower,
+                                                      const Exact_rational& upper)
   {
     start(std::move(polynomial), lower, upper, 0);
     m_size = 0;
-    std::vector<std::pair<Exact_root, int>> roots = exact_roots_between(Exact_rational(m_stack[0].lower), Exact_rational(m_stack[0].upper));
+    std::vector<std::pair<Exact_root, int>> roots =
+        exact_roots_between(Exact_rational(m_stack[0].lower), Exact_rational(m_stack[0].upper));
     std::erase_if(roots, [&](auto& root) { return !clip(root.first); });
     m_answers.clear();
     return roots;
@@ -115,7 +124,9 @@ public:
   // The root of an answer of the last run.
   Exact_root exact_root(const Univariate_answer& answer) const
   {
-    return answer.exact ? *answer.exact : Exact_root(m_polynomial, Exact_rational(answer.lower), Exact_rational(answer.upper), answer.lower_sign);
+    return answer.exact
+        ? *answer.exact
+        : Exact_root(m_polynomial, Exact_rational(answer.lower), Exact_rational(answer.upper), answer.lower_sign);
   }
 
   // A limit was reached. Nodes of high degree take long beside a look at the clock.
@@ -125,7 +136,10 @@ public:
     return m_control.must_stop(is_asked) || (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
   }
 
-  Undecided_reason reason() const { return m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason(); }
+  Undecided_reason reason() const
+  {
+    return m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason();
+  }
 
 private:
   // The first node: the interval, with ends rounded outwards, and further if the polynomial vanishes there.
@@ -176,7 +190,8 @@ private:
     return node.upper / 2 - node.lower / 2 <= (std::max)(0x1p-50 * most, 0x1p-60 * m_width);
   }
 
-  // Cuts the node on top of the stack where the polynomial does not vanish: near the middle, and the first time beside it, where roots like to be. The part below is on top then.
+  // Cuts the node on top of the stack where the polynomial does not vanish: near the middle, and the first time beside
+  // it, where roots like to be. The part below is on top then.
   bool split()
   {
     if (m_size == m_stack.size())
@@ -228,7 +243,13 @@ private:
   void report_simple_root(const Bernstein_interval& node)
   {
     const auto [lower, upper] = refined(node);
-    Univariate_answer answer{Solution_kind::CERTIFIED, Undecided_reason::NONE, 1, std::nullopt, lower, upper, static_cast<CGAL::Sign>(node.lower_sign)};
+    Univariate_answer answer{Solution_kind::CERTIFIED,
+                             Undecided_reason::NONE,
+                             1,
+                             std::nullopt,
+                             lower,
+                             upper,
+                             static_cast<CGAL::Sign>(node.lower_sign)};
     if (m_inner_lower < lower && upper < m_inner_upper)
       m_answers.push_back(std::move(answer));
     else if (Exact_root root = exact_root(answer); clip(root)) {
@@ -248,8 +269,9 @@ private:
   }
 
   /*
-  The only root of a node, between doubles a few units of the last place apart at which the polynomial has different signs, exactly; or the double that it is. Newton's
-  method with exact residuals, and points on both sides of where it leads to; where that does not halve the interval, it is cut in the middle.
+  The only root of a node, between doubles a few units of the last place apart at which the polynomial has different
+  signs, exactly; or the double that it is. Newton's method with exact residuals, and points on both sides of where it
+  leads to; where that does not halve the interval, it is cut in the middle.
   */
   std::pair<double, double> refined(const Bernstein_interval& node)
   {
@@ -285,7 +307,8 @@ private:
         return {lower, upper};
       look_at(is_inside(guess) ? guess : middle);
       guess -= step;
-      const double room = (std::max)(1.25 * resolution(guess), 0x1p-10 * std::abs(step)), first = guess - room, second = guess + room;
+      const double room = (std::max)(1.25 * resolution(guess), 0x1p-10 * std::abs(step)), first = guess - room,
+                   second = guess + room;
       for (const double x : {first, second})
         if (!root && is_inside(x))
           look_at(x);
@@ -302,7 +325,8 @@ private:
         m_answers.push_back({kind, Undecided_reason::NONE, exponent, std::move(root)});
   }
 
-  // The roots between two dyadic points where the polynomial does not vanish, from left to right, with their multiplicities.
+  // The roots between two dyadic points where the polynomial does not vanish, from left to right, with their
+  // multiplicities.
   std::vector<std::pair<Exact_root, int>> exact_roots_between(const Exact_rational& lower, const Exact_rational& upper)
   {
     if (m_factors.empty())
@@ -316,7 +340,8 @@ private:
     };
     const std::size_t answers = m_answers.size();
     for (const auto& [factor, exponent] : m_factors)
-      for (Exact_root& root : isolate_roots(factor, lower, upper, is_stopped, [&](const auto& a, const auto& b) { add_open(a, b); }))
+      for (Exact_root& root :
+           isolate_roots(factor, lower, upper, is_stopped, [&](const auto&a, const auto&b) { add_open(a, b); }))
         roots.emplace_back(std::move(root), exponent);
     if (m_answers.size() > answers) {   // stopped: what was found may lie in what was not looked at
       m_answers.erase(m_answers.begin() + static_cast<std::ptrdiff_t>(answers), m_answers.end());

@@ -35,7 +35,8 @@ class Sign_on_boxes
 
 public:
   Sign_on_boxes(const Power_polynomial& polynomial, const Exact_box& domain)
-    : m_system(system_of(polynomial, domain)), m_layout(m_system), m_source(m_system, m_layout), m_view(m_layout), m_coefficients(m_layout.size), m_errors(m_layout.errors)
+    : m_system(system_of(polynomial, domain)), m_layout(m_system), m_source(m_system, m_layout), m_view(m_layout),
+      m_coefficients(m_layout.size), m_errors(m_layout.errors)
   {}
 
   template <class Coordinate>
@@ -43,12 +44,14 @@ public:
   {
     std::vector<Exact_rational> lower, upper;
     for (const auto& [begin, end] : box) {
-      const auto range = dyadic_hull<Exact_rational>(Exact_rational(begin), Exact_rational(end), 1000);   // of some width
+      // of some width
+      const auto range = dyadic_hull<Exact_rational>(Exact_rational(begin), Exact_rational(end), 1000);
       lower.push_back(range.first);
       upper.push_back(range.second);
     }
-    m_source.bernstein_coefficients(Cell(box.size(), 0), std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper),
-                                    m_coefficients.data(), m_errors.data(), m_scale);
+    m_source.bernstein_coefficients(Cell(box.size(), 0), std::span<const Exact_rational>(lower),
+                                    std::span<const Exact_rational>(upper), m_coefficients.data(), m_errors.data(),
+                                    m_scale);
     m_view.reset(m_coefficients.data(), m_errors.data());
     return is_certainly_violated(Relation::EQUAL, m_view.lower(0), m_view.upper(0));
   }
@@ -77,8 +80,8 @@ all_solutions(const Constraint_system_d& system, const Solver_options& options, 
 }
 
 /*
-The parts of an answer: regular roots; what doubles leave open, through the precision ladder; and, for cells where the equalities f = h g have a common factor h, the zeros of h and the
-solutions of g = 0 off them.
+The parts of an answer: regular roots; what doubles leave open, through the precision ladder; and, for cells where the
+equalities f = h g have a common factor h, the zeros of h and the solutions of g = 0 off them.
 */
 template <class Traits, class Concurrency_tag>
 class All_solutions
@@ -97,8 +100,10 @@ class All_solutions
   std::vector<Solution> m_solutions;
 
 public:
-  All_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
-    : m_system(system), m_options(options), m_control(control), m_summary(summary), m_layout(system), m_walk(system, m_layout, options, control)
+  All_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+                Summary& summary)
+    : m_system(system), m_options(options), m_control(control), m_summary(summary), m_layout(system),
+      m_walk(system, m_layout, options, control)
   {
     summary.setup_seconds = control.seconds() - m_start;
     m_walk.run();
@@ -126,7 +131,8 @@ private:
             box.push_back(to_double_interval(x));
           else
             box.emplace_back(x, x);
-        m_solutions.emplace_back(Solution_kind::CLUSTER, std::move(box), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, root.multiplicity);
+        m_solutions.emplace_back(Solution_kind::CLUSTER, std::move(box), typename Solution::Box(),
+                                 Number_traits<NT>::name, Undecided_reason::NONE, root.multiplicity);
       }
   }
 
@@ -152,7 +158,9 @@ private:
       if (is_tiny(box))
         open.push_back(exact_box(box));
     join(curves, open);
-    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return is_tiny(box) && std::find(open.begin(), open.end(), exact_box(box)) == open.end(); });
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) {
+      return is_tiny(box) && std::find(open.begin(), open.end(), exact_box(box)) == open.end();
+    });
     for (Continuum& curve : curves)
       m_solutions.emplace_back(Solution_kind::UNDECIDED, 1, std::move(curve.cover), std::move(curve.ends));
   }
@@ -169,15 +177,18 @@ private:
         for (std::size_t j = 0; j < box.size(); ++j) {
           const auto& [lower, upper] = m_system.domain(static_cast<int>(j));
           const Exact_rational margin = Exact_rational(share) * (upper - lower);
-          region.emplace_back((std::min)(box[j].first, Exact_rational((std::max)(lower, Exact_rational(box[j].first - margin)))),
-                              (std::max)(box[j].second, Exact_rational((std::min)(upper, Exact_rational(box[j].second + margin)))));
+          region.emplace_back(
+              (std::min)(box[j].first, Exact_rational((std::max)(lower, Exact_rational(box[j].first - margin)))),
+              (std::max)(box[j].second, Exact_rational((std::min)(upper, Exact_rational(box[j].second + margin)))));
         }
         return region;
       };
       const auto is_free = [&](const Exact_box& region) {
         return std::none_of(m_solutions.begin(), m_solutions.end(), [&](const Solution& other) {
-          return &other != &cluster && (other.cover().empty() ? boxes_touch(region, other.exact_box())
-                                                              : std::any_of(other.cover().begin(), other.cover().end(), [&](const Exact_box& part) { return boxes_touch(region, part); }));
+          return &other != &cluster &&
+              (other.cover().empty() ? boxes_touch(region, other.exact_box())
+                                     : std::any_of(other.cover().begin(), other.cover().end(),
+                                                   [&](const Exact_box& part) { return boxes_touch(region, part); }));
         });
       };
       double share = 1;
@@ -205,9 +216,10 @@ private:
 
   void report_open_boxes()
   {
-    std::erase_if(m_walk.open_boxes(), [&](const auto& box) {   // whose only root is known
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { // whose only root is known
       return m_walk.roots().is_covered(make_box(box.lower, box.upper)) ||
-             std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(), [&](const Multiple_root& root) { return root.covers(box.lower, box.upper); });
+          std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(),
+                      [&](const Multiple_root& root) { return root.covers(box.lower, box.upper); });
     });
     if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
       Precision_ladder ladder(m_system, m_layout, m_walk.source(), m_walk.roots(), m_options, m_control, m_summary);
@@ -232,9 +244,12 @@ private:
     }
     join(continua, open);
     std::erase_if(open, [&](const Exact_box& box) { return is_point_of(continua, box); });
-    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return box.reason == Undecided_reason::TOLERANCE && holds_only(continua, exact_box(box)); });
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) {
+      return box.reason == Undecided_reason::TOLERANCE && holds_only(continua, exact_box(box));
+    });
     for (Continuum& continuum : continua)
-      m_solutions.emplace_back(Solution_kind::CONTINUUM, continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
+      m_solutions.emplace_back(Solution_kind::CONTINUUM, continuum.dimension, std::move(continuum.cover),
+                               std::move(continuum.ends));
     std::vector<Open_box<Coordinate>> boxes;
     for (const Exact_box& box : open)
       boxes.push_back(open_box(box));
@@ -252,11 +267,13 @@ private:
         return false;
       point.push_back(lower);
     }
-    return std::any_of(continua.begin(), continua.end(), [&](const Continuum& continuum) { return holds(continuum, point); });
+    return std::any_of(continua.begin(), continua.end(),
+                       [&](const Continuum& continuum) { return holds(continuum, point); });
   }
 
-  // All solutions in a box are points of continua: in each cell that it meets, they belong to what is reported of a common factor, or are one corner that lies on a continuum. Where two cells of a
-  // spline touch at a point of the continuum that ends one box and begins another, there is no more.
+  // All solutions in a box are points of continua: in each cell that it meets, they belong to what is reported of a
+  // common factor, or are one corner that lies on a continuum. Where two cells of a spline touch at a point of the
+  // continuum that ends one box and begins another, there is no more.
   bool holds_only(const std::vector<Continuum>& continua, const Exact_box& box)
   {
     if (continua.empty())
@@ -267,17 +284,21 @@ private:
       upper.push_back((std::min)(box[j].second, m_system.domain(static_cast<int>(j)).second));
     }
     bool is_proved = true;
-    m_walk.source().visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
-      if (!is_proved || m_walk.is_common(cell))
-        return;
-      Exact_box part;
-      for (int j = 0; j < m_system.dimension(); ++j) {
-        const auto& breaks = m_walk.source().breaks(j);
-        part.emplace_back(breaks.size() > 2 ? (std::max)(lower[j], breaks[cell[j]]) : lower[j], breaks.size() > 2 ? (std::min)(upper[j], breaks[cell[j] + 1]) : upper[j]);
-      }
-      const auto corner = only_corner_zero(m_system, part);
-      is_proved = corner && (corner->empty() || std::any_of(continua.begin(), continua.end(), [&](const Continuum& c) { return holds(c, *corner); }));
-    });
+    m_walk.source().visit_cells(
+        std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
+          if (!is_proved || m_walk.is_common(cell))
+            return;
+          Exact_box part;
+          for (int j = 0; j < m_system.dimension(); ++j) {
+            const auto& breaks = m_walk.source().breaks(j);
+            part.emplace_back(breaks.size() > 2 ? (std::max)(lower[j], breaks[cell[j]]) : lower[j],
+                              breaks.size() > 2 ? (std::min)(upper[j], breaks[cell[j] + 1]) : upper[j]);
+          }
+          const auto corner = only_corner_zero(m_system, part);
+          is_proved = corner &&
+              (corner->empty() ||
+               std::any_of(continua.begin(), continua.end(), [&](const Continuum& c) { return holds(c, *corner); }));
+        });
     return is_proved;
   }
 
@@ -286,7 +307,8 @@ private:
   {
     Solver_options options = m_options;
     if (options.node_limit > 0)
-      options.node_limit = (std::max)(options.node_limit - (std::min)(m_summary.nodes, options.node_limit), std::size_t(1));
+      options.node_limit =
+          (std::max)(options.node_limit - (std::min)(m_summary.nodes, options.node_limit), std::size_t(1));
     Summary summary;
     auto result = all_solutions<Traits, Concurrency_tag>(part, options, m_control, summary);
     m_summary += summary;
@@ -312,7 +334,8 @@ private:
         report_beside(cofactors, cell, factor, solution);
   }
 
-  void report_beside(const Constraint_system_d& cofactors, const Common_cell& cell, Sign_on_boxes& factor, Solution& solution)
+  void report_beside(const Constraint_system_d& cofactors, const Common_cell& cell, Sign_on_boxes& factor,
+                     Solution& solution)
   {
     if (solution.kind() == Solution_kind::UNDECIDED) {
       m_solutions.push_back(std::move(solution));
@@ -344,7 +367,8 @@ private:
   {
     if (solution.kind() == Solution_kind::CLUSTER) {
       const Open_box<Coordinate> box = open_box(solution.exact_box());
-      return std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(), [&](const Multiple_root& known) { return known.covers(box.lower, box.upper); });
+      return std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(),
+                         [&](const Multiple_root& known) { return known.covers(box.lower, box.upper); });
     }
     if (!solution.is_certified())
       return false;
@@ -355,7 +379,8 @@ private:
   static bool touches_break(const Common_cell& cell, const Exact_box& box)
   {
     for (std::size_t j = 0; j < box.size(); ++j)
-      if ((cell.is_break[2 * j] && box[j].first <= cell.box[j].first) || (cell.is_break[2 * j + 1] && cell.box[j].second <= box[j].second))
+      if ((cell.is_break[2 * j] && box[j].first <= cell.box[j].first) ||
+          (cell.is_break[2 * j + 1] && cell.box[j].second <= box[j].second))
         return true;
     return false;
   }

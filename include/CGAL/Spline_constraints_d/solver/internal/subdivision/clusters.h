@@ -107,8 +107,8 @@ std::vector<Exact_rational> rational_solution_in(const Constraint_system_d& syst
   return satisfies(system, point) ? point : std::vector<Exact_rational>();
 }
 
-// A solution in a small box, in the interior of the domain, with some rational coordinates, if that can be proved. Chance puts a rational of about log2(1/width) bits into any range: only
-// clearly shorter ones are tried.
+// A solution in a small box, in the interior of the domain, with some rational coordinates, if that can be proved.
+// Chance puts a rational of about log2(1/width) bits into any range: only clearly shorter ones are tried.
 template <class Coordinate>
 Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& system, const Open_box<Coordinate>& box)
 {
@@ -118,20 +118,24 @@ Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& 
   double width = 0;
   for (std::size_t j = 0; j < box.lower.size(); ++j) {
     const Exact_rational lower(box.lower[j]), upper(box.upper[j]), margin(upper - lower);
-    if (lower - margin < system.domain(static_cast<int>(j)).first || system.domain(static_cast<int>(j)).second < upper + margin)
+    if (lower - margin < system.domain(static_cast<int>(j)).first ||
+        system.domain(static_cast<int>(j)).second < upper + margin)
       return none;
     width = (std::max)(width, CGAL::to_double(margin));
   }
-  const std::vector<Exact_rational> lower(box.lower.begin(), box.lower.end()), upper(box.upper.begin(), box.upper.end());
+  const std::vector<Exact_rational> lower(box.lower.begin(), box.lower.end()),
+      upper(box.upper.begin(), box.upper.end());
   return partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
 }
 
 /*
-What an open box is, after those that meet have become one. Everything around such a group was proved empty, so when it is small and provably holds a root, all or some of
-whose coordinates are rational, it is a cluster; the rest stays undecided. `is_zero_of_factor`: of a common factor of the equalities; there it has no multiplicity.
+What an open box is, after those that meet have become one. Everything around such a group was proved empty, so when it
+is small and provably holds a root, all or some of whose coordinates are rational, it is a cluster; the rest stays
+undecided. `is_zero_of_factor`: of a common factor of the equalities; there it has no multiplicity.
 */
 template <class NT, class Coordinate>
-Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_box<Coordinate>& box, bool is_zero_of_factor = false)
+Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_box<Coordinate>& box,
+                                  bool is_zero_of_factor = false)
 {
   Solution_kind kind = Solution_kind::UNDECIDED;
   Undecided_reason reason = box.reason;

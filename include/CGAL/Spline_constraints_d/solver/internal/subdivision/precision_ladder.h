@@ -25,11 +25,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The boxes that doubles leave open climb: they are subdivided again with 128, 256, ... bits and rational corners, from the exact functions. Only they do; what is decided
-on the way is reported with the precision that decided it, what is left at the end with boxes of that precision.
+The boxes that doubles leave open climb: they are subdivided again with 128, 256, ... bits and rational corners, from
+the exact functions. Only they do; what is decided on the way is reported with the precision that decided it, what is
+left at the end with boxes of that precision.
 
-There is no rung of intervals of doubles between: a double node that is rebuilt from the exact functions, and looked at through C f formed exactly, is as sharp, and ends at
-the same coordinates. Nor one of rationals above: positions on boundaries and multiplicities are decided in exact arithmetic on every rung.
+There is no rung of intervals of doubles between: a double node that is rebuilt from the exact functions, and looked at
+through C f formed exactly, is as sharp, and ends at the same coordinates. Nor one of rationals above: positions on
+boundaries and multiplicities are decided in exact arithmetic on every rung.
 */
 class Precision_ladder
 {
@@ -53,27 +55,33 @@ class Precision_ladder
   static constexpr std::size_t m_most_failures = 8;
 
 public:
-  Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Found_roots<double>& known,
-                   const Solver_options& options, Run_control& control, Summary& summary)
-    : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_control(control), m_summary(summary),
-      m_node_limit(summary.nodes + m_budget)
+  Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source,
+                   const Found_roots<double>& known, const Solver_options& options, Run_control& control,
+                   Summary& summary)
+    : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_control(control),
+      m_summary(summary), m_node_limit(summary.nodes + m_budget)
   {
     if (options.node_limit > 0)
       m_node_limit = (std::min)(m_node_limit, options.node_limit);
   }
 
-  // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
-  // that is not regular, not when the box is large or a limit was reached, and not when roots are too close for it.
+  // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more
+  // precision may tell more: not where a solution is known that is not regular, not when the box is large or a limit
+  // was reached, and not when roots are too close for it.
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
     const Exact_box ranges = exact_box(box);
-    if (std::any_of(m_multiple_roots.begin(), m_multiple_roots.end(), [&](const Multiple_root_search& known) { return known.covers(ranges); }))
+    if (std::any_of(m_multiple_roots.begin(), m_multiple_roots.end(),
+                    [&](const Multiple_root_search& known) { return known.covers(ranges); }))
       return;
-    const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
+    const bool is_regular =
+        answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
     bool may_climb = is_regular || is_open;
     if (is_open && m_options.ladder_precision > 0) {
-      Multiple_root_search search = search_multiple_root(m_system, ranges, m_failures < m_most_failures ? Multiple_root_search::most_multiplicity : 2, [&] { return m_control.must_stop(true); });
+      Multiple_root_search search = search_multiple_root(
+          m_system, ranges, m_failures < m_most_failures ? Multiple_root_search::most_multiplicity : 2,
+          [&] { return m_control.must_stop(true); });
       if (report_multiple_root(search, solutions))
         return;
       m_failures += search.root ? 0 : 1;
@@ -94,13 +102,16 @@ private:
     return result;
   }
 
-  // One sign is missing to tell a double root from two roots and from none, and more bits than the ladder has on both sides did not tell it: the distance of two roots is about the root of that value.
+  // One sign is missing to tell a double root from two roots and from none, and more bits than the ladder has on both
+  // sides did not tell it: the distance of two roots is about the root of that value.
   bool is_beyond_reach(const Multiple_root_search& search) const
   {
-    return search.outcome == Multiple_root_search::NOTHING_PROVED && search.root && search.root->bits_of_width() >= 2 * m_options.ladder_precision;
+    return search.outcome == Multiple_root_search::NOTHING_PROVED && search.root &&
+        search.root->bits_of_width() >= 2 * m_options.ladder_precision;
   }
 
-  // Whether the box is decided: it holds a multiple root, perhaps an irrational one, or two close to each other, or nothing.
+  // Whether the box is decided: it holds a multiple root, perhaps an irrational one, or two close to each other, or
+  // nothing.
   bool report_multiple_root(Multiple_root_search& search, std::vector<Solution_d<double>>& solutions)
   {
     std::vector<Algebraic_root> roots;
@@ -111,29 +122,44 @@ private:
     std::vector<Position> positions;
     for (Algebraic_root& root : roots)
       positions.push_back(algebraic_position(m_system, root));
-    const auto is_decided = [](Position position) { return position == Position::INSIDE || position == Position::OUTSIDE; };
-    if ((roots.empty() && search.outcome != Multiple_root_search::NO_ROOT) || !std::all_of(positions.begin(), positions.end(), is_decided))
+    const auto is_decided = [](Position position) {
+      return position == Position::INSIDE || position == Position::OUTSIDE;
+    };
+    if ((roots.empty() && search.outcome != Multiple_root_search::NO_ROOT) ||
+        !std::all_of(positions.begin(), positions.end(), is_decided))
       return false;   // more precision may tell
     const int multiplicity = search.outcome == Multiple_root_search::MULTIPLE_ROOT ? search.multiplicity : 1;
-    const auto is_in_region = [&](const Solution_d<double>& known) { return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box()); };
+    const auto is_in_region = [&](const Solution_d<double>& known) {
+      return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box());
+    };
     for (std::size_t i = 0; i < roots.size(); ++i)
-      if (positions[i] == Position::INSIDE && (multiplicity > 1 ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(found(roots[i]))))
+      if (positions[i] == Position::INSIDE &&
+          (multiplicity > 1 ? std::none_of(solutions.begin(), solutions.end(), is_in_region)
+                            : !is_known(found(roots[i]))))
         report(roots[i], multiplicity, solutions);
     m_multiple_roots.push_back(std::move(search));
     return true;
   }
 
-  static Found_root<Exact_rational> found(const Algebraic_root& root) { return {root.box(), root.region(), Position::INSIDE}; }
+  static Found_root<Exact_rational> found(const Algebraic_root& root)
+  {
+    return {root.box(), root.region(), Position::INSIDE};
+  }
 
   void report(Algebraic_root& root, int multiplicity, std::vector<Solution_d<double>>& solutions)
   {
-    const int bits = root.bits_of_width() < Algebraic_root::bits_of_point ? static_cast<int>((std::max)(root.bits_of_width(), 128L)) : 128;
+    const int bits = root.bits_of_width() < Algebraic_root::bits_of_point
+        ? static_cast<int>((std::max)(root.bits_of_width(), 128L))
+        : 128;
     root.refine(bits);
     const bool is_regular = multiplicity == 1;
     if (is_regular)
       m_climbed.push_back(found(root));
     const Solution_kind kind = is_regular ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER;
-    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_regular ? root.region() : Exact_box(), Number_traits<Number>::name, Undecided_reason::NONE, multiplicity), bits);
+    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_regular ? root.region() : Exact_box(),
+                                                      Number_traits<Number>::name, Undecided_reason::NONE,
+                                                      multiplicity),
+                           bits);
   }
 
   // The solution that is known in a cluster is regular: it is the only one in a much smaller box around it.
@@ -149,7 +175,8 @@ private:
     }
     for (std::size_t j = 0; j < region.lower.size(); ++j) {
       const double margin = 0x1p-150 * (std::max)(1.0, std::abs(CGAL::to_double(region.lower[j])));
-      std::tie(region.lower[j], region.upper[j]) = dyadic_hull<Exact_rational>(below(region.lower[j], margin), above(region.upper[j], margin), 300);
+      std::tie(region.lower[j], region.upper[j]) =
+          dyadic_hull<Exact_rational>(below(region.lower[j], margin), above(region.upper[j], margin), 300);
     }
     using Certification = Piecewise_certification<Exact_rational>;
     if (Certification(m_layout, m_source).certify(region) == Certification::ONE_ROOT)
@@ -160,9 +187,12 @@ private:
 
   void climb(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
-    std::vector<Box> open{{{box.lower.begin(), box.lower.end()}, {box.upper.begin(), box.upper.end()}, box.reason, box.cell}};
+    std::vector<Box> open{
+        {{box.lower.begin(), box.lower.end()}, {box.upper.begin(), box.upper.end()}, box.reason, box.cell}};
     int bits = 0;
-    for (int next = 128; !open.empty() && next <= m_options.ladder_precision && m_summary.nodes < m_node_limit && !m_control.must_stop(true); next *= 2) {
+    for (int next = 128; !open.empty() && next <= m_options.ladder_precision && m_summary.nodes < m_node_limit &&
+         !m_control.must_stop(true);
+         next *= 2) {
       bits = next;
       open = step(open, bits, solutions);
     }
@@ -183,12 +213,15 @@ private:
     using Walk = Subdivision<Solver_traits<Number>>;
     Walk subdivision(m_system, m_layout, m_source, m_options, m_control, roots, m_summary);
     for (const Box& box : boxes)
-      visit_cell_boxes<Exact_rational>(m_source, box.lower, box.upper, bits, [&](const Cell& cell, const auto& lower, const auto& upper) {
-        const std::size_t budget = m_summary.nodes < m_node_limit ? m_node_limit - m_summary.nodes : 0;
-        subdivision.run(Walk::make_task(cell, lower, upper, 0), {.nodes = budget, .looks = 32, .attempts = 64, .open_before = 0, .guesses = 0});
-      });
+      visit_cell_boxes<Exact_rational>(
+          m_source, box.lower, box.upper, bits, [&](const Cell& cell, const auto& lower, const auto& upper) {
+            const std::size_t budget = m_summary.nodes < m_node_limit ? m_node_limit - m_summary.nodes : 0;
+            subdivision.run(Walk::make_task(cell, lower, upper, 0),
+                            {.nodes = budget, .looks = 32, .attempts = 64, .open_before = 0, .guesses = 0});
+          });
     std::vector<Box>& open = subdivision.open_boxes();
-    const Undecided_reason reason = m_control.reason() == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : m_control.reason();
+    const Undecided_reason reason =
+        m_control.reason() == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : m_control.reason();
     for (const auto& task : subdivision.pending())
       open.push_back({task.lower, task.upper, reason, task.cell});
     merge_boxes_that_meet(open);
@@ -206,15 +239,19 @@ private:
   // A root that was certified in double, or on a higher rung, beside the open box.
   bool is_known(const Found_root<Exact_rational>& root) const
   {
-    const auto is_same = [&](const auto& known) { return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region); };
-    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) || std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+    const auto is_same = [&](const auto& known) {
+      return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region);
+    };
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) ||
+        std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
   }
 
   template <class Box_of_numbers, class Other_box>
   static bool lies_in(const Box_of_numbers& inner, const Other_box& outer)
   {
     for (std::size_t j = 0; j < inner.size(); ++j)
-      if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) || Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
+      if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) ||
+          Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
         return false;
     return true;
   }

@@ -20,8 +20,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-What `verify` knows of splines: exact enclosures of values and derivatives on boxes. Nothing here is shared with the subdivision, so that an error there
-cannot hide here.
+What `verify` knows of splines: exact enclosures of values and derivatives on boxes. Nothing here is shared with the
+subdivision, so that an error there cannot hide here.
 */
 namespace verification {
 
@@ -141,7 +141,8 @@ inline Point restricted(const Point& point, const Spline_term& term)
   return result;
 }
 
-// Calls visit(piece, cell per axis) for every piece of a term whose closed cell meets the box. The outermost cells reach to infinity.
+// Calls visit(piece, cell per axis) for every piece of a term whose closed cell meets the box. The outermost cells
+// reach to infinity.
 template <class Visitor>
 void visit_pieces(const Spline_term& term, const Box& box, const Visitor& visit)
 {
@@ -173,7 +174,8 @@ void visit_pieces(const Spline_term& term, const Box& box, const Visitor& visit)
 }
 
 /*
-Neighbouring pieces that meet the box agree on the break between them, as polynomials: the function is continuous on the box.
+Neighbouring pieces that meet the box agree on the break between them, as polynomials: the function is continuous on the
+box.
 */
 inline bool is_continuous(const Spline_function& function, const Box& box)
 {
@@ -196,8 +198,8 @@ inline bool is_continuous(const Spline_function& function, const Box& box)
   return result;
 }
 
-// Taylor's polynomial about y of a piece, and the same with absolute values, P: for |h| <= r the piece differs from its value at y by at most
-// P(r) - P(0), and its partial derivative j from that at y by at most P_j(r) - P_j(0).
+// Taylor's polynomial about y of a piece, and the same with absolute values, P: for |h| <= r the piece differs from its
+// value at y by at most P(r) - P(0), and its partial derivative j from that at y by at most P_j(r) - P_j(0).
 struct Taylor_form
 {
   Polynomial polynomial, majorant;
@@ -217,7 +219,8 @@ struct Taylor_form
   }
 };
 
-// Encloses the values of a function on a box; exact, and a single number, when the box is a point and the function continuous there.
+// Encloses the values of a function on a box; exact, and a single number, when the box is a point and the function
+// continuous there.
 inline Range values(const Spline_function& function, const Box& box)
 {
   const Point centre = middle_of(box), radius = radius_of(box);
@@ -257,7 +260,8 @@ inline Taylor_coefficients taylor_coefficients(const Functions& functions, const
           std::vector<int> exponents(centre.size(), 0);
           for (std::size_t j = 0; j < term.variables.size(); ++j)
             exponents[term.variables[j]] = static_cast<int>(i / polynomial.inner(j) % (term.degrees[j] + 1));
-          result.try_emplace(std::move(exponents), functions.size(), Exact_rational(0)).first->second[k] += polynomial.coefficients[i];
+          result.try_emplace(std::move(exponents), functions.size(), Exact_rational(0)).first->second[k] +=
+              polynomial.coefficients[i];
         }
     }
   return result;

@@ -26,7 +26,9 @@ struct Matrix
   std::size_t rows, columns;
   std::vector<Exact_rational> entries;
 
-  Matrix(std::size_t rows, std::size_t columns) : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0)) {}
+  Matrix(std::size_t rows, std::size_t columns)
+    : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0))
+  {}
   Exact_rational& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
   const Exact_rational& operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
 };
@@ -56,7 +58,8 @@ inline bool solve_linear(Matrix& left, Matrix& right)
   return true;
 }
 
-// Any matrix near an inverse serves: digits beyond these only cost time. In a tiny box derivatives may nearly be dependent, up to about its width.
+// Any matrix near an inverse serves: digits beyond these only cost time. In a tiny box derivatives may nearly be
+// dependent, up to about its width.
 inline int digits_for(const Box& box)
 {
   constexpr long digits = 128;
@@ -117,7 +120,9 @@ struct Part
   Point radius;
   Taylor_coefficients coefficients;
 
-  Part(const Functions& functions, const Box& box) : radius(radius_of(box)), coefficients(taylor_coefficients(functions, middle_of(box))) {}
+  Part(const Functions& functions, const Box& box)
+    : radius(radius_of(box)), coefficients(taylor_coefficients(functions, middle_of(box)))
+  {}
 
   // The derivatives in the middle, functions x axes.
   Matrix jacobian(std::size_t functions, const Axes& axes) const
@@ -133,7 +138,8 @@ struct Part
     return result;
   }
 
-  // Bounds on the entries of |I - C J| for the derivatives J on the part. The coefficients of C F are formed before they are bounded, since the rows of C J cancel there.
+  // Bounds on the entries of |I - C J| for the derivatives J on the part. The coefficients of C F are formed before
+  // they are bounded, since the rows of C J cancel there.
   Matrix distance_from_identity(const Matrix& inverse, const Axes& axes) const
   {
     const std::size_t n = axes.size();
@@ -154,7 +160,8 @@ struct Part
 
 private:
   // The largest derivatives on the part of C c x^exponents.
-  void add_deviation(const Matrix& inverse, const Axes& axes, const std::vector<int>& exponents, const Point& values, Matrix& sum) const
+  void add_deviation(const Matrix& inverse, const Axes& axes, const std::vector<int>& exponents, const Point& values,
+                     Matrix& sum) const
   {
     Point combined(axes.size(), Exact_rational(0));
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -187,8 +194,9 @@ inline Matrix middle_of(const std::vector<Matrix>& matrices, int digits)
   return result;
 }
 
-// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the unknowns `axes`; the ranges of the others are single
-// numbers. I - C J is bounded between the breaks first. Gives the ranges of these unknowns, or nothing when the middle of the derivatives has no inverse C.
+// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the
+// unknowns `axes`; the ranges of the others are single numbers. I - C J is bounded between the breaks first. Gives the
+// ranges of these unknowns, or nothing when the middle of the derivatives has no inverse C.
 inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Box& box)
 {
   const Point centre = middle_of(box), radius = radius_of(box);

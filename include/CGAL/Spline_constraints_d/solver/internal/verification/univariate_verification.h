@@ -20,7 +20,8 @@ namespace internal {
 namespace verification {
 
 /*
-Proofs about systems in one unknown by Sturm's theorem, in rational arithmetic. The solver isolates roots by Descartes' rule instead, so that an error there cannot hide here.
+Proofs about systems in one unknown by Sturm's theorem, in rational arithmetic. The solver isolates roots by Descartes'
+rule instead, so that an error there cannot hide here.
 */
 namespace univariate {
 
@@ -140,7 +141,8 @@ private:
   }
 };
 
-// A function between two neighbouring breaks, where it is one polynomial; beyond the first and the last one the next piece.
+// A function between two neighbouring breaks, where it is one polynomial; beyond the first and the last one the next
+// piece.
 inline Coefficients piece_at(const Spline_function& function, const Exact_rational& x, bool is_from_left)
 {
   Coefficients sum;
@@ -166,13 +168,15 @@ class Proof
 
 public:
   Proof(const Constraint_system_d& system, const Range& box)
-    : m_system(system), m_range{(std::max)(box.lower, system.domain(0).first), (std::min)(box.upper, system.domain(0).second)}
+    : m_system(system), m_range{(std::max)(box.lower, system.domain(0).first),
+                                (std::min)(box.upper, system.domain(0).second)}
   {
     m_points = {m_range.lower, m_range.upper};
     for_each_function([&](const Spline_function& function) {
       for (const Spline_term& term : function.terms())
         for (const auto& breaks : term.breaks)
-          std::copy_if(breaks.begin(), breaks.end(), std::back_inserter(m_points), [&](const Exact_rational& b) { return m_range.lower < b && b < m_range.upper; });
+          std::copy_if(breaks.begin(), breaks.end(), std::back_inserter(m_points),
+                       [&](const Exact_rational& b) { return m_range.lower < b && b < m_range.upper; });
     });
     std::sort(m_points.begin(), m_points.end());
     m_points.erase(std::unique(m_points.begin(), m_points.end()), m_points.end());
@@ -181,7 +185,8 @@ public:
   bool succeeds(Solution_kind kind) const
   {
     bool is_defined = m_range.lower <= m_range.upper;
-    for_each_function([&](const Spline_function& function) { is_defined = is_defined && is_continuous(function, {m_range}); });
+    for_each_function(
+        [&](const Spline_function& function) { is_defined = is_defined && is_continuous(function, {m_range}); });
     if (!is_defined)
       return false;
     switch (kind) {
@@ -214,24 +219,29 @@ private:
 
   bool are_equalities_zero_at(const Exact_rational& x) const
   {
-    return std::all_of(m_system.equalities().begin(), m_system.equalities().end(),
-                       [&](const Spline_function& function) { return sign_at(piece_at(function, x, false), x) == CGAL::ZERO; });
+    return std::all_of(
+        m_system.equalities().begin(), m_system.equalities().end(),
+        [&](const Spline_function& function) { return sign_at(piece_at(function, x, false), x) == CGAL::ZERO; });
   }
 
   bool are_inequalities_satisfied_at(const Exact_rational& x) const
   {
-    return std::all_of(m_system.inequalities().begin(), m_system.inequalities().end(),
-                       [&](const auto& inequality) { return is_satisfied(inequality.relation, sign_at(piece_at(inequality.function, x, false), x)); });
+    return std::all_of(m_system.inequalities().begin(), m_system.inequalities().end(), [&](const auto& inequality) {
+      return is_satisfied(inequality.relation, sign_at(piece_at(inequality.function, x, false), x));
+    });
   }
 
   // Some equality has slopes of one sign on both sides; at an end of the domain the side inside counts.
   bool is_regular_at(const Exact_rational& x) const
   {
     const bool has_left = m_system.domain(0).first < x, has_right = x < m_system.domain(0).second;
-    return std::any_of(m_system.equalities().begin(), m_system.equalities().end(), [&](const Spline_function& function) {
-      const auto slope = [&](bool is_from_left) { return sign_at(derivative(piece_at(function, x, is_from_left)), x); };
-      return slope(has_left) * slope(!has_right) > 0;
-    });
+    return std::any_of(m_system.equalities().begin(), m_system.equalities().end(),
+                       [&](const Spline_function& function) {
+                         const auto slope = [&](bool is_from_left) {
+                           return sign_at(derivative(piece_at(function, x, is_from_left)), x);
+                         };
+                         return slope(has_left) * slope(!has_right) > 0;
+                       });
   }
 
   // The inequalities at the only root of a polynomial between two points of one piece.
@@ -270,8 +280,9 @@ private:
       const int inside = Sturm_chain(common).roots_between(m_points[i], m_points[i + 1]);
       roots += inside;
       if (inside == 1)
-        is_proved = Sturm_chain(common_divisor(common, derivative(common))).roots_between(m_points[i], m_points[i + 1]) == 0 &&
-                    are_inequalities_satisfied(common, {m_points[i], m_points[i + 1]});
+        is_proved =
+            Sturm_chain(common_divisor(common, derivative(common))).roots_between(m_points[i], m_points[i + 1]) == 0 &&
+            are_inequalities_satisfied(common, {m_points[i], m_points[i + 1]});
     }
     return roots == 1 && is_proved;
   }
@@ -317,22 +328,26 @@ private:
   // All points of the interval are solutions, up to a rounding error at its ends.
   bool are_solutions() const
   {
-    const Exact_rational size = (std::max)(absolute(m_range.lower), absolute(m_range.upper)), domain = m_system.domain(0).second - m_system.domain(0).first;
+    const Exact_rational size = (std::max)(absolute(m_range.lower), absolute(m_range.upper)),
+                         domain = m_system.domain(0).second - m_system.domain(0).first;
     const Exact_rational margin = size * Exact_rational(0x1p-50) + domain * Exact_rational(0x1p-100);
     if (m_range.upper - m_range.lower <= margin + margin)
       return false;
     for (std::size_t i = 0; i + 1 < m_points.size(); ++i) {
-      const Range part{i == 0 ? Exact_rational(m_points[i] + margin) : m_points[i], i + 2 == m_points.size() ? Exact_rational(m_points[i + 1] - margin) : m_points[i + 1]};
+      const Range part{i == 0 ? Exact_rational(m_points[i] + margin) : m_points[i],
+                       i + 2 == m_points.size() ? Exact_rational(m_points[i + 1] - margin) : m_points[i + 1]};
       if (!common_equality(m_points[i]).empty())
         return false;
       for (const auto& inequality : m_system.inequalities())
-        if (part.lower < part.upper && !is_satisfied_on(piece_at(inequality.function, m_points[i], false), inequality.relation, part))
+        if (part.lower < part.upper &&
+            !is_satisfied_on(piece_at(inequality.function, m_points[i], false), inequality.relation, part))
           return false;
     }
     return true;
   }
 
-  // A polynomial satisfies a relation to zero on an interval: its signs between its roots do, and, if it has any, zero does.
+  // A polynomial satisfies a relation to zero on an interval: its signs between its roots do, and, if it has any, zero
+  // does.
   static bool is_satisfied_on(const Coefficients& polynomial, Relation relation, const Range& part)
   {
     if (polynomial.empty())

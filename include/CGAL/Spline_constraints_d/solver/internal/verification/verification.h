@@ -38,10 +38,12 @@ inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
 // A slightly larger range of simpler numbers.
 inline Range simplified(const Range& range)
 {
-  const Exact_rational centre = (range.lower + range.upper) / Exact_rational(2), radius = (range.upper - range.lower) / Exact_rational(2);
+  const Exact_rational centre = (range.lower + range.upper) / Exact_rational(2),
+                       radius = (range.upper - range.lower) / Exact_rational(2);
   const Exact_rational room = radius / Exact_rational(64);
   const Exact_rational middle = simplest_rational_between(Exact_rational(centre - room), Exact_rational(centre + room));
-  const Exact_rational reach = simplest_rational_between(Exact_rational(radius + room), Exact_rational(radius + room + room));
+  const Exact_rational reach =
+      simplest_rational_between(Exact_rational(radius + room), Exact_rational(radius + room + room));
   return {Exact_rational(middle - reach), Exact_rational(middle + reach)};
 }
 
@@ -63,7 +65,8 @@ inline Box inflated(const Box& box, const Box& image)
 {
   const Point radius = radius_of(box);
   const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
-  const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
+  const Exact_rational least =
+      is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
   Box result = box;
   for (std::size_t j = 0; j < box.size(); ++j)
     if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper) {
@@ -89,7 +92,8 @@ inline bool is_admissible(const Constraint_system_d& system, const Box& box, boo
     };
     if (!is_admitted(range.lower) || !is_admitted(range.upper))
       return false;
-    if (inequality.relation == Relation::NOT_EQUAL && CGAL::sign(range.lower) != CGAL::sign(range.upper))   // the only relation that does not hold for what is between
+    // the only relation that does not hold for what is between
+    if (inequality.relation == Relation::NOT_EQUAL && CGAL::sign(range.lower) != CGAL::sign(range.upper))
       return false;
   }
   return true;
@@ -130,9 +134,10 @@ inline bool is_in_interior(const Box& inner, const Box& outer)
   return true;
 }
 
-// A number that the coordinate of a solution may well be exactly: a rational much simpler than the range of a coordinate has to hold, or an end of the
-// domain, or a break. Returns whether there is one.
-inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis, const Range& range, Exact_rational& guess)
+// A number that the coordinate of a solution may well be exactly: a rational much simpler than the range of a
+// coordinate has to hold, or an end of the domain, or a break. Returns whether there is one.
+inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis, const Range& range,
+                             Exact_rational& guess)
 {
   guess = simplest_rational_between(range.lower, range.upper);
   const Exact_rational denominator = compose(parts_of(guess).denominator, Exact_integer(1));
@@ -156,7 +161,8 @@ inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis
   return false;
 }
 
-// Without functions that are linear combinations of others on a box, some of whose ranges are single numbers; all of them when there are breaks in it.
+// Without functions that are linear combinations of others on a box, some of whose ranges are single numbers; all of
+// them when there are breaks in it.
 inline Functions linearly_independent(const Functions& functions, const Box& box)
 {
   if (parts_between_breaks(functions, box).size() > 1)
@@ -172,7 +178,8 @@ inline Functions linearly_independent(const Functions& functions, const Box& box
   Functions result;
   for (std::size_t k = 0; k < functions.size() && result.size() < rows.size(); ++k) {
     const std::size_t rank = result.size();
-    const auto pivot = std::find_if(rows.begin() + rank, rows.end(), [k](const Point& row) { return !is_zero(row[k]); });
+    const auto pivot =
+        std::find_if(rows.begin() + rank, rows.end(), [k](const Point& row) { return !is_zero(row[k]); });
     if (pivot == rows.end())
       continue;
     result.push_back(functions[k]);
@@ -186,12 +193,14 @@ inline Functions linearly_independent(const Functions& functions, const Box& box
 }
 
 /*
-Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed; some equalities are zero wherever the unknowns
-have these values, or linear combinations of others, and the rest have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
-shrinks, is accepted.
+Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed;
+some equalities are zero wherever the unknowns have these values, or linear combinations of others, and the rest have a
+solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its
+enclosure, which shrinks, is accepted.
 */
 template <class Predicate>
-bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box, int widening, const Predicate& is_accepted)
+bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box, int widening,
+                               const Predicate& is_accepted)
 {
   Box enclosure = box;
   Axes rest;
@@ -256,7 +265,8 @@ inline bool is_admissible_root(const Constraint_system_d& system, Algebraic_root
   return algebraic_position(system, root) == Position::INSIDE;
 }
 
-// Proves that a root of as many of the equalities as there are unknowns, beside the enclosure or in it, is one of the others too, lies in the box and is admissible: by exact signs.
+// Proves that a root of as many of the equalities as there are unknowns, beside the enclosure or in it, is one of the
+// others too, lies in the box and is admissible: by exact signs.
 inline bool holds_algebraic_solution(const Constraint_system_d& system, const Box& enclosure, const Box& box)
 {
   const Exact_box around = surrounding(enclosure);
@@ -269,22 +279,27 @@ inline bool holds_algebraic_solution(const Constraint_system_d& system, const Bo
   const auto others = ordered.begin() + static_cast<std::ptrdiff_t>(box.size());
   auto root = Algebraic_root::in(Algebraic_equations({ordered.begin(), others}, false), around);
   return root && root->refine(2 * root->bits_of_width()) && is_admissible_root(system, *root, box) &&
-         std::all_of(others, ordered.end(), [&](const Power_polynomial& other) { return root->sign_of(other) == CGAL::ZERO; });
+      std::all_of(others, ordered.end(),
+                  [&](const Power_polynomial& other) { return root->sign_of(other) == CGAL::ZERO; });
 }
 
 // Proves that the box holds a multiple root.
 inline bool holds_multiple_root(const Constraint_system_d& system, const Box& box)
 {
   Multiple_root_search search = search_multiple_root(system, surrounding(box), Multiple_root_search::most_multiplicity);
-  return search.outcome == Multiple_root_search::MULTIPLE_ROOT && search.root->refine(2 * search.root->bits_of_width()) && is_admissible_root(system, *search.root, box);
+  return search.outcome == Multiple_root_search::MULTIPLE_ROOT &&
+      search.root->refine(2 * search.root->bits_of_width()) && is_admissible_root(system, *search.root, box);
 }
 
-// The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
+// The only solution that the box `image` can hold, and which it does hold when there are as many equalities as
+// unknowns, lies in `box` and is admissible.
 inline bool holds_admissible(const Constraint_system_d& system, Box image, const Box& box)
 {
   // A solution is in the image of every box that holds it: shrink until its place is decided.
   constexpr int rounds = 6;
-  const auto is_decided = [&](const Box& enclosure) { return is_inside(enclosure, box) && is_admissible(system, enclosure); };
+  const auto is_decided = [&](const Box& enclosure) {
+    return is_inside(enclosure, box) && is_admissible(system, enclosure);
+  };
   Box enclosure = image;
   for (int round = 0; round < rounds && !image.empty(); ++round) {
     std::transform(image.begin(), image.end(), image.begin(), [](const Range& range) { return simplified(range); });
@@ -334,7 +349,9 @@ inline bool has_solution(const Constraint_system_d& system, const Box& box)
   const Box point = simplest_point(inside);
   if (satisfies_equalities(system, point))
     return is_admissible(system, point);
-  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); }) || holds_multiple_root(system, inside);
+  return has_partly_exact_solution(system, inside, 1,
+                                   [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); }) ||
+      holds_multiple_root(system, inside);
 }
 
 } // namespace verification

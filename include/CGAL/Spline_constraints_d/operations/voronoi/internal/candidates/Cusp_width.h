@@ -23,7 +23,10 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Two arcs X and Y that leave a point in the same direction: how much curvature all disks have that touch the element of X up to some width. The disk in X(u) that passes through Y(c u), where c makes speeds equal, has the curvature 2 <N, D> / |D|^2, D = Y(c u) - X(u). Numerator and denominator are polynomials, expanded exactly, with u^i and u^j as factors, i < j; what is left of them is bounded by its Bernstein coefficients.
+Two arcs X and Y that leave a point in the same direction: how much curvature all disks have that touch the element of X
+up to some width. The disk in X(u) that passes through Y(c u), where c makes speeds equal, has the curvature 2 <N, D> /
+|D|^2, D = Y(c u) - X(u). Numerator and denominator are polynomials, expanded exactly, with u^i and u^j as factors, i <
+j; what is left of them is bounded by its Bernstein coefficients.
 
 In a cusp of one curve the derivatives are zero: they are u and a vector, which N is perpendicular to.
 */
@@ -34,32 +37,40 @@ struct Cusp_width
   double gap;         // between the arcs at the width, in units of the derivative of X
 
   // With the element of X on the left of it, or on the right; nothing if there is no bound.
-  static std::optional<Cusp_width> of(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, bool is_left, double width)
+  static std::optional<Cusp_width> of(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, bool is_left,
+                                      double width)
   {
     const auto ratio = ratio_of_speeds(graph, own, other);
     if (!ratio || *ratio * to_rational(width) > 1)
       return std::nullopt;
-    const Exact_rational longer = to_rational(width) * (1 + to_rational(most_error));   // ends of arcs may not be known exactly
+    // ends of arcs may not be known exactly
+    const Exact_rational longer = to_rational(width) * (1 + to_rational(most_error));
     const auto [dx, dy, w, s] = difference(graph, own, other, longer, *ratio);
     const auto [ax, ay] = tangent(graph, own, longer);
     const bool is_regular = graph.is_regular(own);
-    const Tensor square = dx * dx + dy * dy, numerator = (is_left ? ax * dy - ay * dx : ay * dx - ax * dy) * (w * s), denominator = is_regular ? square * (w * w) : square;
+    const Tensor square = dx * dx + dy * dy, numerator = (is_left ? ax * dy - ay * dx : ay * dx - ax * dy) * (w * s),
+                 denominator = is_regular ? square * (w * w) : square;
     const auto least = without_power(numerator), greatest = without_power(denominator);
     if (!least || !greatest || least->power >= greatest->power || sign_of(least->bounds.first) <= 0)
       return std::nullopt;
-    const Interval share = Interval(1 - 4 * greatest->power * most_error) * interval_of(Exact_rational(least->bounds.first / greatest->bounds.second));
+    const Interval share = Interval(1 - 4 * greatest->power * most_error) *
+        interval_of(Exact_rational(least->bounds.first / greatest->bounds.second));
     Cusp_width result{0, greatest->power - least->power, 0};
     Interval scale = is_regular ? Interval(2) / Interval(width) : Interval(2);   // N is a derivative by u there
     for (int i = 0; i < result.power; ++i)
       scale *= Interval(width);
     result.curvature = (share * scale).inf();
     const std::array<Exact_rational, 1> end{1};
-    result.gap = (is_regular ? width : 1 / width) * CGAL::to_double(Exact_rational(numerator(end) / (ax(end) * ax(end) + ay(end) * ay(end))));   // of one weight where it is one
+    // of one weight where it is one
+    result.gap = (is_regular ? width : 1 / width) *
+        CGAL::to_double(Exact_rational(numerator(end) / (ax(end) * ax(end) + ay(end) * ay(end))));
     return result.curvature > 0 ? std::optional(result) : std::nullopt;
   }
 
-  // The same where distances from Y are divided by c > 1: the disk in X(u) with a radius of |D| / (c - 1), on either side of X, has Y(c u) inside when scaled. `share` is (c - 1) |N|, at least; there is no gap.
-  static std::optional<Cusp_width> of_scaled(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, const Interval& share, double width)
+  // The same where distances from Y are divided by c > 1: the disk in X(u) with a radius of |D| / (c - 1), on either
+  // side of X, has Y(c u) inside when scaled. `share` is (c - 1) |N|, at least; there is no gap.
+  static std::optional<Cusp_width> of_scaled(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other,
+                                             const Interval& share, double width)
   {
     const auto ratio = ratio_of_speeds(graph, own, other);
     const Exact_rational longer = to_rational(width) * (1 + to_rational(most_error));
@@ -93,7 +104,8 @@ private:
   static Exact_rational to_rational(double x) { return Exact_rational(x); }
 
   // Y(c u) - X(u) up to a width, times both weights, and these.
-  static std::array<Tensor, 4> difference(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, const Exact_rational& width, const Exact_rational& ratio)
+  static std::array<Tensor, 4> difference(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other,
+                                          const Exact_rational& width, const Exact_rational& ratio)
   {
     const auto [x, y, w] = piece(graph, own, width);
     const auto [u, v, s] = piece(graph, other, ratio * width);
@@ -101,7 +113,8 @@ private:
   }
 
   // Where the arcs have the same speeds in units of their parameters.
-  static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other)
+  static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2& graph, const Arc_end& own,
+                                                       const Arc_end& other)
   {
     const auto zeros = [&](const Arc_end& end) { return graph.arcs()[end.arc].zeros_of_derivative(end.is_end); };
     if (!graph.is_exact(own) || !graph.is_exact(other) || zeros(own) != zeros(other) || zeros(own) > 1)
@@ -126,7 +139,8 @@ private:
     return {Exact_rational(x(t) / (w * w)), Exact_rational(y(t) / (w * w))};
   }
 
-  // What the element's normal is perpendicular to, times the square of the weight where that is a derivative, from an end on.
+  // What the element's normal is perpendicular to, times the square of the weight where that is a derivative, from an
+  // end on.
   static std::array<Tensor, 2> tangent(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
   {
     if (graph.is_regular(end)) {
@@ -139,7 +153,11 @@ private:
     return result;
   }
 
-  static Tensor from_end(const Tensor& tensor, const Arc_end& end, const Exact_rational& width) { return tensor.restricted(0, Exact_rational(end.is_end), Exact_rational(end.is_end ? Exact_rational(1 - width) : width)); }
+  static Tensor from_end(const Tensor& tensor, const Arc_end& end, const Exact_rational& width)
+  {
+    return tensor.restricted(0, Exact_rational(end.is_end),
+                             Exact_rational(end.is_end ? Exact_rational(1 - width) : width));
+  }
 
   static std::array<Tensor, 3> piece(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
   {

@@ -27,12 +27,16 @@ struct Cusp_side
 {
   Range range;
   std::optional<Located_footpoint> footpoint;
-  std::optional<std::size_t> other_element;   // which the disks touch, if no other element has disks that touch this one there
+  // which the disks touch, if no other element has disks that touch this one there
+  std::optional<std::size_t> other_element;
 };
 
 /*
-What is known next to vertices with more than two arcs, or with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a footpoint with a third one. And what is settled in a cusp is touched in it by the disks of
-the two elements there only: by others it is touched from behind. A scaled disk has the point inside in which the disk touches its element, and no scaled arcs, of which two are a wall if no other is between.
+What is known next to vertices with more than two arcs, or with cusps. Around such a vertex there is a circle which each
+of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and
+no disk that touches the arc on that side has a footpoint with a third one. And what is settled in a cusp is touched in
+it by the disks of the two elements there only: by others it is touched from behind. A scaled disk has the point inside
+in which the disk touches its element, and no scaled arcs, of which two are a wall if no other is between.
 */
 class Cusps_2
 {
@@ -55,7 +59,9 @@ public:
   explicit Cusps_2(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled)
   {
     const Upward_rounding_guard guard;
-    const auto is_cusp = [&](const Arc_end& a, const Arc_end& b) { return are_same_directions(graph.direction(a), graph.direction(b)); };
+    const auto is_cusp = [&](const Arc_end& a, const Arc_end& b) {
+      return are_same_directions(graph.direction(a), graph.direction(b));
+    };
     for (std::size_t v = 0; v < graph.vertices().size(); ++v)
       if (const std::vector<Arc_end>& ends = graph.vertices()[v].ends; ends.size() > 1) {
         const bool has_cusp = std::adjacent_find(ends.begin(), ends.end(), is_cusp) != ends.end();
@@ -83,13 +89,17 @@ public:
     return m_sides.empty() ? none : m_sides[element][end];
   }
 
-  // Whether no disk that touches a part of an element, and has some curvature, touches a range of an arc, for the reasons above.
-  bool hide(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  // Whether no disk that touches a part of an element, and has some curvature, touches a range of an arc, for the
+  // reasons above.
+  bool hide(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet,
+            const Interval& curvature) const
   {
-    if (m_circles.empty() || (!m_has_cusps && 0 < part.range.begin && part.range.end < 1))   // away from corners, curvatures tell
+    // away from corners, curvatures tell
+    if (m_circles.empty() || (!m_has_cusps && 0 < part.range.begin && part.range.end < 1))
       return false;
     for (const bool end : {false, true})
-      if (is_behind_wall(part, {arc, end}, range, jet[0]) || (!m_sides.empty() && is_in_front_of(part, {arc, end}, range, jet, curvature)))
+      if (is_behind_wall(part, {arc, end}, range, jet[0]) ||
+          (!m_sides.empty() && is_in_front_of(part, {arc, end}, range, jet, curvature)))
         return true;
     return false;
   }
@@ -105,15 +115,20 @@ private:
     double squared_radius = std::numeric_limits<double>::infinity();
     for (const Arc_end& end : ends) {
       double& reach = m_reaches[end.arc][end.is_end] = 1;
-      const auto goes_away = [&] { return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].direction_over(range_at(end, reach))); };
+      const auto goes_away = [&] {
+        return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].direction_over(range_at(end, reach)));
+      };
       while (reach > least_reach && !goes_away())
         reach /= 2;
       const double last = end.is_end ? 1 - reach : reach;
-      squared_radius = (std::min)(squared_radius, squared_norm(m_graph.arcs()[end.arc].point({last, last}) - m_graph.vertices()[vertex].point).inf());
+      squared_radius = (std::min)(
+          squared_radius,
+          squared_norm(m_graph.arcs()[end.arc].point({last, last}) - m_graph.vertices()[vertex].point).inf());
       if (!goes_away())
         squared_radius = 0;
     }
-    m_circles[vertex] = {squared_radius, are_same_directions(m_graph.direction(ends.front()), m_graph.direction(ends.back()))};
+    m_circles[vertex] = {squared_radius,
+                         are_same_directions(m_graph.direction(ends.front()), m_graph.direction(ends.back()))};
   }
 
   bool is_in_circle(const Arc_end& end, const Range& range, const Interval_pair& points) const
@@ -121,10 +136,12 @@ private:
     const std::size_t vertex = m_graph.vertex_of(end);
     const Range reach = range_at(end, m_reaches[end.arc][end.is_end]);
     const double squared_radius = m_circles[vertex].squared_radius;
-    return squared_radius > 0 && reach.begin <= range.begin && range.end <= reach.end && squared_norm(points - m_graph.vertices()[vertex].point).sup() < squared_radius;
+    return squared_radius > 0 && reach.begin <= range.begin && range.end <= reach.end &&
+        squared_norm(points - m_graph.vertices()[vertex].point).sup() < squared_radius;
   }
 
-  bool is_behind_wall(const Element_part& part, const Arc_end& end, const Range& range, const Interval_pair& points) const
+  bool is_behind_wall(const Element_part& part, const Arc_end& end, const Range& range,
+                      const Interval_pair& points) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
     const std::size_t vertex = m_graph.vertex_of(end);
@@ -134,9 +151,14 @@ private:
       const auto [first, second] = m_graph.ends_beside_normal_cone(part.element);
       return end != first && end != second;
     }
-    const auto is_behind = [&](const Arc_end& own) { return is_scaled(end) ? !is_next_scaled(own, end) : end != own && (end != m_graph.next_around_vertex(element, own) || is_around_vertex(element, own)); };
+    const auto is_behind = [&](const Arc_end& own) {
+      return is_scaled(end)
+          ? !is_next_scaled(own, end)
+          : end != own && (end != m_graph.next_around_vertex(element, own) || is_around_vertex(element, own));
+    };
     for (const bool is_end : {false, true})
-      if (const Arc_end own{element.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(end, range, points) && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
+      if (const Arc_end own{element.object, is_end}; m_graph.vertex_of(own) == vertex &&
+          is_in_circle(end, range, points) && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
         return true;
     return false;
   }
@@ -147,7 +169,8 @@ private:
   bool is_next_scaled(const Arc_end& own, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_graph.vertices()[m_graph.vertex_of(own)].ends;
-    const std::size_t n = ends.size(), first = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), own) - ends.begin());
+    const std::size_t n = ends.size(),
+                      first = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), own) - ends.begin());
     const auto is_next = [&](std::size_t step) {
       std::size_t i = (first + step) % n;
       while (!is_scaled(ends[i]))
@@ -165,30 +188,39 @@ private:
   }
 
   // Whether the disks would be on that side of an arc on which this is settled.
-  bool is_in_front_of(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  bool is_in_front_of(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet,
+                      const Interval& curvature) const
   {
     for (const bool is_right : {false, true})
       if (const std::size_t own = 2 * end.arc + is_right; part.element != own)
-        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->footpoint && settled->other_element && *settled->other_element != part.element && settled->range.begin <= range.begin && range.end <= settled->range.end)
-          if (const Interval side(is_right ? -1 : 1); (side * height(part, end, range, jet)).inf() >= 0 || (is_touched_as_arc(end, range) && (side * normal(part, end, range, jet, curvature)).inf() > 0))
+        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->footpoint && settled->other_element &&
+            *settled->other_element != part.element && settled->range.begin <= range.begin &&
+            range.end <= settled->range.end)
+          if (const Interval side(is_right ? -1 : 1); (side * height(part, end, range, jet)).inf() >= 0 ||
+              (is_touched_as_arc(end, range) && (side * normal(part, end, range, jet, curvature)).inf() > 0))
             return true;
     return false;
   }
 
-  // Whether disks that touch a range of an arc are tangent to it: where it ends in a vertex with a normal cone, it may stand for the vertex.
+  // Whether disks that touch a range of an arc are tangent to it: where it ends in a vertex with a normal cone, it may
+  // stand for the vertex.
   bool is_touched_as_arc(const Arc_end& end, const Range& range) const
   {
     return !range.meets({end.parameter(), end.parameter()}) || !m_circles[m_graph.vertex_of(end)].has_normal_cone;
   }
 
-  // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where the element is on a tangent of the arc.
-  Interval normal(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where
+  // the element is on a tangent of the arc.
+  Interval normal(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet,
+                  const Interval& curvature) const
   {
     const Interval_pair way = jet[0] - part.jet.point;
-    return dot(turned_left(tangent(end, range, jet)), part.jet.normal - Interval_pair{curvature * way[0], curvature * way[1]});
+    return dot(turned_left(tangent(end, range, jet)),
+               part.jet.normal - Interval_pair{curvature * way[0], curvature * way[1]});
   }
 
-  // The sign of that of an element over the tangents of an arc: in the end of the arc itself it is that of the curvature.
+  // The sign of that of an element over the tangents of an arc: in the end of the arc itself it is that of the
+  // curvature.
   Interval height(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];

@@ -29,7 +29,8 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The candidates for the maximal disks of an element: those whose curvature may reach the largest one that is known to be attained.
+The candidates for the maximal disks of an element: those whose curvature may reach the largest one that is known to be
+attained.
 */
 template <Enclosing_number Interval>
 class Basic_disk_candidates
@@ -46,7 +47,8 @@ class Basic_disk_candidates
   using Hidden_arcs = Basic_hidden_arcs<Interval>;
   using Separate_faces = Basic_separate_faces<Interval>;
 
-  static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-46 : 0x1p-54, least_gain = 4;
+  static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-46 : 0x1p-54,
+                          least_gain = 4;
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
@@ -59,10 +61,15 @@ class Basic_disk_candidates
 
 public:
   static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
-  // Of candidates. More would be needed only where disks nearly have the curvature of a curve along much of that; with 128 bits, what was proved in surveys needed less than 800.
+  // Of candidates. More would be needed only where disks nearly have the curvature of a curve along much of that; with
+  // 128 bits, what was proved in surveys needed less than 800.
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
-  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_hidden_arcs(graph), m_separate_faces(graph, curvature.scaled_sites() != nullptr), m_cusps(cusps) {}
+  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature,
+                        const Cusps_2* cusps = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_hidden_arcs(graph),
+      m_separate_faces(graph, curvature.scaled_sites() != nullptr), m_cusps(cusps)
+  {}
 
   // How many candidates have been bounded so far: where most of the work is.
   std::size_t number_of_bounds() const { return m_number_of_bounds; }
@@ -75,7 +82,8 @@ public:
     return result;
   }
 
-  // A curvature of the disks of a part as a function of the parameter of the element: its value in the middle, its derivative over the part, and a lower bound.
+  // A curvature of the disks of a part as a function of the parameter of the element: its value in the middle, its
+  // derivative over the part, and a lower bound.
   struct Level
   {
     Interval at_middle, slope;
@@ -83,20 +91,28 @@ public:
   };
 
   /*
-  Removes candidates that cannot be touched over a part of the element, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
-  or its highest point is its end, which it shares with a neighbour; or it is behind the element, or its arc, or seen from another face. Returns a curvature that is attained for all disks, of which one may be known.
+  Removes candidates that cannot be touched over a part of the element, and splits others until they are not larger than
+  what the part may see. A candidate is too low throughout, or lower than another one for each point of the part, or its
+  highest point is its end, which it shares with a neighbour; or it is behind the element, or its arc, or seen from
+  another face. Returns a curvature that is attained for all disks, of which one may be known.
   */
-  double prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const { return prune(part, candidates, known_least, nullptr)->least; }
+  double prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const
+  {
+    return prune(part, candidates, known_least, nullptr)->least;
+  }
 
-  // The same if disks of less curvature than a wanted one do not matter. Nothing is returned, and candidates are not told, if that is exceeded throughout.
-  std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates, const Level& wanted) const
+  // The same if disks of less curvature than a wanted one do not matter. Nothing is returned, and candidates are not
+  // told, if that is exceeded throughout.
+  std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates,
+                              const Level& wanted) const
   {
     const auto attained = prune(part, candidates, wanted.least, &wanted);
     return attained ? std::optional(attained->least) : std::nullopt;
   }
 
   // With a curvature of which one is known to be attained, and one that is wanted, or none.
-  std::optional<Level> prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least, const Level* wanted) const
+  std::optional<Level> prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least,
+                             const Level* wanted) const
   {
     const Element_part middle = m_curvature.part(part.element, {part.range.middle(), part.range.middle()});
     const Interval shift = interval_of<Interval>(part.range) - Interval(part.range.middle());
@@ -105,10 +121,19 @@ public:
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
-    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet), in_doubles(candidate.bounds.value)); };
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (wanted != nullptr && is_too_low(candidate, *wanted, shift)) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.side_of_own_circle(part, points(candidate)) > 0); };
+    const auto is_hidden = [&](const Disk_candidate& candidate) {
+      return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC &&
+          m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet),
+                        in_doubles(candidate.bounds.value));
+    };
+    const auto is_low = [&](const Disk_candidate& candidate) {
+      return is_too_low(candidate, attained, shift) || (wanted != nullptr && is_too_low(candidate, *wanted, shift)) ||
+          is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) ||
+          (circle && !may_be_scaled(candidate) && m_curvature.side_of_own_circle(part, points(candidate)) > 0);
+    };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
-    std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
+    // those that may be touched by the smallest disks first: what they attain excludes others
+    std::priority_queue<std::pair<double, std::size_t>> open;
     const auto add_parts = [&] {
       for (Disk_candidate& candidate : parts) {
         bound(part, middle, candidate, attained);
@@ -120,13 +145,17 @@ public:
     std::vector<std::size_t> settled;
     for (add_parts(); !open.empty();) {
       for (; !open.empty(); add_parts()) {
-        if (wanted != nullptr && (attained.at_middle - wanted->at_middle + (attained.slope - wanted->slope) * shift).inf() > 0)
+        if (wanted != nullptr &&
+            (attained.at_middle - wanted->at_middle + (attained.slope - wanted->slope) * shift).inf() > 0)
           return std::nullopt;
         const std::size_t i = open.top().second;
         open.pop();
-        if (is_low(pool[i]) || (!may_be_scaled(pool[i]) && (m_separate_faces.hold(m_curvature, part, middle, pool[i]) || m_hidden_arcs.hold(part, pool[i]))))
+        if (is_low(pool[i]) ||
+            (!may_be_scaled(pool[i]) &&
+             (m_separate_faces.hold(m_curvature, part, middle, pool[i]) || m_hidden_arcs.hold(part, pool[i]))))
           continue;
-        if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates || pool.size() > most_parts)
+        if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates ||
+            pool.size() > most_parts)
           settled.push_back(i);
         else
           split(part, pool[i], parts);
@@ -181,26 +210,41 @@ private:
     const Interval difference = candidate.at_middle - attained.at_middle + (k.du - attained.slope) * shift;
     if (candidate.kind == Disk_candidate::Kind::VERTEX)
       return difference.sup() < 0;
-    return (difference + k.factor * k.dv * (interval_of<Interval>(candidate.range) - Interval(candidate.range.middle()))).sup() < 0;
+    return (difference +
+            k.factor * k.dv * (interval_of<Interval>(candidate.range) - Interval(candidate.range.middle())))
+               .sup() < 0;
   }
 
-  // Removes the parts of small arcs that are lower than a point of the same arc throughout: an end, or the one that is about the highest. All curvatures are nearly the same there, and change more over the part than they differ.
-  void erase_lower_on_small_arcs(const Element_part& part, const Element_part& middle, double least, std::vector<Disk_candidate>& candidates) const
+  // Removes the parts of small arcs that are lower than a point of the same arc throughout: an end, or the one that is
+  // about the highest. All curvatures are nearly the same there, and change more over the part than they differ.
+  void erase_lower_on_small_arcs(const Element_part& part, const Element_part& middle, double least,
+                                 std::vector<Disk_candidate>& candidates) const
   {
-    const auto is_on = [](const Disk_candidate& c, std::size_t arc) { return c.kind == Disk_candidate::Kind::ARC && c.index == arc; };
+    const auto is_on = [](const Disk_candidate& c, std::size_t arc) {
+      return c.kind == Disk_candidate::Kind::ARC && c.index == arc;
+    };
     std::vector<std::size_t> arcs;
     for (const Disk_candidate& c : candidates)
-      if (c.kind == Disk_candidate::Kind::ARC && is_small_and_elsewhere(part, c.index, least) && std::find(arcs.begin(), arcs.end(), c.index) == arcs.end())
+      if (c.kind == Disk_candidate::Kind::ARC && is_small_and_elsewhere(part, c.index, least) &&
+          std::find(arcs.begin(), arcs.end(), c.index) == arcs.end())
         arcs.push_back(c.index);
     for (const std::size_t arc : arcs) {
       std::vector<Disk_candidate> parts;
-      std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(parts), [&](const Disk_candidate& c) { return is_on(c, arc); });
+      std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(parts),
+                   [&](const Disk_candidate& c) { return is_on(c, arc); });
       if (parts.size() < 2)
         continue;
-      const Disk_candidate& highest = *std::max_element(parts.begin(), parts.end(), [](const Disk_candidate& a, const Disk_candidate& b) { return a.at_middle.inf() < b.at_middle.inf(); });
-      const auto curvature_at = [&](const Range& range) { return m_curvature(middle, arc, range, m_graph.arcs()[arc].jet(range)); };
+      const Disk_candidate& highest =
+          *std::max_element(parts.begin(), parts.end(), [](const Disk_candidate& a, const Disk_candidate& b) {
+            return a.at_middle.inf() < b.at_middle.inf();
+          });
+      const auto curvature_at = [&](const Range& range) {
+        return m_curvature(middle, arc, range, m_graph.arcs()[arc].jet(range));
+      };
       for (const double v : {maximal_curvature<Interval>(curvature_at, highest.range).parameter, 0.0, 1.0})
-        std::erase_if(candidates, [&](const Disk_candidate& c) { return is_on(c, arc) && is_lower_than_point(part, arc, v, c.range, 0); });
+        std::erase_if(candidates, [&](const Disk_candidate& c) {
+          return is_on(c, arc) && is_lower_than_point(part, arc, v, c.range, 0);
+        });
     }
   }
 
@@ -208,14 +252,17 @@ private:
   bool is_small_and_elsewhere(const Element_part& part, std::size_t arc, double least) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
-    return is_small_beside_disks(part, m_tree.squared_size(arc), least) && !m_curvature.is_arc_scaled(arc) && (element.is_normal_cone || element.object != arc);
+    return is_small_beside_disks(part, m_tree.squared_size(arc), least) && !m_curvature.is_arc_scaled(arc) &&
+        (element.is_normal_cone || element.object != arc);
   }
 
-  // Whether points that are not farther away from each other than some squared distance are seen as one by disks of at least some curvature, which may be as large as all the scene.
+  // Whether points that are not farther away from each other than some squared distance are seen as one by disks of at
+  // least some curvature, which may be as large as all the scene.
   bool is_small_beside_disks(const Element_part& part, double squared_distance, double least) const
   {
     constexpr double most_share = 0x1p-20;   // of the square
-    return squared_distance < most_share * m_tree.squared_size() && squared_distance * least * least < most_share * squared_norm(part.jet.normal).inf();
+    return squared_distance < most_share * m_tree.squared_size() &&
+        squared_distance * least * least < most_share * squared_norm(part.jet.normal).inf();
   }
 
   bool is_lower_than_point(const Element_part& part, std::size_t arc, double v, const Range& range, int depth) const
@@ -223,7 +270,9 @@ private:
     constexpr int most_depth = 5;
     const int sign = range.meets({v, v}) ? 0 : compared_points(m_graph.arcs()[arc], {v, v}, range).sign(part);
     const auto is_lower = [&](const Range& r) { return is_lower_than_point(part, arc, v, r, depth + 1); };
-    return sign > 0 || (sign == 0 && depth < most_depth && !range.meets({v, v}) && is_lower({range.begin, range.middle()}) && is_lower({range.middle(), range.end}));
+    return sign > 0 ||
+        (sign == 0 && depth < most_depth && !range.meets({v, v}) && is_lower({range.begin, range.middle()}) &&
+         is_lower({range.middle(), range.end}));
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
@@ -260,10 +309,12 @@ private:
   }
 
   // An end of an arc may be much nearer than the middle of what is not split yet.
-  void learn_from_end(const Element_part& part, const Element_part& middle, std::size_t arc, double end, const Interval& shift_u, Level& attained) const
+  void learn_from_end(const Element_part& part, const Element_part& middle, std::size_t arc, double end,
+                      const Interval& shift_u, Level& attained) const
   {
     const Curve_jet jet = m_graph.arcs()[arc].jet({end, end}, 2);
-    learn(m_curvature(middle, arc, {end, end}, jet).value, m_curvature(part, arc, {end, end}, jet, middle, jet).du, shift_u, attained);
+    learn(m_curvature(middle, arc, {end, end}, jet).value, m_curvature(part, arc, {end, end}, jet, middle, jet).du,
+          shift_u, attained);
   }
 
   // Of a point that disks of the part pass through.
@@ -286,42 +337,57 @@ private:
     if (candidate.range.width() < (std::max)(least_width, way_of_footpoint(part, candidate.bounds)))
       return true;
     const auto size = [](const auto& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
-    // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
-    const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
+    // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b,
+    // and that is no more than the curves are large; r |N| = |N| / k.
+    const double normal = std::sqrt(squared_norm(part.jet.normal).sup()),
+                 turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
     if (is_small_at_normal_cone(part, candidate, least))
       return false;
-    const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds, least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
+    const double seen = size(part.jet.point) +
+        turn *
+            relevance_of_turn(part, candidate.bounds,
+                              least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
     return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5 && !is_decided_by_parts(part, candidate);
   }
 
-  // Whether an arc that begins or ends in the vertex of a normal cone is much smaller than the disks, and not known to be out of reach: most of it is, when it is divided, as disks through its points are small.
+  // Whether an arc that begins or ends in the vertex of a normal cone is much smaller than the disks, and not known to
+  // be out of reach: most of it is, when it is divided, as disks through its points are small.
   bool is_small_at_normal_cone(const Element_part& part, const Disk_candidate& candidate, double least) const
   {
     constexpr double least_width = 0x1p-6;
     const Oriented_element& element = m_graph.elements()[part.element];
-    if (!element.is_normal_cone || candidate.range.width() <= least_width || (m_graph.vertex_of({candidate.index, false}) != element.object && m_graph.vertex_of({candidate.index, true}) != element.object))
+    if (!element.is_normal_cone || candidate.range.width() <= least_width ||
+        (m_graph.vertex_of({candidate.index, false}) != element.object &&
+         m_graph.vertex_of({candidate.index, true}) != element.object))
       return false;
     return is_small_beside_disks(part, squared_norm(candidate.jet[0] - part.jet.point).sup(), least);
   }
 
-  // Whether more is learnt of the derivative in the parts of a candidate than in parts of the element: of small curves far away.
+  // Whether more is learnt of the derivative in the parts of a candidate than in parts of the element: of small curves
+  // far away.
   static bool is_decided_by_parts(const Element_part& part, const Disk_candidate& candidate)
   {
     const Curvature_bounds& k = candidate.bounds;
     const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
     const double by_parts = size(k.dvv) * candidate.range.width(), by_element = size(k.duv) * part.range.width();
-    return certain_sign(k.dv) == 0 && !(k.dvv.sup() < 0) && std::isfinite(by_parts) && by_parts > least_gain * by_element;
+    return certain_sign(k.dv) == 0 && !(k.dvv.sup() < 0) && std::isfinite(by_parts) &&
+        by_parts > least_gain * by_element;
   }
 
-  // About how far the footpoint moves over the part, if that is known: far where disks are nearly half-planes, and a segment nearly on their border.
+  // About how far the footpoint moves over the part, if that is known: far where disks are nearly half-planes, and a
+  // segment nearly on their border.
   static double way_of_footpoint(const Element_part& part, const Curvature_bounds& k)
   {
     constexpr double most_ratio = 16;   // of bounds of k_vv
     const double speed = (std::max)(-k.duv.inf(), k.duv.sup()) / -k.dvv.sup();
-    return k.dvv.sup() < 0 && k.dvv.inf() >= most_ratio * k.dvv.sup() && std::isfinite(speed) ? part.range.width() * speed : 0;
+    return k.dvv.sup() < 0 && k.dvv.inf() >= most_ratio * k.dvv.sup() && std::isfinite(speed)
+        ? part.range.width() * speed
+        : 0;
   }
 
-  // Where nothing is known of the curvature, beside the element, only the way of the touching point counts: to split the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller the part is already.
+  // Where nothing is known of the curvature, beside the element, only the way of the touching point counts: to split
+  // the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller
+  // the part is already.
   static double relevance_of_turn(const Element_part& part, const Curvature_bounds& k, bool is_on_line_or_circle)
   {
     if (!std::isfinite(k.value.sup()))
@@ -332,7 +398,9 @@ private:
 
   void split(const Element_part& part, const Disk_candidate& candidate, std::vector<Disk_candidate>& parts) const
   {
-    const auto add_arc = [&](std::size_t arc, const Range& range) { parts.push_back({Disk_candidate::Kind::ARC, arc, range, m_graph.arcs()[arc].jet(range)}); };
+    const auto add_arc = [&](std::size_t arc, const Range& range) {
+      parts.push_back({Disk_candidate::Kind::ARC, arc, range, m_graph.arcs()[arc].jet(range)});
+    };
     if (candidate.kind == Disk_candidate::Kind::ARC) {
       add_arc(candidate.index, {candidate.range.begin, candidate.range.middle()});
       add_arc(candidate.index, {candidate.range.middle(), candidate.range.end});
@@ -343,9 +411,11 @@ private:
       for (const std::size_t child : node.children)
         parts.push_back({Disk_candidate::Kind::NODE, child});
     else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
-      if (const Oriented_element& element = m_graph.elements()[part.element]; !element.is_normal_cone || element.object != item.index)
+      if (const Oriented_element& element = m_graph.elements()[part.element];
+          !element.is_normal_cone || element.object != item.index)
         parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
-    } else if (m_curvature.is_arc_scaled(item.index) || !(m_graph.is_never_touched(part.element, item.index) || m_separate_faces.hold(part.element, item.index)))
+    } else if (m_curvature.is_arc_scaled(item.index) ||
+               !(m_graph.is_never_touched(part.element, item.index) || m_separate_faces.hold(part.element, item.index)))
       add_arc(item.index, Range());
   }
 };
@@ -358,7 +428,9 @@ bool take_connected(std::vector<Basic_disk_candidate<Interval>>& candidates, Ran
 {
   const std::size_t size = candidates.size();
   for (bool is_any = true; is_any;) {
-    const auto next = std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) { return c.kind == Candidate_kind::ARC && c.range.meets(range) && is_taken(c); });
+    const auto next = std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) {
+      return c.kind == Candidate_kind::ARC && c.range.meets(range) && is_taken(c);
+    });
     is_any = next != candidates.end();
     if (is_any) {
       range = united(range, next->range);

@@ -19,8 +19,10 @@ namespace Voronoi {
 /*
 Arcs that leave an end of the arc of an element on its other side, if only by a tiny angle.
 
-A disk that touches the element in X, and has none of its arc inside, lies beyond the arc where both are graphs over the tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the element only in ends, if the graph is planar; so where it goes away from P along the tangent, no farther than
-the arc of the element does, no such disk passes through it.
+A disk that touches the element in X, and has none of its arc inside, lies beyond the arc where both are graphs over the
+tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the element only in
+ends, if the graph is planar; so where it goes away from P along the tangent, no farther than the arc of the element
+does, no such disk passes through it.
 */
 template <Enclosing_number Interval>
 class Basic_hidden_arcs
@@ -41,11 +43,14 @@ public:
   bool hold(const Element_part& part, const Disk_candidate& candidate) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
-    if (element.is_normal_cone || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == element.object || !m_graph.is_planar())
+    if (element.is_normal_cone || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == element.object ||
+        !m_graph.is_planar())
       return false;
     for (const bool own_end : {false, true})
       for (const bool end : {false, true})
-        if (const Arc_end own{element.object, own_end}, other{candidate.index, end}; m_graph.vertex_of(own) == m_graph.vertex_of(other) && is_on_other_side(element, own, other) && is_along(part, own, other, candidate.range))
+        if (const Arc_end own{element.object, own_end}, other{candidate.index, end};
+            m_graph.vertex_of(own) == m_graph.vertex_of(other) && is_on_other_side(element, own, other) &&
+            is_along(part, own, other, candidate.range))
           return true;
     return false;
   }
@@ -59,27 +64,34 @@ private:
   bool is_on_other_side(const Oriented_element& element, const Arc_end& own, const Arc_end& other) const
   {
     const int side = element.is_reversed == own.is_end ? 1 : -1;   // of the disks, seen from the vertex: 1 left
-    const auto direction = [&](const Arc_end& end) { return sign_away(end) * m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()}); };
+    const auto direction = [&](const Arc_end& end) {
+      return sign_away(end) * m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()});
+    };
     int turn = certain_sign(dot(turned_left(direction(own)), direction(other)));
     if (turn == 0 && m_graph.is_exact(own) && m_graph.is_exact(other))
       turn = sign_of(exact_cross(m_graph.direction(own), m_graph.direction(other)));
     return turn == -side;
   }
 
-  // Whether an arc, up to the end of a range, goes along the tangents of the part from the common vertex on, and the arc of the element does so farther.
+  // Whether an arc, up to the end of a range, goes along the tangents of the part from the common vertex on, and the
+  // arc of the element does so farther.
   bool is_along(const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
   {
     constexpr double least_way = 1.0 / 8;   // of the arc of the element
     const Site_arc_2 &x = m_graph.arcs()[own.arc], &y = m_graph.arcs()[other.arc];
-    const double reached = other.is_end ? range.begin : range.end, way = other.is_end ? 1 - reached : reached, least = (std::max)(least_way, own.is_end ? 1 - part.range.begin : part.range.end);
-    if (!(m_graph.are_ends_exact(own.arc) && m_graph.are_ends_exact(other.arc)) && way > 0.5)   // what is cut in a rounded parameter may go on behind a crossing
+    const double reached = other.is_end ? range.begin : range.end, way = other.is_end ? 1 - reached : reached,
+                 least = (std::max)(least_way, own.is_end ? 1 - part.range.begin : part.range.end);
+    // what is cut in a rounded parameter may go on behind a crossing
+    if (!(m_graph.are_ends_exact(own.arc) && m_graph.are_ends_exact(other.arc)) && way > 0.5)
       return false;
     const Interval_pair tangent = sign_away(own) * x.direction_over(part.range);
-    if (!(dot(sign_away(other) * y.direction_over(united(range, {other.parameter(), other.parameter()})), tangent).inf() > 0))
+    if (!(dot(sign_away(other) * y.direction_over(united(range, {other.parameter(), other.parameter()})), tangent)
+              .inf() > 0))
       return false;
     const Interval_pair last = y.point({reached, reached});
     for (double w = 1; w >= least; w /= 2)
-      if (const double end = own.is_end ? 1 - w : w; dot(x.point({end, end}) - last, tangent).inf() > 0 && dot(sign_away(own) * x.direction_over(up_to(own, w)), tangent).inf() > 0)
+      if (const double end = own.is_end ? 1 - w : w; dot(x.point({end, end}) - last, tangent).inf() > 0 &&
+          dot(sign_away(own) * x.direction_over(up_to(own, w)), tangent).inf() > 0)
         return true;
     return false;
   }

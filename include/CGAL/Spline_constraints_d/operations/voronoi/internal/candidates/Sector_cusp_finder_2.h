@@ -22,17 +22,22 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Settles the ends of arcs X in vertices p from which just one other arc Y leaves in the same direction, where distances from some sites are divided by c > 1.
+Settles the ends of arcs X in vertices p from which just one other arc Y leaves in the same direction, where distances
+from some sites are divided by c > 1.
 
-In X(u) the disk has a radius of r u^m at most, and scaled it is in the circle around X(u) with 1 + c times that. Of all arcs but X and Y next to p, and of p itself, X(u) is as far away as a multiple of u tells, as they are on the other side of a line through p; and of the rest, as boxes tell. So disks touch nothing but X and Y.
-If Y is scaled, and both turn by less than a right angle, and have less curvature than all of these disks, scaled for Y, each disk is touched by Y in one point when it is scaled, on both sides of X. If Y is not scaled, no disk touches scaled sites.
+In X(u) the disk has a radius of r u^m at most, and scaled it is in the circle around X(u) with 1 + c times that. Of all
+arcs but X and Y next to p, and of p itself, X(u) is as far away as a multiple of u tells, as they are on the other side
+of a line through p; and of the rest, as boxes tell. So disks touch nothing but X and Y. If Y is scaled, and both turn
+by less than a right angle, and have less curvature than all of these disks, scaled for Y, each disk is touched by Y in
+one point when it is scaled, on both sides of X. If Y is not scaled, no disk touches scaled sites.
 */
 class Sector_cusp_finder_2
 {
   static constexpr double least_width = 0x1p-16, given_up_width = 0x1p-6;   // of an element
   static constexpr int most_halvings = 10;                                  // of arcs, to see that they are far away
 
-  // Disks that touch a part of the element of an arc next to its end, and the distance from the element within which they touch anything when they are scaled.
+  // Disks that touch a part of the element of an arc next to its end, and the distance from the element within which
+  // they touch anything when they are scaled.
   struct Disks
   {
     Arc_end own, other;
@@ -46,7 +51,9 @@ class Sector_cusp_finder_2
   Interval m_factor;            // c
 
 public:
-  Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites())) {}
+  Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature)
+    : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites()))
+  {}
 
   Cusps_2 operator()(const std::vector<std::size_t>& elements) const
   {
@@ -59,22 +66,27 @@ public:
         for (const bool is_end : {false, true}) {
           const Arc_end own{element.object, is_end};
           if (const std::vector<Arc_end> others = others_beside(element, own); !others.empty())
-            result.set_side(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
+            result.set_side(f, is_end,
+                            others.size() == 1 ? side(f, own, others[0])
+                                               : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
         }
     add_scaled_sides(result);
     return result;
   }
 
 private:
-  // Without a factor, disks in a cusp between scaled arcs touch these and no other element. A scaled disk that touches one of them on that side is a part of its disk there: it would have the element inside.
+  // Without a factor, disks in a cusp between scaled arcs touch these and no other element. A scaled disk that touches
+  // one of them on that side is a part of its disk there: it would have the element inside.
   void add_scaled_sides(Cusps_2& result) const
   {
     const Site_tree_2 tree(m_graph);
     const Cusp_finder_2 finder(m_graph, tree);
     for (std::size_t f = 0; f < m_graph.elements().size(); ++f)
       for (const bool is_end : {false, true})
-        if (const Oriented_element& element = m_graph.elements()[f]; !element.is_normal_cone && m_curvature.is_arc_scaled(element.object))
-          if (const auto other = m_graph.across_cusp(element, {element.object, is_end}); other && m_curvature.is_arc_scaled(other->arc))
+        if (const Oriented_element& element = m_graph.elements()[f];
+            !element.is_normal_cone && m_curvature.is_arc_scaled(element.object))
+          if (const auto other = m_graph.across_cusp(element, {element.object, is_end});
+              other && m_curvature.is_arc_scaled(other->arc))
             result.set_side(f, is_end, finder.side(f, {element.object, is_end}));
   }
 
@@ -91,7 +103,8 @@ private:
     for (const Arc_end& end : m_graph.vertices()[m_graph.vertex_of(own)].ends)
       if (end != own && are_same_directions(m_graph.direction(own), m_graph.direction(end)))
         result.push_back(end);
-    if (result.size() == 1 && !m_curvature.is_arc_scaled(result[0].arc) && m_graph.across_cusp(element, own) != result[0])
+    if (result.size() == 1 && !m_curvature.is_arc_scaled(result[0].arc) &&
+        m_graph.across_cusp(element, own) != result[0])
       result.clear();
     return result;
   }
@@ -110,21 +123,30 @@ private:
     const Oriented_element& element = m_graph.elements()[f];
     const bool is_scaled = m_curvature.is_arc_scaled(other.arc);
     const Element_part part = m_curvature.part(f, range_at(own, width));
-    const Interval square = squared_norm(part.jet.normal), normal = CGAL::sqrt(square.inf() > 0 ? square : Interval(0, square.sup()));
-    const auto cusp = is_scaled ? Cusp_width::of_scaled(m_graph, own, other, (m_factor - Interval(1)) * normal, width) : Cusp_width::of(m_graph, own, other, element.is_reversed == own.is_end, width);
+    const Interval square = squared_norm(part.jet.normal),
+                   normal = CGAL::sqrt(square.inf() > 0 ? square : Interval(0, square.sup()));
+    const auto cusp = is_scaled ? Cusp_width::of_scaled(m_graph, own, other, (m_factor - Interval(1)) * normal, width)
+                                : Cusp_width::of(m_graph, own, other, element.is_reversed == own.is_end, width);
     if (!cusp)
       return std::nullopt;
     const Corner_of_disks corner{own.parameter(), cusp->curvature, cusp->power};
     const double least = corner.least_curvature(own.is_end ? 1 - width : width);   // of all disks
     const Interval radius = Interval(normal.sup()) / Interval(least);
-    const Interval_pair points = m_graph.vertices()[m_graph.vertex_of(own)].point + m_graph.arcs()[own.arc].way_from_end(own.is_end, part.range);
+    const Interval_pair points =
+        m_graph.vertices()[m_graph.vertex_of(own)].point + m_graph.arcs()[own.arc].way_from_end(own.is_end, part.range);
     if (!touch_nothing_else({own, other, width, (Interval(1) + m_factor) * radius, points}))
       return std::nullopt;
     if (!is_scaled)
       return Located_footpoint{};
     const Range range = range_beside(own, other, width);
-    const auto is_flat = [&](std::size_t element_of_other) { return is_bent_less(m_graph, m_curvature.part(element_of_other, range), other.arc, (Interval(1) / (m_factor * radius)).inf()); };
-    if (!is_bent_less(m_graph, m_curvature.part(f, range_beside(own, own, width)), own.arc, (Interval(1) / radius).inf()) || !is_flat(2 * other.arc) || !is_flat(2 * other.arc + 1))   // the order of arcs may not be known
+    const auto is_flat = [&](std::size_t element_of_other) {
+      return is_bent_less(m_graph, m_curvature.part(element_of_other, range), other.arc,
+                          (Interval(1) / (m_factor * radius)).inf());
+    };
+    // the order of arcs may not be known
+    if (!is_bent_less(m_graph, m_curvature.part(f, range_beside(own, own, width)), own.arc,
+                      (Interval(1) / radius).inf()) ||
+        !is_flat(2 * other.arc) || !is_flat(2 * other.arc + 1))
       return std::nullopt;
     return Located_footpoint{{Disk_footpoint::Kind::ARC, other.arc, 0}, range, least, corner};
   }
@@ -132,7 +154,9 @@ private:
   // About twice the width next to an end of an arc in the cusp: the rest of the arc is farther away than the disks.
   Range range_beside(const Arc_end& own, const Arc_end& end, double width) const
   {
-    const auto squared_speed = [&](const Arc_end& e) { return CGAL::to_double(squared_norm(m_graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()}))); };
+    const auto squared_speed = [&](const Arc_end& e) {
+      return CGAL::to_double(squared_norm(m_graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()})));
+    };
     return range_at(end, (std::min)(1.0, 2 * width * std::sqrt(squared_speed(own) / squared_speed(end))));
   }
 
@@ -142,7 +166,8 @@ private:
     const bool is_scaled = m_curvature.is_arc_scaled(disks.other.arc);
     const std::size_t vertex = m_graph.vertex_of(disks.own);
     for (std::size_t v = 0; v < m_graph.vertices().size(); ++v)
-      if ((is_scaled || m_curvature.is_vertex_scaled(v)) && !(v == vertex ? go_away(disks, direction(disks.own)) : is_outside(disks, m_graph.vertices()[v].point)))
+      if ((is_scaled || m_curvature.is_vertex_scaled(v)) &&
+          !(v == vertex ? go_away(disks, direction(disks.own)) : is_outside(disks, m_graph.vertices()[v].point)))
         return false;
     for (std::size_t arc = 0; arc < m_graph.arcs().size(); ++arc)
       if ((is_scaled || m_curvature.is_arc_scaled(arc)) && !is_apart(disks, arc))
@@ -156,7 +181,9 @@ private:
     Range rest;
     for (const bool is_end : {false, true})
       if (const Arc_end end{arc, is_end}; m_graph.vertex_of(end) == m_graph.vertex_of(disks.own)) {
-        const std::optional<Range> known = end == disks.own || end == disks.other ? std::optional(range_beside(disks.own, end, disks.width)) : range_behind_line(disks, end);
+        const std::optional<Range> known = end == disks.own || end == disks.other
+            ? std::optional(range_beside(disks.own, end, disks.width))
+            : range_behind_line(disks, end);
         if (!known)
           return false;
         (is_end ? rest.end : rest.begin) = is_end ? known->begin : known->end;
@@ -164,11 +191,16 @@ private:
     return rest.begin >= rest.end || is_outside(disks, arc, rest, most_halvings);
   }
 
-  bool is_outside(const Disks& disks, const Interval_pair& points) const { return (squared_norm(points - disks.points) - CGAL::square(disks.reach)).inf() > 0; }
+  bool is_outside(const Disks& disks, const Interval_pair& points) const
+  {
+    return (squared_norm(points - disks.points) - CGAL::square(disks.reach)).inf() > 0;
+  }
 
   bool is_outside(const Disks& disks, std::size_t arc, const Range& range, int halvings) const
   {
-    return is_outside(disks, m_graph.arcs()[arc].point(range)) || (halvings > 0 && is_outside(disks, arc, {range.begin, range.middle()}, halvings - 1) && is_outside(disks, arc, {range.middle(), range.end}, halvings - 1));
+    return is_outside(disks, m_graph.arcs()[arc].point(range)) ||
+        (halvings > 0 && is_outside(disks, arc, {range.begin, range.middle()}, halvings - 1) &&
+         is_outside(disks, arc, {range.middle(), range.end}, halvings - 1));
   }
 
   // Where an arc is on the other side of a line through the vertex, from which disks go away.
@@ -185,11 +217,15 @@ private:
   // Whether in the direction of a normal each point of the element is farther from the vertex than its disk reaches.
   bool go_away(const Disks& disks, const Interval_pair& normal) const
   {
-    const Interval_pair derivative = outward(disks.own, m_graph.arcs()[disks.own.arc].jet(range_at(disks.own, disks.width), 1)[1]);
+    const Interval_pair derivative =
+        outward(disks.own, m_graph.arcs()[disks.own.arc].jet(range_at(disks.own, disks.width), 1)[1]);
     return (dot(derivative, normal) * Interval(disks.width) - disks.reach * CGAL::sqrt(squared_norm(normal))).inf() > 0;
   }
 
-  static Interval_pair outward(const Arc_end& end, const Interval_pair& forward) { return end.is_end ? Interval_pair{-forward[0], -forward[1]} : forward; }
+  static Interval_pair outward(const Arc_end& end, const Interval_pair& forward)
+  {
+    return end.is_end ? Interval_pair{-forward[0], -forward[1]} : forward;
+  }
 
   // A unit vector, rounded.
   Interval_pair direction(const Arc_end& end) const

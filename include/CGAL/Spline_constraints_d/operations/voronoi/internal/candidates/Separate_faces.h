@@ -18,8 +18,12 @@ namespace Voronoi {
 /*
 Arcs that disks see from a side on which another face of the planar graph is.
 
-A disk that touches an element in X, passes through Y and has no curve inside has the chord XY inside, too: all of it but its ends is in the face of the element. Of a face, the boundary is one cycle of elements for each connected component of the graph. So if the chord begins, in Y, on a side of an arc that belongs to another cycle of the component of the element, there is no such disk.
-In the end of the arc, the chord begins in the angle between two successive arcs, and these have that end as well: it is left to them if the arc is not one of them, or to the other one if that is seen from the side of the element.
+A disk that touches an element in X, passes through Y and has no curve inside has the chord XY inside, too: all of it
+but its ends is in the face of the element. Of a face, the boundary is one cycle of elements for each connected
+component of the graph. So if the chord begins, in Y, on a side of an arc that belongs to another cycle of the component
+of the element, there is no such disk. In the end of the arc, the chord begins in the angle between two successive arcs,
+and these have that end as well: it is left to them if the arc is not one of them, or to the other one if that is seen
+from the side of the element.
 */
 template <Enclosing_number Interval>
 class Basic_separate_faces
@@ -36,25 +40,36 @@ class Basic_separate_faces
 
 public:
   // With scaled sites, curves may be in disks that touch others.
-  Basic_separate_faces(const Site_graph_2& graph, bool are_any_scaled) : m_graph(graph), m_is_planar(graph.is_planar() && !are_any_scaled) {}
+  Basic_separate_faces(const Site_graph_2& graph, bool are_any_scaled)
+    : m_graph(graph), m_is_planar(graph.is_planar() && !are_any_scaled)
+  {}
 
   // Whether an element is neither in a face on the left nor in one on the right of an arc.
-  bool hold(std::size_t element, std::size_t arc) const { return m_is_planar && !may_see(element, arc, true) && !may_see(element, arc, false); }
+  bool hold(std::size_t element, std::size_t arc) const
+  {
+    return m_is_planar && !may_see(element, arc, true) && !may_see(element, arc, false);
+  }
 
-  // Whether all disks that touch the part of an element, and pass through a candidate, have the chord on a side of the arc where the element is not; with the middle of the part.
-  bool hold(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle, const Disk_candidate& candidate) const
+  // Whether all disks that touch the part of an element, and pass through a candidate, have the chord on a side of the
+  // arc where the element is not; with the middle of the part.
+  bool hold(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle,
+            const Disk_candidate& candidate) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
     const std::size_t arc = candidate.index;
-    if (!m_is_planar || candidate.kind != Disk_candidate::Kind::ARC || (!element.is_normal_cone && element.object == arc))
+    if (!m_is_planar || candidate.kind != Disk_candidate::Kind::ARC ||
+        (!element.is_normal_cone && element.object == arc))
       return false;
     const bool is_on_left = may_see(part.element, arc, true), is_on_right = may_see(part.element, arc, false);
     if (is_on_left == is_on_right)
       return !is_on_left;
-    const Interval_pair direction = m_graph.arcs()[arc].has_singular_end() ? m_graph.arcs()[arc].direction_over(candidate.range) : candidate.jet[1];
+    const Interval_pair direction =
+        m_graph.arcs()[arc].has_singular_end() ? m_graph.arcs()[arc].direction_over(candidate.range) : candidate.jet[1];
     if (turn_to_element(direction, curvature, part, middle, arc, candidate.range) != (is_on_left ? -1 : 1))
       return false;
-    const auto is_left_out = [&](bool end) { return is_left_to_others(curvature, part, middle, {arc, end}, is_on_left != end); };
+    const auto is_left_out = [&](bool end) {
+      return is_left_to_others(curvature, part, middle, {arc, end}, is_on_left != end);
+    };
     return (candidate.range.begin > 0 || is_left_out(false)) && (candidate.range.end < 1 || is_left_out(true));
   }
 
@@ -65,29 +80,42 @@ private:
     return a.component != b.component || a.cycle == b.cycle;
   }
 
-  // Whether the way from points of an arc to those of an element turns left from a vector, 1, or right, -1; by mean values, as elements and arcs nearly have one direction.
-  int turn_to_element(const Interval_pair& vector, const Disk_curvature& curvature, const Element_part& part, const Element_part& middle, std::size_t arc, const Range& range) const
+  // Whether the way from points of an arc to those of an element turns left from a vector, 1, or right, -1; by mean
+  // values, as elements and arcs nearly have one direction.
+  int turn_to_element(const Interval_pair& vector, const Disk_curvature& curvature, const Element_part& part,
+                      const Element_part& middle, std::size_t arc, const Range& range) const
   {
     const Interval_pair normal = turned_left(vector);
     const double v = range.middle();
-    const Basic_curve_jet<Interval> jet = m_graph.arcs()[arc].jet(range, 1), jet_in_middle = range.is_number() ? jet : m_graph.arcs()[arc].jet({v, v}, 1);
-    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(v);
-    return certain_sign(shift_u * dot(normal, part.jet.point_derivative) - shift_v * dot(normal, jet[1]) - dot(normal, curvature.way(middle, arc, {v, v}, jet_in_middle)));
+    const Basic_curve_jet<Interval> jet = m_graph.arcs()[arc].jet(range, 1),
+                                    jet_in_middle = range.is_number() ? jet : m_graph.arcs()[arc].jet({v, v}, 1);
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
+                   shift_v = interval_of<Interval>(range) - Interval(v);
+    return certain_sign(shift_u * dot(normal, part.jet.point_derivative) - shift_v * dot(normal, jet[1]) -
+                        dot(normal, curvature.way(middle, arc, {v, v}, jet_in_middle)));
   }
 
-  // Whether the chords to the end of an arc begin outside of the angle between this and the next arc around the vertex, which comes counterclockwise, or clockwise; or on the side of the next one where the angle is.
-  bool is_left_to_others(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle, const Arc_end& end, bool is_counterclockwise) const
+  // Whether the chords to the end of an arc begin outside of the angle between this and the next arc around the vertex,
+  // which comes counterclockwise, or clockwise; or on the side of the next one where the angle is.
+  bool is_left_to_others(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle,
+                         const Arc_end& end, bool is_counterclockwise) const
   {
     const Oriented_element& side = m_graph.elements()[2 * end.arc + (is_counterclockwise == end.is_end)];
     const Arc_end& next = m_graph.next_around_vertex(side, end);
     if (next == end)
       return false;
-    const auto direction = [&](const Arc_end& e) { return Interval(e.is_end ? -1 : 1) * m_graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()}); };
+    const auto direction = [&](const Arc_end& e) {
+      return Interval(e.is_end ? -1 : 1) * m_graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()});
+    };
     const Interval_pair first = direction(end), last = direction(next);
-    const int way = is_counterclockwise ? 1 : -1, angle = way * certain_sign(dot(turned_left(first), last));   // below 180 degrees: 1
-    const auto turn = [&](const Interval_pair& vector) { return way * turn_to_element(vector, curvature, part, middle, end.arc, {end.parameter(), end.parameter()}); };
+    // below 180 degrees: 1
+    const int way = is_counterclockwise ? 1 : -1, angle = way * certain_sign(dot(turned_left(first), last));
+    const auto turn = [&](const Interval_pair& vector) {
+      return way * turn_to_element(vector, curvature, part, middle, end.arc, {end.parameter(), end.parameter()});
+    };
     const int turn_from_next = turn(last);
-    return turn_from_next < 0 || (angle > 0 && (turn_from_next > 0 || turn(first) < 0)) || (angle < 0 && turn_from_next > 0 && turn(first) < 0);
+    return turn_from_next < 0 || (angle > 0 && (turn_from_next > 0 || turn(first) < 0)) ||
+        (angle < 0 && turn_from_next > 0 && turn(first) < 0);
   }
 };
 

@@ -36,10 +36,14 @@ struct Bisected_operands
     const auto& [is_point, index] = places[operand];
     if (is_point)
       return vertex.is_exact && vertex.exact_point == exact_coordinates(points[index]);
-    return std::any_of(vertex.ends.begin(), vertex.ends.end(), [&graph, i = index](const Arc_end& end) { return graph.is_part_of(end.arc, i); });
+    return std::any_of(vertex.ends.begin(), vertex.ends.end(),
+                       [&graph, i = index](const Arc_end& end) { return graph.is_part_of(end.arc, i); });
   }
 
-  bool is_on(std::size_t operand, const Site_graph_2& graph, std::size_t arc) const { return !places[operand].first && graph.is_part_of(arc, places[operand].second); }
+  bool is_on(std::size_t operand, const Site_graph_2& graph, std::size_t arc) const
+  {
+    return !places[operand].first && graph.is_part_of(arc, places[operand].second);
+  }
 
 private:
   template <ParametricCurve_2 Curve>

@@ -31,8 +31,12 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The centers of all maximal disks, as a planar graph. Each envelope arc of an element is a halfedge: the centers of its disks. Elements are traversed with the free side on the left, so that halfedges follow each other around the region that belongs to a connected set of curves. The twin of a halfedge is that of the element on
-the other side of the disks, found by the other footpoint of one disk in the middle of the envelope arc: both envelope arcs contain that disk, and so, as the ends of both are events, all the others. Vertices are the cycles of this structure: nothing is compared by coordinates.
+The centers of all maximal disks, as a planar graph. Each envelope arc of an element is a halfedge: the centers of its
+disks. Elements are traversed with the free side on the left, so that halfedges follow each other around the region that
+belongs to a connected set of curves. The twin of a halfedge is that of the element on the other side of the disks,
+found by the other footpoint of one disk in the middle of the envelope arc: both envelope arcs contain that disk, and
+so, as the ends of both are events, all the others. Vertices are the cycles of this structure: nothing is compared by
+coordinates.
 */
 class Disk_diagram
 {
@@ -72,8 +76,10 @@ private:
 
 public:
   // The elements are all, or those of some cycles; others have no envelope arcs.
-  Disk_diagram(const Site_graph_2& graph, std::shared_ptr<const Fine_level> fine_level, std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs)
-    : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature(graph), *m_fine_level), m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs))
+  Disk_diagram(const Site_graph_2& graph, std::shared_ptr<const Fine_level> fine_level,
+               std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs)
+    : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature(graph), *m_fine_level),
+      m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs))
   {
     const Upward_rounding_guard guard;
     for (const auto& envelope_arcs : m_envelope_arcs)
@@ -93,8 +99,11 @@ public:
     for (const std::size_t f : m_elements) {
       const std::vector<Envelope_arc>& envelope_arcs = m_envelope_arcs[f];
       for (std::size_t i = 0; i <= envelope_arcs.size(); ++i)
-        if (envelope_arcs.empty() || (i > 0 && envelope_arcs[i - 1].events[1] == Disk_event::UNRESOLVED) || (i < envelope_arcs.size() && envelope_arcs[i].events[0] == Disk_event::UNRESOLVED))
-          result.push_back({f, {i > 0 ? envelope_arcs[i - 1].range.end : 0, i < envelope_arcs.size() ? envelope_arcs[i].range.begin : 1}});
+        if (envelope_arcs.empty() || (i > 0 && envelope_arcs[i - 1].events[1] == Disk_event::UNRESOLVED) ||
+            (i < envelope_arcs.size() && envelope_arcs[i].events[0] == Disk_event::UNRESOLVED))
+          result.push_back({f,
+                            {i > 0 ? envelope_arcs[i - 1].range.end : 0,
+                             i < envelope_arcs.size() ? envelope_arcs[i].range.begin : 1}});
     }
     for (const Halfedge& h : m_halfedges)
       if (!is_at_infinity(h) && h.twin == none)
@@ -112,7 +121,10 @@ public:
   bool is_at_infinity(const Halfedge& h) const { return footpoint(h).kind == Disk_footpoint::Kind::NOTHING; }
 
   // The parameter where a part begins or ends.
-  double end_parameter(const Part& part, bool end) const { return end != element(part).is_reversed ? envelope_arc(part).range.end : envelope_arc(part).range.begin; }
+  double end_parameter(const Part& part, bool end) const
+  {
+    return end != element(part).is_reversed ? envelope_arc(part).range.end : envelope_arc(part).range.begin;
+  }
 
   // The range of an element in which the disk is where a halfedge begins or ends: between the envelope arcs there.
   Element_range range_of_end(std::size_t halfedge, bool end) const
@@ -120,8 +132,11 @@ public:
     const Part& part = end ? m_halfedges[halfedge].parts.back() : m_halfedges[halfedge].parts.front();
     const std::vector<Envelope_arc>& envelope_arcs = m_envelope_arcs[part.element];
     const std::size_t behind = part.envelope_arc + (end != element(part).is_reversed);
-    const auto bound = [&](std::size_t i, bool upper) { return envelope_arcs[i].holds_events == upper ? envelope_arcs[i].range.end : envelope_arcs[i].range.begin; };
-    return {part.element, {behind > 0 ? bound(behind - 1, false) : 0, behind < envelope_arcs.size() ? bound(behind, true) : 1}};
+    const auto bound = [&](std::size_t i, bool upper) {
+      return envelope_arcs[i].holds_events == upper ? envelope_arcs[i].range.end : envelope_arcs[i].range.begin;
+    };
+    return {part.element,
+            {behind > 0 ? bound(behind - 1, false) : 0, behind < envelope_arcs.size() ? bound(behind, true) : 1}};
   }
 
   // The point of a corner, if that is where a halfedge begins or ends.
@@ -134,11 +149,13 @@ public:
     return disk.is_point ? std::optional(disk.center) : std::nullopt;
   }
 
-  // The arc of a circle, if any, all of which a disk touches where a halfedge begins: its envelope arc comes before that.
+  // The arc of a circle, if any, all of which a disk touches where a halfedge begins: its envelope arc comes before
+  // that.
   std::optional<std::size_t> circle_before(std::size_t halfedge) const
   {
     const Part& first = m_halfedges[halfedge].parts.front();
-    for (Part part = part_after(m_halfedges[m_halfedges[halfedge].previous].parts.back()); part.element != first.element || part.envelope_arc != first.envelope_arc; part = part_after(part))
+    for (Part part = part_after(m_halfedges[m_halfedges[halfedge].previous].parts.back());
+         part.element != first.element || part.envelope_arc != first.envelope_arc; part = part_after(part))
       if (envelope_arc(part).footpoint.kind == Disk_footpoint::Kind::CIRCLE)
         return element(part).object;
     return std::nullopt;
@@ -147,10 +164,14 @@ public:
   const std::shared_ptr<const Fine_level>& fine_level() const { return m_fine_level; }
 
   // See Envelope_arc_disks.
-  Envelope_arc_disks::Disk estimated_disk(const Part& part, double u) const { return m_disks.estimated(part.element, envelope_arc(part), u); }
+  Envelope_arc_disks::Disk estimated_disk(const Part& part, double u) const
+  {
+    return m_disks.estimated(part.element, envelope_arc(part), u);
+  }
 
 private:
-  // Calls visit(part, unresolved before it) along a cycle of elements, and returns whether something behind the last one is unresolved.
+  // Calls visit(part, unresolved before it) along a cycle of elements, and returns whether something behind the last
+  // one is unresolved.
   template <class Visit>
   bool traverse(std::size_t first, std::vector<char>& is_visited, const Visit& visit) const
   {
@@ -192,8 +213,10 @@ private:
   bool goes_on(const Part& before, const Part& after) const
   {
     const Oriented_element &a = element(before), &b = element(after);
-    return a.is_normal_cone && b.is_normal_cone && a.object == b.object && a.next == after.element && before.element != after.element && envelope_arc(before).footpoint == envelope_arc(after).footpoint &&
-           envelope_arc(before).range.end == 1 && envelope_arc(before).events[1] == Disk_event::NONE && envelope_arc(after).range.begin == 0 && envelope_arc(after).events[0] == Disk_event::NONE;
+    return a.is_normal_cone && b.is_normal_cone && a.object == b.object && a.next == after.element &&
+        before.element != after.element && envelope_arc(before).footpoint == envelope_arc(after).footpoint &&
+        envelope_arc(before).range.end == 1 && envelope_arc(before).events[1] == Disk_event::NONE &&
+        envelope_arc(after).range.begin == 0 && envelope_arc(after).events[0] == Disk_event::NONE;
   }
 
   void connect_cycles()
@@ -217,7 +240,8 @@ private:
         continue;
       }
       cycle.front().begins_unresolved = cycle.front().begins_unresolved || is_unresolved_at_end;
-      if (cycle.size() > 1 && !cycle.front().begins_unresolved && goes_on(cycle.back().parts.back(), cycle.front().parts.front())) {
+      if (cycle.size() > 1 && !cycle.front().begins_unresolved &&
+          goes_on(cycle.back().parts.back(), cycle.front().parts.front())) {
         cycle.back().parts.insert(cycle.back().parts.end(), cycle.front().parts.begin(), cycle.front().parts.end());
         cycle.erase(cycle.begin());
       }
@@ -237,29 +261,37 @@ private:
     }
   }
 
-  // The disks of one of two twins tell which one the other is, unless they are too near to an event; those of both do not contradict each other.
+  // The disks of one of two twins tell which one the other is, unless they are too near to an event; those of both do
+  // not contradict each other.
   void match_twins()
   {
-    std::vector<std::size_t> twins(m_halfedges.size(), none), told(m_halfedges.size(), 0);   // of the latter how many have it as their twin
+    // of the latter how many have it as their twin
+    std::vector<std::size_t> twins(m_halfedges.size(), none), told(m_halfedges.size(), 0);
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
       if (!is_at_infinity(m_halfedges[i]) && (twins[i] = twin_of(m_halfedges[i])) != none)
         ++told[twins[i]];
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (const std::size_t twin = twins[i]; twin != none && told[twin] == 1 && (twins[twin] == i || (twins[twin] == none && told[i] == 0)))
+      if (const std::size_t twin = twins[i];
+          twin != none && told[twin] == 1 && (twins[twin] == i || (twins[twin] == none && told[i] == 0)))
         std::tie(m_halfedges[i].twin, m_halfedges[twin].twin) = std::pair(twin, i);
   }
 
   std::size_t twin_of(const Halfedge& h) const
   {
-    if (const Part& part = h.parts.front(); envelope_arc(part).corner) {   // the other side of the pocket, which may be larger and have its disks told by bounds
+    // the other side of the pocket, which may be larger and have its disks told by bounds
+    if (const Part& part = h.parts.front(); envelope_arc(part).corner) {
       const std::size_t other = envelope_arc(part).corner->is_end != element(part).is_reversed ? h.next : h.previous;
-      return is_footpoint_with(footpoint(m_halfedges[other]), element(part)) && is_footpoint_with(footpoint(h), element(m_halfedges[other])) ? other : none;
+      return is_footpoint_with(footpoint(m_halfedges[other]), element(part)) &&
+              is_footpoint_with(footpoint(h), element(m_halfedges[other]))
+          ? other
+          : none;
     }
     for (const bool is_fine : {false, true})
       for (const Part& part : h.parts)
         for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
           const Range& range = envelope_arc(part).range;
-          const auto touched = m_disks.touched_element(part.element, envelope_arc(part), range.begin + share * range.width(), is_fine);
+          const auto touched =
+              m_disks.touched_element(part.element, envelope_arc(part), range.begin + share * range.width(), is_fine);
           if (const std::size_t twin = touched ? halfedge_at(*touched, element(part)) : none; twin != none)
             return twin;
         }
@@ -269,7 +301,8 @@ private:
     return none;
   }
 
-  // Where a normal cone has its footpoint on an arc that begins or ends there, on the side that comes next: without the disk, which is too near to the vertex to tell. (Elsewhere the arc may come back, so that it is the other side.)
+  // Where a normal cone has its footpoint on an arc that begins or ends there, on the side that comes next: without the
+  // disk, which is too near to the vertex to tell. (Elsewhere the arc may come back, so that it is the other side.)
   std::size_t twin_at_tip(const Part& part) const
   {
     const Disk_footpoint& footpoint = envelope_arc(part).footpoint;
@@ -284,17 +317,20 @@ private:
     return none;
   }
 
-  // The halfedge of the only envelope arc with a footpoint on an element that may hold a parameter. Events are somewhere between the ranges of their envelope arcs.
+  // The halfedge of the only envelope arc with a footpoint on an element that may hold a parameter. Events are
+  // somewhere between the ranges of their envelope arcs.
   std::size_t halfedge_at(const Touched_element& touched, const Oriented_element& other) const
   {
     const std::vector<Envelope_arc>& envelope_arcs = m_envelope_arcs[touched.element];
     std::size_t result = none;
     for (std::size_t s = 0; s < envelope_arcs.size(); ++s) {
-      const Range around{s > 0 ? envelope_arcs[s - 1].range.end : 0, s + 1 < envelope_arcs.size() ? envelope_arcs[s + 1].range.begin : 1};
+      const Range around{s > 0 ? envelope_arcs[s - 1].range.end : 0,
+                         s + 1 < envelope_arcs.size() ? envelope_arcs[s + 1].range.begin : 1};
       if (!around.meets(touched.range))
         continue;
       const auto& [range, events] = std::tie(envelope_arcs[s].range, envelope_arcs[s].events);
-      if ((events[0] == Disk_event::UNRESOLVED && touched.range.begin < range.begin) || (events[1] == Disk_event::UNRESOLVED && touched.range.end > range.end))
+      if ((events[0] == Disk_event::UNRESOLVED && touched.range.begin < range.begin) ||
+          (events[1] == Disk_event::UNRESOLVED && touched.range.end > range.end))
         return none;
       if (is_footpoint_with(envelope_arcs[s].footpoint, other)) {
         if (result != none)
@@ -332,7 +368,8 @@ private:
     }
   }
 
-  // The outgoing halfedge of a vertex with which visiting begins: at infinity the one before which there is nothing, elsewhere any.
+  // The outgoing halfedge of a vertex with which visiting begins: at infinity the one before which there is nothing,
+  // elsewhere any.
   std::size_t first_of_star(std::size_t halfedge) const
   {
     std::size_t result = halfedge;
@@ -348,7 +385,8 @@ private:
   }
 };
 
-// The diagram of a graph of curves, on all elements, or on those of some cycles. With a tag for parallel work, elements are handed to all cores.
+// The diagram of a graph of curves, on all elements, or on those of some cycles. With a tag for parallel work, elements
+// are handed to all cores.
 template <class Concurrency_tag>
 Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> elements, const std::string& operation)
 {

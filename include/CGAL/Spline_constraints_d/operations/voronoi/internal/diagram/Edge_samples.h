@@ -46,7 +46,9 @@ public:
     const Oriented_element& element = m_diagram.element(part);
     const Disk_footpoint& footpoint = m_diagram.envelope_arc(part).footpoint;
     const Envelope_arc_disks::Disk disk = m_diagram.estimated_disk(part, u);
-    const std::array<double, 2> parameters{curve_parameter(element.is_normal_cone, element.object, u), curve_parameter(footpoint.kind == Disk_footpoint::Kind::VERTEX, footpoint.index, disk.parameter)};
+    const std::array<double, 2> parameters{
+        curve_parameter(element.is_normal_cone, element.object, u),
+        curve_parameter(footpoint.kind == Disk_footpoint::Kind::VERTEX, footpoint.index, disk.parameter)};
     if (disk.is_point)
       return {middle(disk.center), 0, parameters, {0, 0}};
     const Element_jet x = m_graph.element_jet(element, {u, u});
@@ -73,16 +75,22 @@ public:
     const std::optional<double> inner = any_within(all, radius_at, most_radius);
     if (!inner)
       return;
-    const std::array last{last_within(*inner, all[0], radius_at, most_radius), last_within(*inner, all[1], radius_at, most_radius)};
+    const std::array last{last_within(*inner, all[0], radius_at, most_radius),
+                          last_within(*inner, all[1], radius_at, most_radius)};
     using Located = std::pair<double, Sample>;
     const auto located = [&](double u) { return Located(u, (*this)(part, u)); };
     const auto between = [&](const Located& from, const Located& to) { return located(from.first / 2 + to.first / 2); };
-    const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return height_over_chord(from.second, middle.second, to.second) <= error; };
+    const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) {
+      return height_over_chord(from.second, middle.second, to.second) <= error;
+    };
     std::vector<Located> along{located(last[0].parameter)};
     append_samples(along, located(last[1].parameter), between, is_chord);
     for (const bool end : {false, true})
       if (const auto& next = last[end].jump)   // from there on, the edge goes along the normal, up to rounding
-        along.insert(end ? along.end() : along.begin(), {*next, with_radius(part, *next, most_radius, end ? along.back().second : along.front().second, (*this)(part, *next))});
+        along.insert(end ? along.end() : along.begin(),
+                     {*next,
+                      with_radius(part, *next, most_radius, end ? along.back().second : along.front().second,
+                                  (*this)(part, *next))});
     for (std::size_t i = samples.empty() ? 0 : 1; i < along.size(); ++i)
       samples.push_back(along[i].second);
   }
@@ -90,10 +98,12 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // The centers of the disks in a pocket are on a line, up to rounding: from the corner to the disk at the other end, or as far as radii go.
+  // The centers of the disks in a pocket are on a line, up to rounding: from the corner to the disk at the other end,
+  // or as far as radii go.
   void append_corner(const Part& part, double most_radius, std::vector<Sample>& samples) const
   {
-    const bool is_end = m_diagram.envelope_arc(part).corner->is_end != m_diagram.element(part).is_reversed;   // of the traversal
+    // of the traversal
+    const bool is_end = m_diagram.envelope_arc(part).corner->is_end != m_diagram.element(part).is_reversed;
     const double u = m_diagram.end_parameter(part, is_end);
     Sample corner = (*this)(part, u);
     corner.radius_bounds = {0, 0};
@@ -105,28 +115,44 @@ private:
     samples.push_back(is_end ? corner : last);
   }
 
-  // The disk of a given radius between a smaller one and a larger one, which touch the element in the same point up to rounding.
+  // The disk of a given radius between a smaller one and a larger one, which touch the element in the same point up to
+  // rounding.
   Sample with_radius(const Part& part, double u, double radius, const Sample& smaller, const Sample& larger) const
   {
     const Element_jet x = m_graph.element_jet(m_diagram.element(part), {u, u});
     const bool is_between = smaller.radius_bounds[1] <= radius && radius <= larger.radius_bounds[0];
-    const Bounds bounds = is_between ? Bounds{radius, radius} : Bounds{(std::min)(smaller.radius_bounds[0], larger.radius_bounds[0]), (std::max)(smaller.radius_bounds[1], larger.radius_bounds[1])};
-    return {middle(with_curvature(x, CGAL::sqrt(squared_norm(x.normal)) / Interval(radius))), radius, larger.parameters, bounds};
+    const Bounds bounds = is_between ? Bounds{radius, radius}
+                                     : Bounds{(std::min)(smaller.radius_bounds[0], larger.radius_bounds[0]),
+                                              (std::max)(smaller.radius_bounds[1], larger.radius_bounds[1])};
+    return {middle(with_curvature(x, CGAL::sqrt(squared_norm(x.normal)) / Interval(radius))), radius, larger.parameters,
+            bounds};
   }
 
-  static Interval_pair with_curvature(const Element_jet& x, const Interval& k) { return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k}; }
+  static Interval_pair with_curvature(const Element_jet& x, const Interval& k)
+  {
+    return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k};
+  }
 
-  double curve_parameter(bool is_point, std::size_t arc, double u) const { return is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph.curve_parameter(arc, u); }
+  double curve_parameter(bool is_point, std::size_t arc, double u) const
+  {
+    return is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph.curve_parameter(arc, u);
+  }
 
   static double middle(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
-  static Point middle(const Interval_pair& p) { return kernel_object<Kernel, Point>(std::array<double, 2>{middle(p[0]), middle(p[1])}); }
+  static Point middle(const Interval_pair& p)
+  {
+    return kernel_object<Kernel, Point>(std::array<double, 2>{middle(p[0]), middle(p[1])});
+  }
 
   static double height_over_chord(const Sample& from, const Sample& middle, const Sample& to)
   {
-    const auto coordinates = [](const Sample& s) { return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())}; };
+    const auto coordinates = [](const Sample& s) {
+      return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())};
+    };
     const auto p = coordinates(from), q = coordinates(middle), r = coordinates(to);
     const double length = std::hypot(r[0] - p[0], r[1] - p[1]);
-    return length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length : std::hypot(q[0] - p[0], q[1] - p[1]);
+    return length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length
+                      : std::hypot(q[0] - p[0], q[1] - p[1]);
   }
 };
 

@@ -32,7 +32,10 @@ struct Near_part
 /*
 The sites that are nearest to a point: arcs without their ends, and vertices.
 
-Boxes of the tree and ranges of arcs are split until all that are not certainly farther away than another one belong to one site, or are too small. A range on which the distance is monotone has its nearest point in one of its ends: if that is within the arc it is left to the next range, else to the vertex. Where it is not, its derivative is small, so that the mean value form encloses it well.
+Boxes of the tree and ranges of arcs are split until all that are not certainly farther away than another one belong to
+one site, or are too small. A range on which the distance is monotone has its nearest point in one of its ends: if that
+is within the arc it is left to the next range, else to the vertex. Where it is not, its derivative is small, so that
+the mean value form encloses it well.
 */
 template <Enclosing_number Interval>
 class Basic_nearest_sites
@@ -59,7 +62,9 @@ class Basic_nearest_sites
 
 public:
   // Among some parts of the sites.
-  Basic_nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_pair& point, const std::vector<Near_part>& parts) : m_graph(graph), m_tree(tree), m_point(interval_pair_of<Interval>(point))
+  Basic_nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_pair& point,
+                      const std::vector<Near_part>& parts)
+    : m_graph(graph), m_tree(tree), m_point(interval_pair_of<Interval>(point))
   {
     for (const Near_part& part : parts)
       add(m_candidates, part);
@@ -89,13 +94,17 @@ public:
   std::vector<Near_part> parts() const { return {m_candidates.begin(), m_candidates.end()}; }
 
 private:
-  std::size_t site_of(const Candidate& candidate) const { return candidate.index + (candidate.kind == Kind::VERTEX ? m_graph.arcs().size() : 0); }
+  std::size_t site_of(const Candidate& candidate) const
+  {
+    return candidate.index + (candidate.kind == Kind::VERTEX ? m_graph.arcs().size() : 0);
+  }
 
   // Whether the nearest point is known to be on one arc inside, or a vertex.
   bool belong_to_one_site(const std::vector<Candidate>& candidates) const
   {
     return std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-      const bool is_site = candidate.kind == Kind::VERTEX || (candidate.kind == Kind::ARC && candidate.range.begin > 0 && candidate.range.end < 1);
+      const bool is_site = candidate.kind == Kind::VERTEX ||
+          (candidate.kind == Kind::ARC && candidate.range.begin > 0 && candidate.range.end < 1);
       return is_site && site_of(candidate) == site_of(candidates.front());
     });
   }
@@ -105,7 +114,8 @@ private:
   void add(std::vector<Candidate>& candidates, const Near_part& part)
   {
     candidates.push_back({part, squared_distance(part)});
-    m_least = common_part(m_least, hull(Interval(0), candidates.back().squared_distance));   // there is a point in the part
+    // there is a point in the part
+    m_least = common_part(m_least, hull(Interval(0), candidates.back().squared_distance));
   }
 
   Interval squared_distance(const Near_part& part) const
@@ -118,7 +128,9 @@ private:
     const double middle = part.range.middle();
     const Curve_jet jet = arc.jet(part.range, 1);
     const Interval_pair way = jet[0] - m_point;
-    return common_part(squared_norm(way), squared_norm(arc.point({middle, middle}) - m_point) + Interval(2) * dot(way, jet[1]) * (interval_of<Interval>(part.range) - Interval(middle)));
+    return common_part(squared_norm(way),
+                       squared_norm(arc.point({middle, middle}) - m_point) +
+                           Interval(2) * dot(way, jet[1]) * (interval_of<Interval>(part.range) - Interval(middle)));
   }
 
   // Adds the parts of a candidate, or itself; returns whether it has been split.
@@ -164,14 +176,18 @@ private:
   }
 };
 
-// The sites that are nearest to a point: one, if it is proved; all that may be, if it is not. What doubles do not tell apart is decided on the fine level.
-inline std::vector<std::size_t> nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Fine_level& fine_level, const Exact_pair& point)
+// The sites that are nearest to a point: one, if it is proved; all that may be, if it is not. What doubles do not tell
+// apart is decided on the fine level.
+inline std::vector<std::size_t> nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree,
+                                              const Fine_level& fine_level, const Exact_pair& point)
 {
   if (tree.empty())
     return {};
   const Basic_nearest_sites<Interval> in_doubles(graph, tree, point, {{Candidate_kind::NODE, 0}});
   const std::vector<std::size_t> result = in_doubles.sites();
-  return result.size() > 1 ? Basic_nearest_sites<Fine_interval>(fine_level.graph(), tree, point, in_doubles.parts()).sites() : result;
+  return result.size() > 1
+      ? Basic_nearest_sites<Fine_interval>(fine_level.graph(), tree, point, in_doubles.parts()).sites()
+      : result;
 }
 
 } // namespace Voronoi

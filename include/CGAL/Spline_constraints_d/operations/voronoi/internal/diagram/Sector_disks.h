@@ -27,10 +27,15 @@ namespace Voronoi {
 /*
 All points P that are c times as far from some sites B of a graph, which are scaled by c > 1, as from the others, A.
 
-On the way from a point X of A along a normal the distance t from X grows by 1, and that from B by less than c in units of c: so t = |P - B| / c for one P. Let K(u) be the curvature of the disk around P through X, in units of the normal, where u runs along an element of A: it is the greatest one of disks that are touched by B when they are scaled.
-P belongs to the result if no other point of A is in that disk: K is not below the curvature of the largest disk without A inside. So the result consists of those envelope arcs of the upper envelope of both that belong to B, and ends of these are crossings: of the result and the self-bisector of A, where it goes over to another element, or of B.
+On the way from a point X of A along a normal the distance t from X grows by 1, and that from B by less than c in units
+of c: so t = |P - B| / c for one P. Let K(u) be the curvature of the disk around P through X, in units of the normal,
+where u runs along an element of A: it is the greatest one of disks that are touched by B when they are scaled. P
+belongs to the result if no other point of A is in that disk: K is not below the curvature of the largest disk without A
+inside. So the result consists of those envelope arcs of the upper envelope of both that belong to B, and ends of these
+are crossings: of the result and the self-bisector of A, where it goes over to another element, or of B.
 
-Where A and B meet, disks shrink to a point. Around it, the result has two curves for each arc of A there, or for several next to each other: it goes on from one to the other.
+Where A and B meet, disks shrink to a point. Around it, the result has two curves for each arc of A there, or for
+several next to each other: it goes on from one to the other.
 */
 class Sector_disks
 {
@@ -54,8 +59,12 @@ private:
 
 public:
   // With the envelope arcs of the elements of A.
-  Sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, std::shared_ptr<const Fine_level> fine_level, const std::vector<std::size_t>& elements, std::vector<std::vector<Envelope_arc>> envelope_arcs)
-    : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_fine_level(std::move(fine_level)), m_curvature(*m_graph, m_scaled.get()), m_disks(*m_graph, m_curvature, *m_fine_level), m_envelope_arcs(std::move(envelope_arcs)), m_free(free_chains(elements))
+  Sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled,
+               std::shared_ptr<const Fine_level> fine_level, const std::vector<std::size_t>& elements,
+               std::vector<std::vector<Envelope_arc>> envelope_arcs)
+    : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_fine_level(std::move(fine_level)),
+      m_curvature(*m_graph, m_scaled.get()), m_disks(*m_graph, m_curvature, *m_fine_level),
+      m_envelope_arcs(std::move(envelope_arcs)), m_free(free_chains(elements))
   {}
 
   const Site_graph_2& graph() const { return *m_graph; }
@@ -70,7 +79,8 @@ public:
     const Range range{piece.range[0].location.end, piece.range[1].location.begin};
     std::vector<Arc> result;
     for (std::size_t i = 0; i < m_envelope_arcs[piece.element].size(); ++i)
-      if (const Envelope_arc& envelope_arc = m_envelope_arcs[piece.element][i]; range.begin <= envelope_arc.range.begin && envelope_arc.range.end <= range.end)
+      if (const Envelope_arc& envelope_arc = m_envelope_arcs[piece.element][i];
+          range.begin <= envelope_arc.range.begin && envelope_arc.range.end <= range.end)
         result.push_back({piece.element, i, envelope_arc.footpoint, envelope_arc.range.begin, envelope_arc.range.end});
     if (m_free.element(piece).is_reversed) {
       std::reverse(result.begin(), result.end());
@@ -93,11 +103,15 @@ public:
     const Envelope_arc_disks::Disk disk = m_disks(arc.element, m_envelope_arcs[arc.element][arc.envelope_arc], u);
     if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf()))   // where A and B meet
       return {m_graph->element_jet(element(arc), {u, u}).point, Interval(0), disk.parameter};
-    return {disk.center, CGAL::sqrt(squared_norm(m_graph->element_jet(element(arc), {u, u}).normal)) / disk.curvature, disk.parameter};
+    return {disk.center, CGAL::sqrt(squared_norm(m_graph->element_jet(element(arc), {u, u}).normal)) / disk.curvature,
+            disk.parameter};
   }
 
 private:
-  static Interval_pair center(const Element_part& part, const Interval& k) { return {part.jet.point[0] + part.jet.normal[0] / k, part.jet.point[1] + part.jet.normal[1] / k}; }
+  static Interval_pair center(const Element_part& part, const Interval& k)
+  {
+    return {part.jet.point[0] + part.jet.normal[0] / k, part.jet.point[1] + part.jet.normal[1] / k};
+  }
 
   Free_chains free_chains(const std::vector<std::size_t>& elements) const
   {
@@ -108,11 +122,19 @@ private:
     return {*m_graph, std::move(ranges), [&](std::size_t element, const Free_end& end) {
               const Element_part part = m_curvature.part(element, end.location);
               const std::size_t index = end.footpoint.index;
-              return center(part, end.footpoint.kind == Disk_footpoint::Kind::ARC ? m_curvature(part, index, end.footpoint_location, m_graph->arcs()[index].jet(end.footpoint_location)).value : m_curvature(part, index).value);
+              return center(part,
+                            end.footpoint.kind == Disk_footpoint::Kind::ARC
+                                ? m_curvature(part, index, end.footpoint_location,
+                                              m_graph->arcs()[index].jet(end.footpoint_location))
+                                      .value
+                                : m_curvature(part, index).value);
             }};
   }
 
-  bool is_at_scaled_vertex(const Oriented_element& element, bool is_end) const { return !element.is_normal_cone && m_curvature.is_vertex_scaled(m_graph->vertex_of({element.object, is_end})); }
+  bool is_at_scaled_vertex(const Oriented_element& element, bool is_end) const
+  {
+    return !element.is_normal_cone && m_curvature.is_vertex_scaled(m_graph->vertex_of({element.object, is_end}));
+  }
 
   // The envelope arcs that touch B, those that follow each other in one range.
   Free_ranges free_ranges(std::size_t element) const
@@ -147,7 +169,9 @@ private:
     const double u = is_end ? envelope_arcs[i].range.end : envelope_arcs[i].range.begin;
     const bool is_last = is_end ? i + 1 == envelope_arcs.size() : i == 0;
     if (envelope_arcs[i].events[is_end] == Disk_event::NONE && is_last)
-      return {is_at_scaled_vertex(m_graph->elements()[element], is_end) ? Free_end::Kind::POINT : Free_end::Kind::FRONT_END, {u, u}};
+      return {is_at_scaled_vertex(m_graph->elements()[element], is_end) ? Free_end::Kind::POINT
+                                                                        : Free_end::Kind::FRONT_END,
+              {u, u}};
     if (is_last || envelope_arcs[i].events[is_end] == Disk_event::UNRESOLVED)
       return {Free_end::Kind::UNDECIDED, {u, u}};
     const Envelope_arc& other = envelope_arcs[is_end ? i + 1 : i - 1];
@@ -155,13 +179,16 @@ private:
     if (other.footpoint.kind != Disk_footpoint::Kind::ARC && other.footpoint.kind != Disk_footpoint::Kind::VERTEX)
       return {Free_end::Kind::UNDECIDED, location};
     const Element_part part = m_curvature.part(element, location);
-    return {Free_end::Kind::CONTACT, location, other.footpoint, largest_curvature(*m_graph, m_curvature, part, other.located(is_end ? other.range.begin : other.range.end)).range};
+    return {Free_end::Kind::CONTACT, location, other.footpoint,
+            largest_curvature(*m_graph, m_curvature, part, other.located(is_end ? other.range.begin : other.range.end))
+                .range};
   }
 };
 
 // With a tag for parallel work, elements are handed to all cores.
 template <class Concurrency_tag>
-Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, const std::vector<std::size_t>& elements)
+Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled,
+                          const std::vector<std::size_t>& elements)
 {
   check_magnitude(*graph, "trimmed_alpha_sector");
   const Site_tree_2 tree(*graph, scaled->points(*graph));

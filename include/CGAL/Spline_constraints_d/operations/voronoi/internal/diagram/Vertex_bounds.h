@@ -39,8 +39,10 @@ struct Basic_vertex_bounds
 using Vertex_bounds = Basic_vertex_bounds<Interval>;
 
 /*
-Bounds of the disk of a vertex, which is the disk of an event on each of the elements around it: it touches them between the envelope arcs that end there. Two such points that are apart determine it: k(u,v) of one element, over that range of u, with the range of the other one for v. In the end of an edge, where both points come
-together, it has the curvature of the element, and where two elements join, the greater one of theirs.
+Bounds of the disk of a vertex, which is the disk of an event on each of the elements around it: it touches them between
+the envelope arcs that end there. Two such points that are apart determine it: k(u,v) of one element, over that range of
+u, with the range of the other one for v. In the end of an edge, where both points come together, it has the curvature
+of the element, and where two elements join, the greater one of theirs.
 */
 template <Enclosing_number Interval>
 class Basic_vertex_disk
@@ -54,7 +56,8 @@ class Basic_vertex_disk
   const Disk_curvature& m_curvature;
 
 public:
-  Basic_vertex_disk(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature) {}
+  Basic_vertex_disk(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature)
+  {}
 
   // Where it touches elements.
   Vertex_bounds by_footpoints(const std::vector<Element_range>& footpoints) const
@@ -73,10 +76,13 @@ public:
   Vertex_bounds by_curvatures(const std::array<Element_range, 2>& sides) const
   {
     const Vertex_bounds a = by_curvature(sides[0]), b = by_curvature(sides[1]);
-    const auto is_normal_cone = [&](const Element_range& side) { return m_graph.elements()[side.element].is_normal_cone; };
+    const auto is_normal_cone = [&](const Element_range& side) {
+      return m_graph.elements()[side.element].is_normal_cone;
+    };
     if (is_normal_cone(sides[0]) || is_normal_cone(sides[1]))
       return is_normal_cone(sides[0]) ? b : a;
-    if (sides[0].range.is_number() && sides[1].range.is_number() && (a.radius.sup() < b.radius.inf() || b.radius.sup() < a.radius.inf()))
+    if (sides[0].range.is_number() && sides[1].range.is_number() &&
+        (a.radius.sup() < b.radius.inf() || b.radius.sup() < a.radius.inf()))
       return a.radius.sup() < b.radius.inf() ? a : b;
     return {{hull(a.center[0], b.center[0]), hull(a.center[1], b.center[1])}, hull(a.radius, b.radius)};
   }
@@ -92,13 +98,19 @@ private:
     return result;
   }
 
-  bool are_apart(const Element_part& part, const Element_range& other) const { return squared_norm(part.jet.point - m_graph.element_jet(m_graph.elements()[other.element], other.range).point).inf() > 0; }
+  bool are_apart(const Element_part& part, const Element_range& other) const
+  {
+    return squared_norm(part.jet.point - m_graph.element_jet(m_graph.elements()[other.element], other.range).point)
+               .inf() > 0;
+  }
 
   // Of the disks that touch an element, and another one, or the same one there.
   Interval curvature(const Element_part& part, const Element_range& other) const
   {
     const auto& element = m_graph.elements()[other.element];
-    return element.is_normal_cone ? m_curvature(part, element.object).value : m_curvature(part, element.object, other.range, m_graph.arcs()[element.object].jet(other.range)).value;
+    return element.is_normal_cone
+        ? m_curvature(part, element.object).value
+        : m_curvature(part, element.object, other.range, m_graph.arcs()[element.object].jet(other.range)).value;
   }
 
   static void add(Vertex_bounds& result, const Element_part& part, const Interval& k)
@@ -109,8 +121,10 @@ private:
   }
 };
 
-// The disk of a vertex as that of a circle that it touches everywhere, or as the point of a corner, if it is one of these.
-inline std::optional<Vertex_bounds> bounds_of_circle_or_corner(const Site_graph_2& graph, const Disk_diagram& diagram, const Disk_diagram::Vertex& vertex)
+// The disk of a vertex as that of a circle that it touches everywhere, or as the point of a corner, if it is one of
+// these.
+inline std::optional<Vertex_bounds> bounds_of_circle_or_corner(const Site_graph_2& graph, const Disk_diagram& diagram,
+                                                               const Disk_diagram::Vertex& vertex)
 {
   for (const std::size_t h : vertex.outgoing)
     if (const auto arc = diagram.circle_before(h))
@@ -123,8 +137,10 @@ inline std::optional<Vertex_bounds> bounds_of_circle_or_corner(const Site_graph_
   return std::nullopt;
 }
 
-// Bounds of the disk of a vertex, by doubles or, where these tell too little, with numbers of higher precision; none if the vertex is not resolved or at infinity.
-inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram& diagram, const Disk_diagram::Vertex& vertex)
+// Bounds of the disk of a vertex, by doubles or, where these tell too little, with numbers of higher precision; none if
+// the vertex is not resolved or at infinity.
+inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram& diagram,
+                                   const Disk_diagram::Vertex& vertex)
 {
   if (vertex.is_at_infinity || !vertex.is_resolved)
     return {};
@@ -134,7 +150,10 @@ inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram
   for (const std::size_t h : vertex.outgoing)
     footpoints.push_back(diagram.range_of_end(h, false));
   const std::size_t twin = diagram.halfedges()[vertex.outgoing.front()].twin;
-  const auto bounds = [&](const auto& on_level) { return footpoints.size() == 1 ? on_level.by_curvatures({footpoints[0], diagram.range_of_end(twin, true)}) : on_level.by_footpoints(footpoints); };
+  const auto bounds = [&](const auto& on_level) {
+    return footpoints.size() == 1 ? on_level.by_curvatures({footpoints[0], diagram.range_of_end(twin, true)})
+                                  : on_level.by_footpoints(footpoints);
+  };
   const Disk_curvature curvature(graph);
   const Vertex_bounds result = bounds(Basic_vertex_disk<Interval>(graph, curvature));
   if (result.are_narrow())
@@ -142,7 +161,8 @@ inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram
   const auto fine_curvature = diagram.fine_level()->curvature();
   const auto fine = bounds(Basic_vertex_disk<Fine_interval>(diagram.fine_level()->graph(), fine_curvature));
   const Interval_pair center = in_doubles(fine.center);
-  return {{common_part(result.center[0], center[0]), common_part(result.center[1], center[1])}, common_part(result.radius, in_doubles(fine.radius))};
+  return {{common_part(result.center[0], center[0]), common_part(result.center[1], center[1])},
+          common_part(result.radius, in_doubles(fine.radius))};
 }
 
 } // namespace Voronoi

@@ -31,7 +31,8 @@ class Cell_boundaries
   const Is_inside& m_is_inside;   // of a halfedge: whether its element is one of the sites
 
 public:
-  Cell_boundaries(const Disk_diagram& diagram, const Is_inside& is_inside) : m_diagram(diagram), m_is_inside(is_inside) {}
+  Cell_boundaries(const Disk_diagram& diagram, const Is_inside& is_inside) : m_diagram(diagram), m_is_inside(is_inside)
+  {}
 
   std::vector<Halfedge_chain> operator()(const std::vector<std::size_t>& halfedges) const
   {
@@ -54,7 +55,10 @@ public:
 private:
   const Disk_diagram::Halfedge& halfedge(std::size_t h) const { return m_diagram.halfedges()[h]; }
 
-  bool is_on_boundary(std::size_t h) const { return halfedge(h).twin != Disk_diagram::none && !m_is_inside(halfedge(h).twin); }
+  bool is_on_boundary(std::size_t h) const
+  {
+    return halfedge(h).twin != Disk_diagram::none && !m_is_inside(halfedge(h).twin);
+  }
 
   std::vector<std::size_t> chain(std::size_t first, std::set<std::size_t>& left) const
   {
@@ -64,8 +68,9 @@ private:
     return result;
   }
 
-  // Elements are traversed with the centers of disks on the left, so that the cells are on the right of halfedges: the boundary goes on with what comes before, past edges between two of the sites.
-  // It ends at infinity, at what is not resolved, and where the foot goes over to another site.
+  // Elements are traversed with the centers of disks on the left, so that the cells are on the right of halfedges: the
+  // boundary goes on with what comes before, past edges between two of the sites. It ends at infinity, at what is not
+  // resolved, and where the foot goes over to another site.
   std::size_t next_on_boundary(std::size_t h) const
   {
     while (!halfedge(h).begins_unresolved) {

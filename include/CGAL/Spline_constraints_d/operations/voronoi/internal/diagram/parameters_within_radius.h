@@ -14,7 +14,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// A parameter between two others where a radius is not too large: one of both, the middle, or one of others between; none if there is none among these.
+// A parameter between two others where a radius is not too large: one of both, the middle, or one of others between;
+// none if there is none among these.
 template <class Radius_at>
 std::optional<double> any_within(const std::array<double, 2>& ends, const Radius_at& radius_at, double most_radius)
 {
@@ -30,7 +31,8 @@ std::optional<double> any_within(const std::array<double, 2>& ends, const Radius
   return std::nullopt;
 }
 
-// The last parameter where a radius is not too large. Where it jumps from there to the next number, by more than rounding, that is told.
+// The last parameter where a radius is not too large. Where it jumps from there to the next number, by more than
+// rounding, that is told.
 struct Last_within_radius
 {
   double parameter;

@@ -21,7 +21,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some paths only negative. None: no piece matters.
+// The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some
+// paths only negative. None: no piece matters.
 enum class Sign_pattern { UNKNOWN, NONE, ZERO, POSITIVE, NEGATIVE, FALLING, FALLING_OR_NEGATIVE };
 
 // The pattern of the pieces that matter, and whether the paths begin and end with some that do not.
@@ -32,11 +33,14 @@ struct Path_signs
 };
 
 /*
-The signs of a polynomial p(a,b) for small a, b > 0, also where it is zero for a = b = 0. With d the lowest degree of a term,
+The signs of a polynomial p(a,b) for small a, b > 0, also where it is zero for a = b = 0. With d the lowest degree of a
+term,
 
   p = a^d g(a,m), m = b/a,   p = b^d h(b,l), l = a/b,
 
-with polynomials g and h that do not vanish for a = 0 or b = 0 but in the tangents of the curve p = 0, if its factors a^i b^j, which are positive, are taken out before. The paths are those of constant a, where b grows: first m grows up to a limit, then l decreases.
+with polynomials g and h that do not vanish for a = 0 or b = 0 but in the tangents of the curve p = 0, if its factors
+a^i b^j, which are positive, are taken out before. The paths are those of constant a, where b grows: first m grows up to
+a limit, then l decreases.
 */
 class Blown_up_polynomial
 {
@@ -71,8 +75,13 @@ private:
     bool has_sign = true;                   // all that matter have the same one
     bool begins_irrelevant = false, ends_irrelevant = false;
 
-    // Whether a piece that matters may come next. Falling ones may have a maximum each, if there is something between that does not matter.
-    bool accepts(Piece piece) const { return piece != Piece::UNKNOWN && (!last || *last < piece || (*last == piece && !(piece == Piece::FALLING && ends_irrelevant))); }
+    // Whether a piece that matters may come next. Falling ones may have a maximum each, if there is something between
+    // that does not matter.
+    bool accepts(Piece piece) const
+    {
+      return piece != Piece::UNKNOWN &&
+          (!last || *last < piece || (*last == piece && !(piece == Piece::FALLING && ends_irrelevant)));
+    }
 
     // Returns whether their order is still that of one maximum.
     bool append(Piece piece)
@@ -117,7 +126,8 @@ public:
         common = (std::min)(common, monomial.exponent(variable));
       Power_polynomial divided;
       for (const auto& [monomial, coefficient] : result.terms())
-        divided += Power_polynomial(coefficient) * power_product(monomial.with_exponent(variable, monomial.exponent(variable) - common));
+        divided += Power_polynomial(coefficient) *
+            power_product(monomial.with_exponent(variable, monomial.exponent(variable) - common));
       result = std::move(divided);
     }
     return Blown_up_polynomial(result);
@@ -136,7 +146,8 @@ public:
     return {value.value, value.by_ratio};
   }
 
-  // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of factors at their begins do not count.
+  // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of
+  // factors at their begins do not count.
   template <class Is_irrelevant>
   Path_signs signs(const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const
   {
@@ -166,7 +177,8 @@ private:
       return pieces.begins_irrelevant ? Sign_pattern::NONE : Sign_pattern::UNKNOWN;
     if (pieces.has_sign && !pieces.begins_irrelevant && !pieces.ends_irrelevant)
       return *pieces.first == Piece::POSITIVE ? Sign_pattern::POSITIVE : Sign_pattern::NEGATIVE;
-    const int begin = pieces.begins_irrelevant && !(b.begin > 0) ? 1 : sign_at(a, b.begin, 1, is_irrelevant, 0), end = sign_at(a, b.end, -1, is_irrelevant, 0);
+    const int begin = pieces.begins_irrelevant && !(b.begin > 0) ? 1 : sign_at(a, b.begin, 1, is_irrelevant, 0),
+              end = sign_at(a, b.end, -1, is_irrelevant, 0);
     if (begin < 0 || end > 0)
       return begin < 0 ? Sign_pattern::NEGATIVE : Sign_pattern::POSITIVE;
     return end == 0 ? Sign_pattern::UNKNOWN : begin == 0 ? Sign_pattern::FALLING_OR_NEGATIVE : Sign_pattern::FALLING;
@@ -193,7 +205,8 @@ private:
     if (sign != 0 || depth == most_depth || !(a.begin < a.end))
       return sign;
     const int first = sign_at({a.begin, a.middle()}, b, irrelevant_sign, is_irrelevant, depth + 1);
-    return first != 0 && first == sign_at({a.middle(), a.end}, b, irrelevant_sign, is_irrelevant, depth + 1) ? first : 0;
+    return first != 0 && first == sign_at({a.middle(), a.end}, b, irrelevant_sign, is_irrelevant, depth + 1) ? first
+                                                                                                             : 0;
   }
 
   // The sign for all a > 0 and one b.
@@ -202,7 +215,8 @@ private:
     if (b > 0)
       return certain_sign(at(Interval(b), a.interval() / Interval(b), true).value);
     // p(a,0), where a power of a may be a factor
-    const auto first = std::find_if(m_rows.begin(), m_rows.end(), [](const auto& row) { return !is_zero_number(row.front()); });
+    const auto first =
+        std::find_if(m_rows.begin(), m_rows.end(), [](const auto& row) { return !is_zero_number(row.front()); });
     Interval value(0);
     for (auto row = m_rows.end(); row != first; )
       value = value * a.interval() + (--row)->front();
@@ -211,29 +225,36 @@ private:
 
   static Piece piece(const Interval& value, const Interval& derivative)
   {
-    return value.inf() > 0 ? Piece::POSITIVE : value.sup() < 0 ? Piece::NEGATIVE : derivative.sup() < 0 ? Piece::FALLING : Piece::UNKNOWN;
+    return value.inf() > 0     ? Piece::POSITIVE
+        : value.sup() < 0      ? Piece::NEGATIVE
+        : derivative.sup() < 0 ? Piece::FALLING
+                               : Piece::UNKNOWN;
   }
 
   template <class Is_irrelevant>
-  bool append_ratios(const Range& a, const Range& m, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
+  bool append_ratios(const Range& a, const Range& m, int depth, const Is_irrelevant& is_irrelevant,
+                     Pieces& pieces) const
   {
     if (is_irrelevant(Chart_range{a.interval(), m.interval(), false}))
       return pieces.append(Piece::IRRELEVANT);
     const Value g = at(a.interval(), m.interval(), false);
-    const Interval centered = at(a.interval(), Interval(m.middle()), false).value + g.by_ratio * (m.interval() - Interval(m.middle()));
+    const Interval centered =
+        at(a.interval(), Interval(m.middle()), false).value + g.by_ratio * (m.interval() - Interval(m.middle()));
     Piece found = piece(common_part(g.value, centered), g.by_ratio);
     if (found == Piece::UNKNOWN && is_zero_in_corner(false) && !(a.begin > 0) && !(m.begin > 0))
       found = piece_of_dominant_sign(a.end, m.end, false);
     if (pieces.accepts(found) || depth == most_depth)   // else smaller ones may not matter
       return pieces.append(found);
-    return append_ratios(a, {m.begin, m.middle()}, depth + 1, is_irrelevant, pieces) && append_ratios(a, {m.middle(), m.end}, depth + 1, is_irrelevant, pieces);
+    return append_ratios(a, {m.begin, m.middle()}, depth + 1, is_irrelevant, pieces) &&
+        append_ratios(a, {m.middle(), m.end}, depth + 1, is_irrelevant, pieces);
   }
 
   // Whether g(0,0) = 0 or h(0,0) = 0.
   bool is_zero_in_corner(bool is_far) const { return is_zero_number(is_far ? m_rows[0].back() : m_rows[0].front()); }
 
   /*
-  The sign of g or h for positive radii and ratios up to some numbers, if each term of the other sign is a multiple of a term of this sign, and all of these multiples are less than 1 together.
+  The sign of g or h for positive radii and ratios up to some numbers, if each term of the other sign is a multiple of a
+  term of this sign, and all of these multiples are less than 1 together.
   */
   Piece piece_of_dominant_sign(double radius, double ratio, bool is_far) const
   {
@@ -265,7 +286,8 @@ private:
         const auto best = std::max_element(left.begin(), left.end(), is_better);
         if (best == left.end() || best->radius > other.radius || best->ratio > other.ratio)
           return false;
-        best->coefficient -= other.coefficient * power(radius, other.radius - best->radius) * power(ratio, other.ratio - best->ratio);
+        best->coefficient -=
+            other.coefficient * power(radius, other.radius - best->radius) * power(ratio, other.ratio - best->ratio);
         return best->coefficient.inf() > 0;
       });
     };
@@ -278,11 +300,15 @@ private:
     const int by_radius = certain_sign(h.by_radius), by_ratio = certain_sign(h.by_ratio);
     if (by_radius * by_ratio == 0)
       return Piece::UNKNOWN;
-    return by_radius > 0 && by_ratio > 0 ? Piece::POSITIVE : by_radius > 0 ? Piece::UNKNOWN : by_ratio > 0 ? Piece::FALLING : Piece::NEGATIVE;
+    return by_radius > 0 && by_ratio > 0 ? Piece::POSITIVE
+        : by_radius > 0                  ? Piece::UNKNOWN
+        : by_ratio > 0                   ? Piece::FALLING
+                                         : Piece::NEGATIVE;
   }
 
   template <class Is_irrelevant>
-  bool append_far(const Range& a, Range b, const Range& ratios, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
+  bool append_far(const Range& a, Range b, const Range& ratios, int depth, const Is_irrelevant& is_irrelevant,
+                  Pieces& pieces) const
   {
     b.begin = (std::max)(b.begin, (Interval(a.begin) / Interval(ratios.end)).inf());
     if (ratios.begin > 0)
@@ -306,9 +332,12 @@ private:
     // Paths pass large l and small b first.
     const double ratio = most / far_split;
     const bool is_ratio_split = depth % 2 == 0 && least < ratio;
-    const auto [first_ratios, first_b] = is_ratio_split ? std::pair(Range{ratio, most}, b) : std::pair(ratios, Range{b.begin, b.middle()});
-    const auto [last_ratios, last_b] = is_ratio_split ? std::pair(Range{least, ratio}, b) : std::pair(ratios, Range{b.middle(), b.end});
-    return append_far(a, first_b, first_ratios, depth + 1, is_irrelevant, pieces) && append_far(a, last_b, last_ratios, depth + 1, is_irrelevant, pieces);
+    const auto [first_ratios, first_b] =
+        is_ratio_split ? std::pair(Range{ratio, most}, b) : std::pair(ratios, Range{b.begin, b.middle()});
+    const auto [last_ratios, last_b] =
+        is_ratio_split ? std::pair(Range{least, ratio}, b) : std::pair(ratios, Range{b.middle(), b.end});
+    return append_far(a, first_b, first_ratios, depth + 1, is_irrelevant, pieces) &&
+        append_far(a, last_b, last_ratios, depth + 1, is_irrelevant, pieces);
   }
 
   // g or h and its derivatives, by Horner's rule.

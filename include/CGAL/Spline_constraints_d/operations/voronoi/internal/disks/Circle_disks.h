@@ -16,11 +16,14 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disks that touch an element from inside of a circle, and that circle: their curvature K(u) has a closed form, and the disk through a point Y(v) with the curvature k(u,v) = 2 <N, Y - X> / |Y - X|^2 has nearly the same one where it is nearly that circle. The difference k - K is a quotient
-f / |Y - X|^2 with a small f, which is not obtained as a difference of large numbers. With the center C, the radius R and W = X - C,
+The disks that touch an element from inside of a circle, and that circle: their curvature K(u) has a closed form, and
+the disk through a point Y(v) with the curvature k(u,v) = 2 <N, Y - X> / |Y - X|^2 has nearly the same one where it is
+nearly that circle. The difference k - K is a quotient f / |Y - X|^2 with a small f, which is not obtained as a
+difference of large numbers. With the center C, the radius R and W = X - C,
 
 - where the element lies on the circle, K = |N| / R and f = K (R^2 - |Y - C|^2);
-- where the point does, f = 2 (<Y - C, Q> - R |Q|), where Q = K W + N, with |Q| = K R - |N|, points from C to the center of the disk. With L = |W|, the cross product c of W and N, q = R^2 - L^2 and m = L |N| - <W, N>,
+- where the point does, f = 2 (<Y - C, Q> - R |Q|), where Q = K W + N, with |Q| = K R - |N|, points from C to the center
+  of the disk. With L = |W|, the cross product c of W and N, q = R^2 - L^2 and m = L |N| - <W, N>,
 
     |Q| = |N| q / (R + L)^2 + 2 R c^2 / (q m),
 
@@ -35,7 +38,8 @@ class Basic_circle_disks
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
-  static constexpr double most_ratio = 1.0 / 64;   // of |Q|^2 and |N|^2 where disks are nearly concentric with the circle
+  // of |Q|^2 and |N|^2 where disks are nearly concentric with the circle
+  static constexpr double most_ratio = 1.0 / 64;
 
   Interval_pair m_center;
   Interval m_radius;
@@ -58,19 +62,27 @@ public:
   // Of points on a circle around one point of the element; nothing if the disk is not nearly concentric with that.
   static std::optional<Basic_circle_disks> of_points(const Element_jet& x, const Site_arc_2& circle)
   {
-    if (!(squared_norm(x.point - circle.center()).sup() < circle.squared_radius().inf()))   // most are not inside: this is cheap
+    // most are not inside: this is cheap
+    if (!(squared_norm(x.point - circle.center()).sup() < circle.squared_radius().inf()))
       return std::nullopt;
     Basic_circle_disks result(circle, false);
-    return result.set_disk_through_points(x, result.quotient_of_points(x)) && CGAL::square(result.m_way).sup() < (Interval(most_ratio) * squared_norm(x.normal)).inf() ? std::optional(result) : std::nullopt;
+    return result.set_disk_through_points(x, result.quotient_of_points(x)) &&
+            CGAL::square(result.m_way).sup() < (Interval(most_ratio) * squared_norm(x.normal)).inf()
+        ? std::optional(result)
+        : std::nullopt;
   }
 
-  // The same over a part of the element, by mean value forms around that point; nothing if the part is too long for them.
+  // The same over a part of the element, by mean value forms around that point; nothing if the part is too long for
+  // them.
   std::optional<Basic_circle_disks> over(const Element_jet& x, const Element_jet& middle, const Interval& shift) const
   {
     Basic_circle_disks result = *this;
-    if (!result.set_disk_through_points(x, quotient_of_points(x).around(quotient_of_points(middle), shift, Interval(0))))
+    if (!result.set_disk_through_points(x,
+                                        quotient_of_points(x).around(quotient_of_points(middle), shift, Interval(0))))
       return std::nullopt;
-    const auto tighten = [&](Interval& value, const Interval& at_middle, const Interval& derivative) { value = common_part(value, at_middle + derivative * shift); };
+    const auto tighten = [&](Interval& value, const Interval& at_middle, const Interval& derivative) {
+      value = common_part(value, at_middle + derivative * shift);
+    };
     tighten(result.m_curvature, m_curvature, result.m_curvature_derivative);
     tighten(result.m_way, m_way, result.m_way_derivative);
     for (const int i : {0, 1})
@@ -81,13 +93,16 @@ public:
   const Interval& curvature() const { return m_curvature; }
   const Interval& curvature_derivative() const { return m_curvature_derivative; }
 
-  // Replaces f and its derivatives in the quotient of k by those of k - K, for a point Y with the derivative m T, where T' is known.
-  Curvature_quotient difference(Curvature_quotient k, const Interval_pair& point, const Interval_pair& tangent, const Interval_pair& change) const
+  // Replaces f and its derivatives in the quotient of k by those of k - K, for a point Y with the derivative m T, where
+  // T' is known.
+  Curvature_quotient difference(Curvature_quotient k, const Interval_pair& point, const Interval_pair& tangent,
+                                const Interval_pair& change) const
   {
     const Interval two(2);
     const Interval_pair from_center = point - m_center;
     if (m_is_element) {
-      const Interval inside = CGAL::square(m_radius) - squared_norm(from_center), along = two * dot(tangent, from_center);
+      const Interval inside = CGAL::square(m_radius) - squared_norm(from_center),
+                     along = two * dot(tangent, from_center);
       k.f = m_curvature * inside;
       k.fu = m_curvature_derivative * inside;
       k.fv = -m_curvature * along;
@@ -104,7 +119,9 @@ public:
   }
 
 private:
-  Basic_circle_disks(const Site_arc_2& circle, bool is_element) : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_element(is_element) {}
+  Basic_circle_disks(const Site_arc_2& circle, bool is_element)
+    : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_element(is_element)
+  {}
 
   // K = 2 (R |N| + <W, N>) / (R^2 - |W|^2).
   Curvature_quotient quotient_of_points(const Element_jet& x) const
@@ -124,13 +141,18 @@ private:
   {
     const Interval two(2), n = CGAL::sqrt(squared_norm(x.normal)), n_u = dot(x.normal, x.normal_derivative) / n;
     const Interval_pair w = x.point - m_center;
-    const Interval l = CGAL::sqrt(squared_norm(w)), q = CGAL::square(m_radius) - squared_norm(w), m = l * n - dot(w, x.normal), c = dot(turned_left(w), x.normal), sum = m_radius + l;
+    const Interval l = CGAL::sqrt(squared_norm(w)), q = CGAL::square(m_radius) - squared_norm(w),
+                   m = l * n - dot(w, x.normal), c = dot(turned_left(w), x.normal), sum = m_radius + l;
     if (!(q.inf() > 0 && m.inf() > 0))
       return false;
-    const Interval q_u = -two * dot(w, x.point_derivative), l_u = -q_u / (two * l), m_u = l_u * n + l * n_u - dot(w, x.normal_derivative);   // the normal and the derivative of the point are perpendicular
-    const Interval c_u = dot(turned_left(x.point_derivative), x.normal) + dot(turned_left(w), x.normal_derivative), tilt = two * m_radius * c / (q * m);
+    // the normal and the derivative of the point are perpendicular
+    const Interval q_u = -two * dot(w, x.point_derivative), l_u = -q_u / (two * l),
+                   m_u = l_u * n + l * n_u - dot(w, x.normal_derivative);
+    const Interval c_u = dot(turned_left(x.point_derivative), x.normal) + dot(turned_left(w), x.normal_derivative),
+                   tilt = two * m_radius * c / (q * m);
     m_way = n * q / CGAL::square(sum) + two * m_radius * CGAL::square(c) / (q * m);
-    m_way_derivative = (n_u * q + n * q_u - two * n * q * l_u / sum) / CGAL::square(sum) + tilt * (two * c_u - c * (q_u / q + m_u / m));
+    m_way_derivative = (n_u * q + n * q_u - two * n * q * l_u / sum) / CGAL::square(sum) +
+        tilt * (two * c_u - c * (q_u / q + m_u / m));
     const Curvature_bounds k = quotient.bounds();
     m_curvature = common_part(k.value, (m_way + n) / m_radius);
     m_curvature_derivative = common_part(k.du, (m_way_derivative + n_u) / m_radius);

@@ -24,24 +24,36 @@ using Common::hull;
 using Common::in_doubles;
 
 /*
-Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the element it touches and by that of the point v it passes through.
+Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the element it touches and by that
+of the point v it passes through.
 
-Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
+Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes
+the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv
+and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
 */
 template <Enclosing_number Interval>
 struct Basic_curvature_bounds
 {
-  Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(), dvv = any_number<Interval>(), duv = any_number<Interval>();
+  Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(),
+           dvv = any_number<Interval>(), duv = any_number<Interval>();
   Interval factor{1};             // m
-  bool is_below_vertex = false;   // another point, a common vertex of element and arc, has a larger curvature, or all are negative
+  // another point, a common vertex of element and arc, has a larger curvature, or all are negative
+  bool is_below_vertex = false;
 };
 
 using Curvature_bounds = Basic_curvature_bounds<Interval>;
 
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
+Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a,
+                                      const Basic_curvature_bounds<Interval>& b)
 {
-  return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), hull(a.factor, b.factor), a.is_below_vertex && b.is_below_vertex};
+  return {hull(a.value, b.value),
+          hull(a.du, b.du),
+          hull(a.dv, b.dv),
+          hull(a.dvv, b.dvv),
+          hull(a.duv, b.duv),
+          hull(a.factor, b.factor),
+          a.is_below_vertex && b.is_below_vertex};
 }
 
 // A part of an element, with enclosures.
@@ -63,11 +75,14 @@ template <Enclosing_number Number>
 Element_part in_doubles(const Basic_element_part<Number>& part)
 {
   const auto& [point, point_derivative, normal, normal_derivative] = part.jet;
-  return {part.element, part.range, {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
+  return {part.element,
+          part.range,
+          {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
 }
 
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
+Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interval>& a,
+                                             const Basic_curvature_bounds<Interval>& b)
 {
   Basic_curvature_bounds<Interval> result;
   result.value = common_part(a.value, b.value);
@@ -80,20 +95,24 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
   return result;
 }
 
-// Derivatives of an element beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u = speed M; p = <M, Y - X>, and p_v / m.
+// Derivatives of an element beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u =
+// speed M; p = <M, Y - X>, and p_v / m.
 template <Enclosing_number Interval>
 struct Basic_element_turn
 {
-  Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(), p = any_number<Interval>(), pv = any_number<Interval>();
+  Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(),
+           p = any_number<Interval>(), pv = any_number<Interval>();
 
   // For a point at the end of a way, which moves with the derivative m times a tangent.
-  static Basic_element_turn beside(const Basic_element_jet<Interval>& x, const std::array<Interval, 2>& way, const std::array<Interval, 2>& tangent)
+  static Basic_element_turn beside(const Basic_element_jet<Interval>& x, const std::array<Interval, 2>& way,
+                                   const std::array<Interval, 2>& tangent)
   {
     const Interval square = squared_norm(x.normal);
     if (!(square.inf() > 0))
       return {};
     const std::array<Interval, 2> along = turned_left(x.normal);
-    return {dot(x.normal_derivative, x.normal) / square, dot(x.normal_derivative, along) / square, dot(x.point_derivative, along) / square, dot(along, way), dot(along, tangent)};
+    return {dot(x.normal_derivative, x.normal) / square, dot(x.normal_derivative, along) / square,
+            dot(x.point_derivative, along) / square, dot(along, way), dot(along, tangent)};
   }
 };
 
@@ -134,13 +153,17 @@ struct Basic_curvature_quotient
   }
 
   /*
-  As above, within the mean value forms around the middle of the ranges. Each bound is as good as the others: f_v - k q_v has terms that cancel, as where disks are nearly those of the curvature of the arc, of which the mean value form shows the difference if f_vv - k q_vv is known. Beside an element
+  As above, within the mean value forms around the middle of the ranges. Each bound is as good as the others: f_v - k
+  q_v has terms that cancel, as where disks are nearly those of the curvature of the arc, of which the mean value form
+  shows the difference if f_vv - k q_vv is known. Beside an element
 
     k_u = growth k + 2 (turn + speed k) p / q.
 
-  Where disks are nearly those of the curvature of the element, as next to a smooth joint and on its own arc, turn + speed k is small, which differences of f_u and k q_u do not show.
+  Where disks are nearly those of the curvature of the element, as next to a smooth joint and on its own arc, turn +
+  speed k is small, which differences of f_u and k q_u do not show.
   */
-  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v, const std::optional<Element_turn>& element = std::nullopt) const
+  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v,
+                                 const std::optional<Element_turn>& element = std::nullopt) const
   {
     Curvature_bounds k = bounds();
     if (!(q.inf() > 0 && std::isfinite(k.dvv.sup() - k.dvv.inf())))
@@ -153,7 +176,8 @@ struct Basic_curvature_quotient
       k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q);
       k.duv = common_part(k.duv, (fuv - k.du * qv - k.dv * qu - k.value * quv) / q);
       if (is_turn_known) {
-        const Interval s = element->p / q, sv = (element->pv - s * qv) / q, turn = element->turn + element->speed * k.value;
+        const Interval s = element->p / q, sv = (element->pv - s * qv) / q,
+                       turn = element->turn + element->speed * k.value;
         k.du = common_part(k.du, element->growth * k.value + two * turn * s);
         k.duv = common_part(k.duv, element->growth * k.dv + two * (element->speed * k.dv * s + turn * sv));
       }
@@ -172,15 +196,18 @@ struct Basic_curvature_quotient
   }
 
   /*
-  The positive zero k = (f + r) / (2 q) = 2 m / (r - f) of q k^2 - f k - m, with r^2 = f^2 + 4 m q, and its derivatives, by those of the equation; m > 0 does not depend on v.
+  The positive zero k = (f + r) / (2 q) = 2 m / (r - f) of q k^2 - f k - m, with r^2 = f^2 + 4 m q, and its derivatives,
+  by those of the equation; m > 0 does not depend on v.
   */
   Curvature_bounds positive_zero(const Interval& m, const Interval& mu) const
   {
     Curvature_bounds k;
     k.factor = factor;
-    const Interval two(2), square(0, (std::max)(q.sup(), 0.0)), r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
+    const Interval two(2), square(0, (std::max)(q.sup(), 0.0)),
+        r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
     const double most = (r - f).sup();   // 0 where the points are the same
-    k.value = Interval(most > 0 ? (two * m / Interval(most)).inf() : std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity());
+    k.value = Interval(most > 0 ? (two * m / Interval(most)).inf() : std::numeric_limits<double>::max(),
+                       std::numeric_limits<double>::infinity());
     if (!(q.inf() > 0 && r.inf() > 0))
       return k;
     k.value = common_part(k.value, (f + r) / (two * q));
@@ -189,8 +216,12 @@ struct Basic_curvature_quotient
     const Interval kk = CGAL::square(k.value);
     k.du = (fu * k.value - qu * kk + mu) / r;
     k.dv = (fv - qv * k.value) * k.value / r;
-    k.dvv = (fvv * k.value - qvv * kk - factor * (two * (two * qv * k.value - fv) * k.dv + two * q * CGAL::square(k.dv))) / r;
-    k.duv = (fuv * k.value - quv * kk - (two * qu * k.value - fu) * k.dv - (two * qv * k.value - fv) * k.du - two * q * k.du * k.dv) / r;
+    k.dvv =
+        (fvv * k.value - qvv * kk - factor * (two * (two * qv * k.value - fv) * k.dv + two * q * CGAL::square(k.dv))) /
+        r;
+    k.duv = (fuv * k.value - quv * kk - (two * qu * k.value - fu) * k.dv - (two * qv * k.value - fv) * k.du -
+             two * q * k.du * k.dv) /
+        r;
     return k;
   }
 };

@@ -12,20 +12,33 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The curvature of the disk that touches a footpoint, and its derivative, in the middle of a part; and its derivatives over the part.
+// The curvature of the disk that touches a footpoint, and its derivative, in the middle of a part; and its derivatives
+// over the part.
 template <Enclosing_number Interval>
 struct Basic_curvature_expansion
 {
   using Curvature_expansion = Basic_curvature_expansion<Interval>;
 
-  Interval at_middle = any_number<Interval>(), slope_at_middle = any_number<Interval>(), slope = any_number<Interval>(), second_derivative = any_number<Interval>();
+  Interval at_middle = any_number<Interval>(), slope_at_middle = any_number<Interval>(), slope = any_number<Interval>(),
+           second_derivative = any_number<Interval>();
 
-  Curvature_expansion operator-(const Curvature_expansion& other) const { return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope, second_derivative - other.second_derivative}; }
+  Curvature_expansion operator-(const Curvature_expansion& other) const
+  {
+    return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope,
+            second_derivative - other.second_derivative};
+  }
 
   // Over the part, where the parameter is shifted from the middle.
-  Interval value(const Interval& shift) const { return common_part(at_middle + slope * shift, at_middle + slope_at_middle * shift + second_derivative * CGAL::square(shift) / Interval(2)); }
+  Interval value(const Interval& shift) const
+  {
+    return common_part(at_middle + slope * shift,
+                       at_middle + slope_at_middle * shift + second_derivative * CGAL::square(shift) / Interval(2));
+  }
   int sign(const Interval& shift) const { return certain_sign(value(shift)); }
-  Interval derivative(const Interval& shift) const { return common_part(slope, slope_at_middle + second_derivative * shift); }
+  Interval derivative(const Interval& shift) const
+  {
+    return common_part(slope, slope_at_middle + second_derivative * shift);
+  }
 };
 
 using Curvature_expansion = Basic_curvature_expansion<Interval>;

@@ -23,14 +23,18 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disk that touches an element in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the center X + N / k with the curvature
+The disk that touches an element in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the
+center X + N / k with the curvature
 
   k(u,v) = 2 <N, Y - X> / |Y - X|^2.
 
-The disk is in the half-plane of N where k > 0. Those with k <= 0 contain a half-plane, and there is no need to tell them apart.
+The disk is in the half-plane of N where k > 0. Those with k <= 0 contain a half-plane, and there is no need to tell
+them apart.
 
-Where both points belong to one arc, or to two that join smoothly, both <N, Y - X> and |Y - X|^2 are divided by h^2, with h = v - u: with D = (Y - X) / h, the mean of X' between u and v, and E = <N, Y - X> / h^2, the mean of
-(1-t) <N(u), X''(u + t h)>, k = 2 E / |D|^2 has no singularity at v = u, where it is the curvature of the arc. Derivatives of D and E are means of higher derivatives, and all of them are enclosed by hulls of these.
+Where both points belong to one arc, or to two that join smoothly, both <N, Y - X> and |Y - X|^2 are divided by h^2,
+with h = v - u: with D = (Y - X) / h, the mean of X' between u and v, and E = <N, Y - X> / h^2, the mean of (1-t) <N(u),
+X''(u + t h)>, k = 2 E / |D|^2 has no singularity at v = u, where it is the curvature of the arc. Derivatives of D and E
+are means of higher derivatives, and all of them are enclosed by hulls of these.
 
 If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y| = c |N| / k and
 
@@ -58,29 +62,39 @@ class Basic_disk_curvature
   using Scaled_sites = Basic_scaled_sites<Interval>;
 
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
-  static constexpr double accurate = 0x1p-46;   // the relative error of a difference of points that cannot be much smaller
+  // the relative error of a difference of points that cannot be much smaller
+  static constexpr double accurate = 0x1p-46;
   static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
   const Scaled_sites* m_scaled;   // none, or some sites, but none of an element in question
 
 public:
-  explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+  explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr)
+    : m_graph(graph), m_scaled(scaled)
+  {}
 
   const Scaled_sites* scaled_sites() const { return m_scaled; }
   bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
   bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
-  // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for both. The arc that goes on has this one as its own continuation.
+  // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for
+  // both. The arc that goes on has this one as its own continuation.
   std::optional<Arc_end> continuation(const Element_part& part, const Arc_end& end) const
   {
     const auto next = next_on_side_of(part, end);
-    return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end ? next : std::nullopt;
+    return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end
+        ? next
+        : std::nullopt;
   }
 
-  Element_part part(std::size_t element, const Range& range) const { return {element, range, m_graph.element_jet(m_graph.elements()[element], range)}; }
+  Element_part part(std::size_t element, const Range& range) const
+  {
+    return {element, range, m_graph.element_jet(m_graph.elements()[element], range)};
+  }
 
-  // From the element to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
+  // From the element to an arc; also by way of their nearer ends, or of one that both have in common, which is as
+  // accurate as the ways are short.
   Interval_pair way(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
@@ -105,15 +119,22 @@ public:
     return (*this)(part, arc, range, jet, this->part(part.element, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
   }
 
-  // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both factors where curves are nearly parallel.
-  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
+  // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both
+  // factors where curves are nearly parallel.
+  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet,
+                              const Element_part& middle, const Curve_jet& jet_in_middle) const
   {
-    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
+                   shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
-    const auto way_of = [&](const Element_part& x, const Range& y, const Curve_jet& jet_of_y) { return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point; };
+    const auto way_of = [&](const Element_part& x, const Range& y, const Curve_jet& jet_of_y) {
+      return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point;
+    };
     const Interval_pair whole_way = way_of(part, range, jet);
-    const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)), k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
+    const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle,
+                                                  way_of(middle, at_middle, jet_in_middle)),
+                             k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
     if (is_arc_scaled(arc))
       return of_scaled_disk(k, part);
     const Curvature_bounds bounds = k.bounds();
@@ -121,8 +142,12 @@ public:
     if (is_maximum_known && !(is_small && is_beside_element(part.element, arc)))
       return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
     const Site_arc_2& y = m_graph.arcs()[arc];
-    const auto turn = m_graph.elements()[part.element].is_normal_cone ? std::nullopt : std::optional(Element_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
-    return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet, middle, jet_in_middle);
+    const auto turn = m_graph.elements()[part.element].is_normal_cone
+        ? std::nullopt
+        : std::optional(
+              Element_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
+    return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet,
+                               middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
@@ -131,8 +156,11 @@ public:
     const Oriented_element& element = m_graph.elements()[part.element];
     const Interval_pair zero{Interval(0), Interval(0)};
     if (is_vertex_scaled(vertex))
-      return of_scaled_disk(quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
-    const auto through_vertex = [&](const Element_part& x, const Interval_pair& way) { return quotient(x.jet, way, zero, zero, Interval(1)); };
+      return of_scaled_disk(
+          quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
+    const auto through_vertex = [&](const Element_part& x, const Interval_pair& way) {
+      return quotient(x.jet, way, zero, zero, Interval(1));
+    };
     const Interval_pair whole_way = way(part, vertex);
     Curvature_bounds result;
     if (element.is_normal_cone || part.range.is_number())
@@ -141,11 +169,14 @@ public:
       const double u = part.range.middle();
       const Element_part middle = this->part(part.element, {u, u});
       const Curvature_bounds in_middle = through_vertex(middle, way(middle, vertex)).bounds();
-      result = through_vertex(part, whole_way).bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0), Element_turn::beside(part.jet, whole_way, zero));
+      result = through_vertex(part, whole_way)
+                   .bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0),
+                                  Element_turn::beside(part.jet, whole_way, zero));
     }
     if (!element.is_normal_cone)
       for (const bool is_end : {false, true})
-        if (const Arc_end end{element.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
+        if (const Arc_end end{element.object, is_end}; m_graph.vertex_of(end) == vertex &&
+            gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
           add_by_element(result, within_arc(part, element.object, {end.parameter(), end.parameter()}));
     return result;
   }
@@ -179,7 +210,8 @@ public:
     return result;
   }
 
-  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger, those through points inside smaller.
+  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through
+  // points outside are larger, those through points inside smaller.
   int side_of_own_circle(const Element_part& part, const Interval_pair& points) const
   {
     const Site_arc_2& arc = m_graph.arcs()[m_graph.elements()[part.element].object];
@@ -198,7 +230,9 @@ private:
   std::optional<Arc_end> next_on_side_of(const Element_part& part, const Arc_end& end) const
   {
     const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
-    if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end) ? m_scaled->continuation(m_graph, end) : std::nullopt)
+    if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end)
+            ? m_scaled->continuation(m_graph, end)
+            : std::nullopt)
       return only;
     if (vertex.ends.size() > 2 && m_graph.is_exact(end)) {
       const Interval_pair tangent = m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()});
@@ -213,13 +247,17 @@ private:
   Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Element_part& part) const
   {
     const Interval_pair& n = part.jet.normal;
-    return k.positive_zero(m_scaled->excess * squared_norm(n), Interval(2) * m_scaled->excess * dot(n, part.jet.normal_derivative));
+    return k.positive_zero(m_scaled->excess * squared_norm(n),
+                           Interval(2) * m_scaled->excess * dot(n, part.jet.normal_derivative));
   }
 
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
-  // And what is known where the element lies on the arc, has a vertex in common with it, or touches a circle on which one of them lies.
-  Curvature_bounds with_what_is_common(Curvature_bounds result, const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
+  // And what is known where the element lies on the arc, has a vertex in common with it, or touches a circle on which
+  // one of them lies.
+  Curvature_bounds with_what_is_common(Curvature_bounds result, const Element_part& part, std::size_t arc,
+                                       const Range& range, const Curve_jet& jet, const Element_part& middle,
+                                       const Curve_jet& jet_in_middle) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
     if (!element.is_normal_cone && element.object == arc)
@@ -235,18 +273,24 @@ private:
     return result;
   }
 
-  void add_by_circles(Curvature_bounds& result, const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
+  void add_by_circles(Curvature_bounds& result, const Element_part& part, std::size_t arc, const Range& range,
+                      const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
-    const Site_arc_2 &y = m_graph.arcs()[arc], *own = element.is_normal_cone ? nullptr : &m_graph.arcs()[element.object];
+    const Site_arc_2 &y = m_graph.arcs()[arc],
+                     *own = element.is_normal_cone ? nullptr : &m_graph.arcs()[element.object];
     const double v = range.middle();
-    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(v);
-    const auto difference = [&](const Circle_disks& disks, const Element_part& x, const Range& range, const Curve_jet& jet) {
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
+                   shift_v = interval_of<Interval>(range) - Interval(v);
+    const auto difference = [&](const Circle_disks& disks, const Element_part& x, const Range& range,
+                                const Curve_jet& jet) {
       const auto [tangent, change] = y.has_singular_end() ? y.tangent_jet(range) : std::array{jet[1], jet[2]};
       return disks.difference(quotient(x.jet, arc, range, jet, jet[0] - x.jet.point), jet[0], tangent, change);
     };
     const auto add = [&](const Circle_disks& disks, const Circle_disks& in_middle) {
-      Curvature_bounds k = difference(disks, part, range, jet).around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v).bounds();
+      Curvature_bounds k = difference(disks, part, range, jet)
+                               .around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v)
+                               .bounds();
       k.value += disks.curvature();
       k.du += disks.curvature_derivative();
       result = common_part(result, k);
@@ -265,16 +309,21 @@ private:
     if (y.has_singular_end()) {
       more.factor = y.tangent_factor(range);
       const bool is_divided = more.factor.inf() > 0;
-      more.dvv = is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
+      more.dvv =
+          is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
       more.dv = is_divided ? more.dv / more.factor : any_number<Interval>();
       more.duv = is_divided ? more.duv / more.factor : any_number<Interval>();
     }
     result = common_part(result, more);
   }
 
-  Curvature_quotient quotient(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, arc, range, jet, way(part, arc, range, jet)); }
+  Curvature_quotient quotient(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    return quotient(part.jet, arc, range, jet, way(part, arc, range, jet));
+  }
 
-  Curvature_quotient quotient(const Element_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval_pair& way) const
+  Curvature_quotient quotient(const Element_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet,
+                              const Interval_pair& way) const
   {
     const Site_arc_2& y = m_graph.arcs()[arc];
     if (!y.has_singular_end())
@@ -287,11 +336,14 @@ private:
   Interval_pair way(const Element_part& part, std::size_t vertex) const
   {
     const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
-    const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact ? way_to_vertex(part, vertex, true) : std::nullopt;
+    const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact
+        ? way_to_vertex(part, vertex, true)
+        : std::nullopt;
     return short_way ? common_part(result, *short_way) : result;
   }
 
-  // From the element to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an end.
+  // From the element to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an
+  // end.
   std::optional<Interval_pair> way_to_vertex(const Element_part& part, std::size_t vertex, bool is_any_vertex) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
@@ -300,12 +352,16 @@ private:
       const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
       result = result ? common_part(*result, whole) : whole;
     };
-    const auto is_taken = [&](std::size_t from, bool is_near) { return from == vertex || (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact); };
+    const auto is_taken = [&](std::size_t from, bool is_near) {
+      return from == vertex ||
+          (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact);
+    };
     if (element.is_normal_cone && is_taken(element.object, true))
       add(element.object, {Interval(0), Interval(0)});
     if (!element.is_normal_cone)
       for (const bool own : {false, true})
-        if (const Arc_end end{element.object, own}; m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
+        if (const Arc_end end{element.object, own};
+            m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
           add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[element.object].way_from_end(own, part.range));
     return result;
   }
@@ -318,7 +374,8 @@ private:
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
-  // Whether disks that touch an element and an arc may be nearly those of the curvature of the element: on its own arc, and on one that goes on smoothly.
+  // Whether disks that touch an element and an arc may be nearly those of the curvature of the element: on its own arc,
+  // and on one that goes on smoothly.
   bool is_beside_element(std::size_t element, std::size_t arc) const
   {
     const Oriented_element& f = m_graph.elements()[element];
@@ -330,7 +387,8 @@ private:
   }
 
   // For a point at the end of a way d, which moves with the derivative m D.
-  static Curvature_quotient quotient(const Element_jet& x, const Interval_pair& d, const Interval_pair& tangent, const Interval_pair& change, const Interval& factor)
+  static Curvature_quotient quotient(const Element_jet& x, const Interval_pair& d, const Interval_pair& tangent,
+                                     const Interval_pair& change, const Interval& factor)
   {
     const Interval two(2);
     Curvature_quotient k;
@@ -359,10 +417,14 @@ private:
   {
     const Interval h = interval_of<Interval>(range) - interval_of<Interval>(part.range), hh = CGAL::square(h);
     const Interval middle = (interval_of<Interval>(range) + interval_of<Interval>(part.range)) / Interval(2);
-    const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)), y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
-    const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6);
-    const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3], rest = (hh / Interval(48)) * x[4];
-    const Interval_pair g = common_part(half * x[2], half * y[2] - change + rest), dv = common_part(half * x[2], half * y[2] + change + rest);
+    const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)),
+                    y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
+    const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3),
+                           sixth = Interval(1) / Interval(6);
+    const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3],
+                        rest = (hh / Interval(48)) * x[4];
+    const Interval_pair g = common_part(half * x[2], half * y[2] - change + rest),
+                        dv = common_part(half * x[2], half * y[2] + change + rest);
     const auto [n, nu] = std::pair(part.jet.normal, part.jet.normal_derivative);
     Curvature_quotient k;
     k.f = two * dot(n, g);
@@ -379,7 +441,8 @@ private:
   }
 
   // What more is known where the element begins or ends in the end of the arc.
-  void at_common_vertex(Curvature_bounds& result, const Element_part& part, const Oriented_element& element, const Arc_end& end, const Range& range) const
+  void at_common_vertex(Curvature_bounds& result, const Element_part& part, const Oriented_element& element,
+                        const Arc_end& end, const Range& range) const
   {
     const std::size_t vertex = m_graph.vertex_of(end);
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
@@ -404,33 +467,42 @@ private:
   }
 
   // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
-  Interval across_smooth_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
+  Interval across_smooth_joint(const Element_part& part, const Arc_end& own, const Range& own_range,
+                               const Smooth_continuation& continuation, const Range& range) const
   {
-    return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio, Interval(0));
+    return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio,
+                        Interval(0));
   }
 
   /*
-  The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2. It is large only in a small neighbourhood of the vertex, where J is small.
+  The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2.
+  It is large only in a small neighbourhood of the vertex, where J is small.
   */
-  Interval across_nearly_smooth_joint(const Element_part& part, const Arc_end& own, const Nearly_smooth_continuation& continuation, const Range& range) const
+  Interval across_nearly_smooth_joint(const Element_part& part, const Arc_end& own,
+                                      const Nearly_smooth_continuation& continuation, const Range& range) const
   {
     const Interval scale(continuation.scale);
     const double a = distance(own, part.range).inf();
     const Interval distances = distance(continuation.end, range) / scale;
     const double b = std::clamp(a, distances.inf(), distances.sup());   // where the term is greatest
     const Interval jump = dot(part.jet.normal, continuation.jump);
-    const Interval term = a + b > 0 ? jump * Interval(0, (Interval(b) / CGAL::square(Interval(a) + Interval(b))).sup()) : number_of_sign(certain_sign(jump));
-    const Range own_range = united(part.range, {own.parameter(), own.parameter()}), other_range = united(range, {continuation.end.parameter(), continuation.end.parameter()});
+    const Interval term = a + b > 0 ? jump * Interval(0, (Interval(b) / CGAL::square(Interval(a) + Interval(b))).sup())
+                                    : number_of_sign(certain_sign(jump));
+    const Range own_range = united(part.range, {own.parameter(), own.parameter()}),
+                other_range = united(range, {continuation.end.parameter(), continuation.end.parameter()});
     return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
   }
 
-  Interval across_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
+  Interval across_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other,
+                        const Range& range, const Interval& scale, const Interval& jump) const
   {
     const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
     const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
     const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
     const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
-    return q.inf() > 0 ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q : any_number<Interval>();
+    return q.inf() > 0
+        ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q
+        : any_number<Interval>();
   }
 
   // A number of which only the sign is known, or not even that.
@@ -441,41 +513,54 @@ private:
   }
 
   // From an end of an arc, of the parameters of a range.
-  static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range); }
+  static Interval distance(const Arc_end& end, const Range& range)
+  {
+    return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range);
+  }
 
   // Below the half-plane of the normal, or perpendicular to the first or last normal of the normal cone.
-  void at_normal_cone(Curvature_bounds& result, const Element_part& part, const Oriented_element& element, const Arc_end& end, const Range& range) const
+  void at_normal_cone(Curvature_bounds& result, const Element_part& part, const Oriented_element& element,
+                      const Arc_end& end, const Range& range) const
   {
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
     const Site_arc_2& arc = m_graph.arcs()[end.arc];
     const Curve_jet y = arc.jet(to_vertex, 2);
-    const Interval_pair b = Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);   // the outgoing mean derivative, up to a positive factor
+    // the outgoing mean derivative, up to a positive factor
+    const Interval_pair b =
+        Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);
     if (dot(part.jet.normal, b).sup() < 0)
       result.value = common_part(result.value, number_of_sign(-1));
     if (!m_graph.is_regular(end))
       return;
     // The arc begins below the half-plane of the normal, if only by a small angle.
     if (const Interval q = squared_norm(y[1]); q.inf() > 0)
-      result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
+      result.value = common_part(
+          result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
     for (const bool k : {false, true})
       if (m_graph.is_perpendicular(element, k, end)) {
         const Normal_cone_disks disks(m_graph, part, k, end, range);
         Curvature_bounds more = disks.bounds();
         const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
         if (touches_vertex && disks.is_increasing())
-          more.dv = common_part(more.dv, end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min()) : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+          more.dv = common_part(
+              more.dv,
+              end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min())
+                         : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
         add_by_tangent(result, more, end.arc, range);
       }
   }
 
   /*
-  p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
+  p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex
+  corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
   <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
   */
-  void at_corner(Curvature_bounds& result, const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  void at_corner(Curvature_bounds& result, const Element_part& part, const Arc_end& own, const Arc_end& other,
+                 const Range& range) const
   {
     const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
-    const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1], b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
+    const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1],
+                        b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
     const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
     if (!(nb.sup() < 0))
       return;

@@ -21,9 +21,13 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Curves and segments on their tangents, as where drawings are aligned. The line that touches an element in the simplest parameter of a part is in front of it elsewhere, if the element is concave.
+Curves and segments on their tangents, as where drawings are aligned. The line that touches an element in the simplest
+parameter of a part is in front of it elsewhere, if the element is concave.
 
-With a direction T of the line and the normal M to the side of the disks, a point of the line is X + a T + b M, where b >= 0 is convex, and the disk through it has k = 2 (a <N,T> + b <N,M>) / (a^2 + b^2). Let a > 0. If <N,T> >= 0, that falls with a where a >= b. Else k <= 0 where a >= w |<X',T>|, for the width w of the part: as b is convex, b <= w |b'|, and
+With a direction T of the line and the normal M to the side of the disks, a point of the line is X + a T + b M, where b
+>= 0 is convex, and the disk through it has k = 2 (a <N,T> + b <N,M>) / (a^2 + b^2). Let a > 0. If <N,T> >= 0, that
+falls with a where a >= b. Else k <= 0 where a >= w |<X',T>|, for the width w of the part: as b is convex, b <= w |b'|,
+and
 <N,T> / <N,M> = b' / <X',T>. So a segment on the line has no larger disks than in its near end, or half-planes.
 */
 template <Enclosing_number Interval>
@@ -40,11 +44,13 @@ class Basic_element_tangent
 public:
   Basic_element_tangent(const Site_graph_2& graph, const Element_part& part) : m_graph(graph), m_part(part) {}
 
-  // Leaves out arcs that are behind a straight element and touch its line in a rational point: all disks through them are half-planes or larger.
+  // Leaves out arcs that are behind a straight element and touch its line in a rational point: all disks through them
+  // are half-planes or larger.
   void erase_behind(std::vector<Disk_candidate>& candidates) const
   {
     const Basic_oriented_element<Interval>& element = m_graph.elements()[m_part.element];
-    if (element.is_normal_cone || !m_graph.arcs()[element.object].is_straight() || !m_graph.are_ends_exact(element.object))
+    if (element.is_normal_cone || !m_graph.arcs()[element.object].is_straight() ||
+        !m_graph.are_ends_exact(element.object))
       return;
     std::map<std::size_t, Range> ranges;   // of arcs
     for (const Disk_candidate& c : candidates)
@@ -52,16 +58,19 @@ public:
         if (const auto [place, is_new] = ranges.try_emplace(c.index, c.range); !is_new)
           place->second = united(place->second, c.range);
     std::erase_if(ranges, [&](const auto& arc) { return !is_behind(arc.first, arc.second, element); });
-    std::erase_if(candidates, [&](const Disk_candidate& c) { return c.kind == Candidate_kind::ARC && ranges.count(c.index); });
+    std::erase_if(candidates,
+                  [&](const Disk_candidate& c) { return c.kind == Candidate_kind::ARC && ranges.count(c.index); });
   }
 
   // Leaves out the candidates on segments of the line; a near end that no other arc has becomes one itself.
   void replace_segments(std::vector<Disk_candidate>& candidates) const
   {
     const Basic_oriented_element<Interval>& element = m_graph.elements()[m_part.element];
-    if (element.is_normal_cone || !m_graph.are_ends_exact(element.object) || std::none_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return is_segment(c); }))
+    if (element.is_normal_cone || !m_graph.are_ends_exact(element.object) ||
+        std::none_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return is_segment(c); }))
       return;
-    const Exact_rational u = simplest_rational_between(Exact_rational(m_part.range.begin), Exact_rational(m_part.range.end));
+    const Exact_rational u =
+        simplest_rational_between(Exact_rational(m_part.range.begin), Exact_rational(m_part.range.end));
     const Exact_pair point = m_graph.exact_point_at(element, u), normal = m_graph.exact_normal(element, u);
     std::map<std::size_t, std::optional<Arc_end>> near_ends;   // of segments of the line
     for (const Disk_candidate& c : candidates)
@@ -77,16 +86,22 @@ public:
   }
 
 private:
-  bool is_segment(const Disk_candidate& c) const { return c.kind == Candidate_kind::ARC && m_graph.arcs()[c.index].is_straight() && !m_graph.arcs()[c.index].turns_back() && m_graph.are_ends_exact(c.index); }
+  bool is_segment(const Disk_candidate& c) const
+  {
+    return c.kind == Candidate_kind::ARC && m_graph.arcs()[c.index].is_straight() &&
+        !m_graph.arcs()[c.index].turns_back() && m_graph.are_ends_exact(c.index);
+  }
 
   // Whether the tangent with a normal is in front of the part, which is concave.
   bool is_in_front(const Exact_pair& normal) const
   {
     const Interval_pair m = interval_pair_of<Interval>(normal);
-    return dot(m_part.jet.normal, m).inf() > 0 && dot(m_graph.arcs()[m_graph.elements()[m_part.element].object].jet(m_part.range, 2)[2], m).sup() < 0;
+    return dot(m_part.jet.normal, m).inf() > 0 &&
+        dot(m_graph.arcs()[m_graph.elements()[m_part.element].object].jet(m_part.range, 2)[2], m).sup() < 0;
   }
 
-  // Whether a part of an arc is concave, and has the line of a straight element as its tangent where the parameter is the simplest number.
+  // Whether a part of an arc is concave, and has the line of a straight element as its tangent where the parameter is
+  // the simplest number.
   bool is_behind(std::size_t index, const Range& range, const Basic_oriented_element<Interval>& element) const
   {
     const Basic_site_arc_2<Interval>& arc = m_graph.arcs()[index];
@@ -94,7 +109,8 @@ private:
     if (!(dot(arc.jet(range, 2)[2], interval_pair_of<Interval>(normal)).sup() < 0))
       return false;
     const Exact_rational v = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));
-    return sign_of(exact_dot(normal, arc.derivative_at(v))) == 0 && sign_of(exact_dot(normal, exact_difference(arc.at(v), m_graph.exact_point_at(element, 0)))) == 0;
+    return sign_of(exact_dot(normal, arc.derivative_at(v))) == 0 &&
+        sign_of(exact_dot(normal, exact_difference(arc.at(v), m_graph.exact_point_at(element, 0)))) == 0;
   }
 
   // That of a segment on the line that is far enough away.

@@ -22,7 +22,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Some curves, of which some may be scaled sites, on the level above doubles: made when a thread needs it for the first time.
+// Some curves, of which some may be scaled sites, on the level above doubles: made when a thread needs it for the first
+// time.
 class Fine_level
 {
   const Site_graph_2& m_graph;
@@ -32,13 +33,18 @@ class Fine_level
   mutable std::optional<Basic_scaled_sites<Fine_interval>> m_fine_scaled;
 
 public:
-  static constexpr int most_nodes = 50, most_nodes_of_many = 16;   // of sweeps along an element, and of one of them with many candidates
+  // of sweeps along an element, and of one of them with many candidates
+  static constexpr int most_nodes = 50, most_nodes_of_many = 16;
   static constexpr std::size_t most_candidates = 100;              // that are not many
-  static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;   // of candidates along an element, where what was proved in surveys needed 7500 at most, and what a try costs besides
+  // of candidates along an element, where what was proved in surveys needed 7500 at most, and what a try costs besides
+  static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;
 
-  explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+  explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr)
+    : m_graph(graph), m_scaled(scaled)
+  {}
 
-  // Whether a part of an element of some size, 1 if it is large, is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
+  // Whether a part of an element of some size, 1 if it is large, is tried in a sweep that divides parts by a ratio,
+  // below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
   static bool is_tried(const Range& range, double split_ratio, double size = 1)
   {
     constexpr double most_width = 0x1p-20;
@@ -64,13 +70,17 @@ public:
     return Basic_disk_curvature<Fine_interval>(fine_graph, m_fine_scaled ? &*m_fine_scaled : nullptr);
   }
 
-  // Candidates with enclosures of this level; neighbouring ones of an arc as one, as those are divided again that need be.
+  // Candidates with enclosures of this level; neighbouring ones of an arc as one, as those are divided again that need
+  // be.
   std::vector<Basic_disk_candidate<Fine_interval>> candidates(std::vector<Disk_candidate> candidates) const
   {
-    std::sort(candidates.begin(), candidates.end(), [](const Disk_candidate& a, const Disk_candidate& b) { return std::tuple(a.kind, a.index, a.range.begin) < std::tuple(b.kind, b.index, b.range.begin); });
+    std::sort(candidates.begin(), candidates.end(), [](const Disk_candidate& a, const Disk_candidate& b) {
+      return std::tuple(a.kind, a.index, a.range.begin) < std::tuple(b.kind, b.index, b.range.begin);
+    });
     std::vector<Basic_disk_candidate<Fine_interval>> result;
     for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Candidate_kind::ARC && !result.empty() && result.back().kind == Candidate_kind::ARC && result.back().index == candidate.index && result.back().range.end == candidate.range.begin)
+      if (candidate.kind == Candidate_kind::ARC && !result.empty() && result.back().kind == Candidate_kind::ARC &&
+          result.back().index == candidate.index && result.back().range.end == candidate.range.begin)
         result.back().range.end = candidate.range.end;
       else
         result.push_back({candidate.kind, candidate.index, candidate.range});

@@ -24,7 +24,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// What the maximal disks of an envelope arc touch besides the element: the inner points of an arc, a vertex, the whole circle that the element lies on, or, where disks are half-planes, nothing.
+// What the maximal disks of an envelope arc touch besides the element: the inner points of an arc, a vertex, the whole
+// circle that the element lies on, or, where disks are half-planes, nothing.
 struct Disk_footpoint
 {
   enum class Kind { ARC, VERTEX, CIRCLE, NOTHING };
@@ -39,7 +40,9 @@ struct Disk_footpoint
 template <Enclosing_number Interval>
 bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
 {
-  return footpoint.kind == Disk_footpoint::Kind::ARC ? curvature.is_arc_scaled(footpoint.index) : footpoint.kind == Disk_footpoint::Kind::VERTEX && curvature.is_vertex_scaled(footpoint.index);
+  return footpoint.kind == Disk_footpoint::Kind::ARC
+      ? curvature.is_arc_scaled(footpoint.index)
+      : footpoint.kind == Disk_footpoint::Kind::VERTEX && curvature.is_vertex_scaled(footpoint.index);
 }
 
 // By which squared distances from a footpoint are divided.
@@ -49,7 +52,8 @@ Exact_rational squared_factor(const Basic_disk_curvature<Interval>& curvature, c
   return is_scaled(curvature, footpoint) ? curvature.scaled_sites()->squared_factor : Exact_rational(1);
 }
 
-// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the element; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
+// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the
+// element; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
 struct Corner_of_disks
 {
   double parameter = 0, least = 0;
@@ -67,7 +71,8 @@ struct Corner_of_disks
   }
 };
 
-// A footpoint, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some numbers.
+// A footpoint, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than
+// some numbers.
 struct Located_footpoint
 {
   Disk_footpoint footpoint;
@@ -76,7 +81,8 @@ struct Located_footpoint
   Corner_of_disks corner{};
 };
 
-// The curvature of a disk, and for footpoints in an arc a range that holds the parameter there, and one with the greatest curvature that is known.
+// The curvature of a disk, and for footpoints in an arc a range that holds the parameter there, and one with the
+// greatest curvature that is known.
 template <Enclosing_number Interval>
 struct Basic_attained_curvature
 {
@@ -88,7 +94,9 @@ struct Basic_attained_curvature
 
 using Attained_curvature = Basic_attained_curvature<Interval>;
 
-// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is returned, but for those of the whole range.
+// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where
+// that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is
+// returned, but for those of the whole range.
 template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
@@ -109,20 +117,29 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
   }
   for (double width = 0x1p-51; width < 1; width *= 16) {
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
-    const bool grows_before = around.begin == range.begin || at({around.begin, around.begin}).dv.inf() > 0, falls_behind = around.end == range.end || at({around.end, around.end}).dv.sup() < 0;
+    const bool grows_before = around.begin == range.begin || at({around.begin, around.begin}).dv.inf() > 0,
+               falls_behind = around.end == range.end || at({around.end, around.end}).dv.sup() < 0;
     if (!grows_before || !falls_behind)
       continue;
     const auto k = at(around), here = at({v, v});
     const Interval step = interval_of<Interval>(around) - Interval(v);
     Interval greatest = common_part(k.value, here.value + k.factor * k.dv * step);
-    if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative; else k_v is as much as m times the derivative of such a function
-      greatest = common_part(greatest, here.value + k.factor * common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
+    // a concave function is below its tangents, and below the parabola with the least second derivative; else k_v is as
+    // much as m times the derivative of such a function
+    if (k.dvv.sup() < 0)
+      greatest = common_part(greatest,
+                             here.value +
+                                 k.factor *
+                                     common_part(hull(Interval(0), here.dv * step),
+                                                 Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
     return {greatest, around, v};
   }
   return {any_number<Interval>(), {v, v}};
 }
 
-// Branch and bound: the greatest curvature in a range, and a range that holds its parameters if it is not less than some number: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter than doubles tell, or too many.
+// Branch and bound: the greatest curvature in a range, and a range that holds its parameters if it is not less than
+// some number: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter
+// than doubles tell, or too many.
 template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
 {
@@ -136,7 +153,9 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
   };
   const auto all = [&] { return Range{pieces.front().begin, pieces.back().end}; };
   const auto slope_at = [&](double v) { return at({v, v}).dv; };
-  const auto has_one_maximum = [&](const Range& r) { return at(r).dvv.sup() < 0 && slope_at(r.begin).inf() > 0 && slope_at(r.end).sup() < 0; };
+  const auto has_one_maximum = [&](const Range& r) {
+    return at(r).dvv.sup() < 0 && slope_at(r.begin).inf() > 0 && slope_at(r.end).sup() < 0;
+  };
   bool is_only = has_one_maximum(all());
   while (pieces.size() < most_pieces && pieces.front().width() > least_width && !is_only) {
     std::vector<Range> halves;
@@ -164,11 +183,16 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
 
 // The only maximum of the curvature in a range of an arc that is not too low.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Basic_attained_curvature<Interval>
+largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature,
+                         const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.footpoint.index, range, arc.jet(range)); };
-  const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
-  const auto is_known = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf()); };
+  // the part is one point
+  const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));
+  const auto is_known = [&](const Basic_attained_curvature<Interval>& k) {
+    return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf());
+  };
   Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
   if (is_known(result))
     return result;
@@ -179,17 +203,24 @@ Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc
 
 // The disks of a part that touch a footpoint, if it is on a line or circle, and certainly in the inside of its arc.
 template <Enclosing_number Interval>
-std::optional<Basic_tangent_disks<Interval>> tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Disk_footpoint& footpoint)
+std::optional<Basic_tangent_disks<Interval>>
+tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
+              const Basic_element_part<Interval>& part, const Disk_footpoint& footpoint)
 {
-  return footpoint.kind == Disk_footpoint::Kind::ARC ? Basic_tangent_disks<Interval>::over(graph, curvature, part, footpoint.index) : std::nullopt;
+  return footpoint.kind == Disk_footpoint::Kind::ARC
+      ? Basic_tangent_disks<Interval>::over(graph, curvature, part, footpoint.index)
+      : std::nullopt;
 }
 
 // The curvature of the disk that touches an element in one point, and a footpoint.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Basic_attained_curvature<Interval>
+largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
+                  const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
   switch (located.footpoint.kind) {
-  case Disk_footpoint::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.footpoint.index], curvature, part, located);
+  case Disk_footpoint::Kind::ARC:
+    return largest_curvature_on_arc(graph.arcs()[located.footpoint.index], curvature, part, located);
   case Disk_footpoint::Kind::VERTEX: return {curvature(part, located.footpoint.index).value};
   case Disk_footpoint::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
   default: return {Interval(0)};
@@ -198,13 +229,17 @@ Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<In
 
 // The derivative of that curvature by the parameter of the element, over a part: where k_v = 0 it is k_u.
 template <Enclosing_number Interval>
-Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph,
+                                    const Basic_disk_curvature<Interval>& curvature,
+                                    const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
   const std::size_t index = located.footpoint.index;
   switch (located.footpoint.kind) {
   case Disk_footpoint::Kind::ARC: {
-    const auto tangent = tangent_disks(graph, curvature, part, located.footpoint);   // in the range, or lower than something else
-    return tangent ? tangent->expansion().slope : curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
+    // in the range, or lower than something else
+    const auto tangent = tangent_disks(graph, curvature, part, located.footpoint);
+    return tangent ? tangent->expansion().slope
+                   : curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
   }
   case Disk_footpoint::Kind::VERTEX: return curvature(part, index).du;
   case Disk_footpoint::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
@@ -212,9 +247,13 @@ Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, c
   }
 }
 
-// The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is for k_v / m; k_uu where the largest one may be at an end of the range.
+// The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is
+// for k_v / m; k_uu where the largest one may be at an end of the range.
 template <Enclosing_number Interval>
-Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph,
+                                                const Basic_disk_curvature<Interval>& curvature,
+                                                const Basic_element_part<Interval>& part,
+                                                const Located_footpoint& located)
 {
   const std::size_t index = located.footpoint.index;
   if (located.footpoint.kind == Disk_footpoint::Kind::NOTHING)
@@ -232,12 +271,15 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
   const Interval by_footpoint = k.factor * CGAL::square(k.duv) / -k.dvv;
   if (!(by_footpoint.inf() >= 0 && std::isfinite(by_footpoint.sup())))
     return any_number<Interval>();
-  return second_derivative_of_curvature(graph, part, jet[0], k) + (is_inside ? by_footpoint : hull(Interval(0), by_footpoint));
+  return second_derivative_of_curvature(graph, part, jet[0], k) +
+      (is_inside ? by_footpoint : hull(Interval(0), by_footpoint));
 }
 
 // By the disks of one footpoint; where it is on a line or circle, by those that touch that.
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Basic_curvature_expansion<Interval>
+curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
+                    const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
   if (const auto tangent = tangent_disks(graph, curvature, part, located.footpoint))
     return tangent->expansion();

@@ -18,7 +18,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks that touch a vertex p with a normal N = (1-w) n + w m of a normal cone, and pass through a point Y = p + t B of an arc that begins there, perpendicular to n. With <N, Y - p> = t w c + t^2 e, where c = <m, B(0)>, and |Y - p|^2 = t^2 s, their curvature is
+Disks that touch a vertex p with a normal N = (1-w) n + w m of a normal cone, and pass through a point Y = p + t B of an
+arc that begins there, perpendicular to n. With <N, Y - p> = t w c + t^2 e, where c = <m, B(0)>, and |Y - p|^2 = t^2 s,
+their curvature is
 
   k(w,t) = 2 (e + w c / t) / s,
 
@@ -26,11 +28,13 @@ where e, s are smooth functions of t, and c < 0: the arc leaves the half-plane o
 
   s k_t / 2 = a + (w/t^2) b,   a = e' - e s'/s,   b = -c (1 + t s'/s).
 
-Near the vertex b > 0. So if a > 0 k increases with t; and if t^2 a / b is monotone where a < 0 it has one maximum in t for all w > 0, which moves into the vertex for w = 0 if a < 0 there. Its derivative has the sign of
+Near the vertex b > 0. So if a > 0 k increases with t; and if t^2 a / b is monotone where a < 0 it has one maximum in t
+for all w > 0, which moves into the vertex for w = 0 if a < 0 there. Its derivative has the sign of
 
   a (2 - t b'/b) + t a'.
 
-So it is monotone, too, if a decreases, which may be positive first: then the curvature of the arc has its maximum next to the vertex.
+So it is monotone, too, if a decreases, which may be positive first: then the curvature of the arc has its maximum next
+to the vertex.
 */
 template <Enclosing_number Interval>
 class Basic_normal_cone_disks
@@ -51,8 +55,10 @@ class Basic_normal_cone_disks
   bool m_is_regular;
 
 public:
-  // For the normal in the begin or end of a normal cone, which is perpendicular to the arc, and points up to the end of a range.
-  Basic_normal_cone_disks(const Site_graph_2& graph, const Element_part& part, bool normal, const Arc_end& end, const Range& range)
+  // For the normal in the begin or end of a normal cone, which is perpendicular to the arc, and points up to the end of
+  // a range.
+  Basic_normal_cone_disks(const Site_graph_2& graph, const Element_part& part, bool normal, const Arc_end& end,
+                          const Range& range)
   {
     const Oriented_element& element = graph.elements()[part.element];
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
@@ -63,14 +69,16 @@ public:
     m_t = end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range);
     m_share = normal ? Interval(1) - interval_of<Interval>(part.range) : interval_of<Interval>(part.range);
     m_share_change = Interval(normal ? -1 : 1);
-    const Interval half = Interval(1) / Interval(2), third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6), twelfth = Interval(1) / Interval(12), two(2);
+    const Interval half = Interval(1) / Interval(2), third = Interval(1) / Interval(3),
+                   sixth = Interval(1) / Interval(6), twelfth = Interval(1) / Interval(12), two(2);
     const auto& [n, nu] = std::pair(part.jet.normal, part.jet.normal_derivative);
     e = half * dot(n, y[2]);
     e1 = sixth * dot(n, y[3]);
     e2 = twelfth * dot(n, y[4]);
     eu = half * dot(nu, y[2]);
     e1u = sixth * dot(nu, y[3]);
-    c = dot(element.normals[!normal], Interval(m_direction) * graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]);
+    c = dot(element.normals[!normal],
+            Interval(m_direction) * graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]);
     const Interval_pair b1 = half * y[2], b2 = third * y[3];
     s = squared_norm(y[1]);
     s1 = two * dot(y[1], b1);
@@ -109,7 +117,8 @@ public:
   {
     if (!m_is_regular || !(one_plus().inf() > 0))
       return false;
-    const Interval ratio = s1 / s, ratio1 = s2 / s - CGAL::square(ratio), a1 = e2 - e1 * ratio - e * ratio1, t = m_t, weight = Interval(2) + t * ratio - CGAL::square(t) * ratio1;
+    const Interval ratio = s1 / s, ratio1 = s2 / s - CGAL::square(ratio), a1 = e2 - e1 * ratio - e * ratio1, t = m_t,
+                   weight = Interval(2) + t * ratio - CGAL::square(t) * ratio1;
     return (a().sup() < 0 && (a() * weight + t * one_plus() * a1).sup() < 0) || (a1.sup() < 0 && weight.inf() > 0);
   }
 
@@ -120,33 +129,45 @@ private:
 
 using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
-// Whether an arc lies on a circle through the vertex of a normal cone whose first or last normal points along a diameter.
+// Whether an arc lies on a circle through the vertex of a normal cone whose first or last normal points along a
+// diameter.
 template <Enclosing_number Interval>
-bool is_on_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph, const Basic_oriented_element<Interval>& normal_cone, bool normal, std::size_t arc)
+bool is_on_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph,
+                                      const Basic_oriented_element<Interval>& normal_cone, bool normal, std::size_t arc)
 {
   const Basic_site_arc_2<Interval>& y = graph.arcs()[arc];
   const auto& vertex = graph.vertices()[normal_cone.object];
-  if (!y.circle() || y.turns_back() || y.has_singular_end() || !vertex.is_exact || certain_sign(squared_norm(vertex.point - y.center()) - y.squared_radius()) != 0)   // most are elsewhere: this is cheap
+  // most are elsewhere: this is cheap
+  if (!y.circle() || y.turns_back() || y.has_singular_end() || !vertex.is_exact ||
+      certain_sign(squared_norm(vertex.point - y.center()) - y.squared_radius()) != 0)
     return false;
-  return y.is_on_line_or_circle(vertex.exact_point) && sign_of(exact_cross(normal_cone.exact_normals[normal], exact_difference(y.circle()->first, vertex.exact_point))) == 0;
+  return y.is_on_line_or_circle(vertex.exact_point) &&
+      sign_of(
+          exact_cross(normal_cone.exact_normals[normal], exact_difference(y.circle()->first, vertex.exact_point))) == 0;
 }
 
 /*
-How the curvature k of disks that touch the vertex p of a normal cone with a normal N = (1-w) n + w m changes along such a circle, of which n points along a diameter. The inversion Z = (Y - p) / |Y - p|^2 maps the circle to a line across n, along which Z moves in one direction T, and k = 2 <N, Z>. So
+How the curvature k of disks that touch the vertex p of a normal cone with a normal N = (1-w) n + w m changes along such
+a circle, of which n points along a diameter. The inversion Z = (Y - p) / |Y - p|^2 maps the circle to a line across n,
+along which Z moves in one direction T, and k = 2 <N, Z>. So
 
   k_v = 2 w <m, T> |Y_v| / |Y - p|^2
 
 has the sign of <m, T> for all w > 0, though the disk with w = 0 may touch all of the circle.
 */
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph, const Basic_element_part<Interval>& part, bool normal, std::size_t arc, const Basic_curve_jet<Interval>& y)
+Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph,
+                                                                  const Basic_element_part<Interval>& part, bool normal,
+                                                                  std::size_t arc, const Basic_curve_jet<Interval>& y)
 {
   const auto& normal_cone = graph.elements()[part.element];
   const auto& circle = graph.arcs()[arc];
   const auto& p = graph.vertices()[normal_cone.object].point;
   const auto begin = circle.jet({0, 0}, 1);
   const int direction = certain_sign(dot(turned_left(begin[0] - circle.center()), begin[1]));   // around the center
-  const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), normal_cone.normals[!normal]) / CGAL::sqrt(circle.squared_radius());   // <m, T>
+  // <m, T>
+  const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), normal_cone.normals[!normal]) /
+      CGAL::sqrt(circle.squared_radius());
   const Interval u = interval_of<Interval>(part.range), way = squared_norm(y[0] - p);
   Basic_curvature_bounds<Interval> k;
   if (direction == 0)   // not certain
@@ -157,7 +178,8 @@ Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_si
     k.duv = Interval(normal ? -1 : 1) * rate;
   }
   if (const int sign = certain_sign(along); sign != 0 && !part.range.is_number())
-    k.dv = common_part(k.dv, Interval(sign) * Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+    k.dv = common_part(
+        k.dv, Interval(sign) * Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
   return k;
 }
 

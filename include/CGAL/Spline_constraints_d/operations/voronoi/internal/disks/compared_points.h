@@ -40,13 +40,18 @@ struct Basic_compared_points
   {
     const Interval two(2);
     const Interval_pair d = p - x.jet.point, &xu = x.jet.point_derivative;
-    const Interval_pair wu = (-two * dot(xu, way)) * d - (two * dot(d, way) + squared_norm(way)) * xu + (two * dot(d, xu)) * way;
-    const Interval fu = dot(x.jet.normal_derivative, w(d)) + dot(x.jet.normal, wu), change_of_weight = -two * (dot(d, xu) / squared_norm(d) + dot(d + way, xu) / squared_norm(d + way));
+    const Interval_pair wu =
+        (-two * dot(xu, way)) * d - (two * dot(d, way) + squared_norm(way)) * xu + (two * dot(d, xu)) * way;
+    const Interval fu = dot(x.jet.normal_derivative, w(d)) + dot(x.jet.normal, wu),
+                   change_of_weight = -two * (dot(d, xu) / squared_norm(d) + dot(d + way, xu) / squared_norm(d + way));
     return two * (fu - f(x) * change_of_weight) / weight(x);
   }
 
 private:
-  Interval_pair w(const Interval_pair& d) const { return (Interval(2) * dot(d, way) + squared_norm(way)) * d - squared_norm(d) * way; }
+  Interval_pair w(const Interval_pair& d) const
+  {
+    return (Interval(2) * dot(d, way) + squared_norm(way)) * d - squared_norm(d) * way;
+  }
 
   Interval f(const Element_part& x) const { return dot(x.jet.normal, w(p - x.jet.point)); }
 
@@ -66,32 +71,43 @@ Basic_compared_points<Interval> compared_points(const Basic_site_arc_2<Interval>
 }
 
 /*
-The difference of the curvatures of two footpoints over a part of an element, where both are vertices that are known exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
+The difference of the curvatures of two footpoints over a part of an element, where both are vertices that are known
+exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
 */
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b)
+Basic_curvature_expansion<Interval>
+difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
+                     const Basic_element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b)
 {
   using Kind = Disk_footpoint::Kind;
-  if (is_scaled(curvature, a.footpoint) || is_scaled(curvature, b.footpoint))   // as a vertex may be, where an arc ends that is not
+  // as a vertex may be, where an arc ends that is not
+  if (is_scaled(curvature, a.footpoint) || is_scaled(curvature, b.footpoint))
     return {};
-  const auto is_exact_point = [&](const Disk_footpoint& c) { return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact; };
+  const auto is_exact_point = [&](const Disk_footpoint& c) {
+    return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact;
+  };
   const double u = part.range.middle();
   const Basic_element_part<Interval> middle = curvature.part(part.element, {u, u});
-  const auto expansion = [&](const Basic_compared_points<Interval>& there, const Basic_compared_points<Interval>& throughout) {
-    return Basic_curvature_expansion<Interval>{there.difference(middle), there.slope(middle), throughout.slope(part), any_number<Interval>()};
+  const auto expansion = [&](const Basic_compared_points<Interval>& there,
+                             const Basic_compared_points<Interval>& throughout) {
+    return Basic_curvature_expansion<Interval>{there.difference(middle), there.slope(middle), throughout.slope(part),
+                                               any_number<Interval>()};
   };
   if (is_exact_point(a.footpoint) && is_exact_point(b.footpoint)) {
-    const Basic_compared_points<Interval> points{graph.vertices()[a.footpoint.index].point, graph.way_between(a.footpoint.index, b.footpoint.index)};
+    const Basic_compared_points<Interval> points{graph.vertices()[a.footpoint.index].point,
+                                                 graph.way_between(a.footpoint.index, b.footpoint.index)};
     return expansion(points, points);
   }
   const Basic_oriented_element<Interval>& element = graph.elements()[part.element];
   const std::size_t arc = (a.footpoint.kind == Kind::ARC ? a : b).footpoint.index;
-  if ((a.footpoint.kind != Kind::ARC && b.footpoint.kind != Kind::ARC) || (!element.is_normal_cone && element.object == arc))
+  if ((a.footpoint.kind != Kind::ARC && b.footpoint.kind != Kind::ARC) ||
+      (!element.is_normal_cone && element.object == arc))
     return {};
   // Where the footpoint is: over the part, and in its middle.
   const auto range = [&](const Located_footpoint& c, bool is_throughout) -> std::optional<Range> {
     for (const bool end : {false, true})
-      if (c.footpoint.kind == Kind::VERTEX && graph.vertex_of({arc, end}) == c.footpoint.index && graph.is_exact({arc, end}))
+      if (c.footpoint.kind == Kind::VERTEX && graph.vertex_of({arc, end}) == c.footpoint.index &&
+          graph.is_exact({arc, end}))
         return Range{end ? 1.0 : 0.0, end ? 1.0 : 0.0};
     if (c.footpoint.kind != Kind::ARC || c.footpoint.index != arc)
       return std::nullopt;
@@ -100,8 +116,11 @@ Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_
     const auto greatest = largest_curvature(graph, curvature, middle, c);
     return greatest.is_attained ? std::optional(greatest.range) : std::nullopt;
   };
-  const auto p = range(a, true), q = range(b, true), p_there = p && q ? range(a, false) : std::nullopt, q_there = p && q ? range(b, false) : std::nullopt;
-  return p_there && q_there ? expansion(compared_points(graph.arcs()[arc], *p_there, *q_there), compared_points(graph.arcs()[arc], *p, *q)) : Basic_curvature_expansion<Interval>();
+  const auto p = range(a, true), q = range(b, true), p_there = p && q ? range(a, false) : std::nullopt,
+             q_there = p && q ? range(b, false) : std::nullopt;
+  return p_there && q_there
+      ? expansion(compared_points(graph.arcs()[arc], *p_there, *q_there), compared_points(graph.arcs()[arc], *p, *q))
+      : Basic_curvature_expansion<Interval>();
 }
 
 } // namespace Voronoi

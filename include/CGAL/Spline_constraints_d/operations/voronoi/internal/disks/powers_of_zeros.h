@@ -21,7 +21,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Along the zeros of a polynomial p(a,b) next to a = b = 0, for positive a and b, powers a = s^m and b = t^n for which s and t are nearly proportional: those of the edge of the Newton polygon whose ends have different signs; nothing if there is no such edge, or are several of them.
+Along the zeros of a polynomial p(a,b) next to a = b = 0, for positive a and b, powers a = s^m and b = t^n for which s
+and t are nearly proportional: those of the edge of the Newton polygon whose ends have different signs; nothing if there
+is no such edge, or are several of them.
 */
 inline std::optional<std::pair<int, int>> powers_of_zeros(const Power_polynomial& p)
 {
@@ -40,14 +42,17 @@ inline std::optional<std::pair<int, int>> powers_of_zeros(const Power_polynomial
   for (const auto& [exponent, corner] : lowest) {
     if (!hull.empty() && corner.a >= hull.back().a)
       continue;
-    const auto is_above = [&](const Corner& first, const Corner& middle) { return (first.a - middle.a) * (corner.b - first.b) <= (first.a - corner.a) * (middle.b - first.b); };
+    const auto is_above = [&](const Corner& first, const Corner& middle) {
+      return (first.a - middle.a) * (corner.b - first.b) <= (first.a - corner.a) * (middle.b - first.b);
+    };
     while (hull.size() > 1 && is_above(hull[hull.size() - 2], hull.back()))
       hull.pop_back();
     hull.push_back(corner);
   }
   std::optional<std::pair<int, int>> result;
   for (std::size_t i = 1; i < hull.size(); ++i)
-    if (const int a = hull[i - 1].a - hull[i].a, b = hull[i].b - hull[i - 1].b, divisor = std::gcd(a, b); hull[i - 1].sign != hull[i].sign) {
+    if (const int a = hull[i - 1].a - hull[i].a, b = hull[i].b - hull[i - 1].b, divisor = std::gcd(a, b);
+        hull[i - 1].sign != hull[i].sign) {
       if (result)
         return std::nullopt;
       result.emplace(b / divisor, a / divisor);

@@ -16,7 +16,8 @@ namespace Voronoi {
 
 // Of the point of an element, and of its normal, over a part; of a normal cone they are zero.
 template <Enclosing_number Interval>
-std::array<std::array<Interval, 2>, 2> second_derivatives(const Basic_site_graph_2<Interval>& graph, const Basic_element_part<Interval>& part)
+std::array<std::array<Interval, 2>, 2> second_derivatives(const Basic_site_graph_2<Interval>& graph,
+                                                          const Basic_element_part<Interval>& part)
 {
   const Basic_oriented_element<Interval>& element = graph.elements()[part.element];
   if (element.is_normal_cone) {
@@ -25,18 +26,24 @@ std::array<std::array<Interval, 2>, 2> second_derivatives(const Basic_site_graph
   }
   const Basic_site_arc_2<Interval>& arc = graph.arcs()[element.object];
   const Basic_curve_jet<Interval> jet = arc.jet(part.range, 3);
-  return {jet[2], Interval(element.is_reversed ? -1 : 1) * turned_left(arc.has_singular_end() ? arc.second_derivative_of_tangent(part.range) : jet[3])};
+  return {jet[2],
+          Interval(element.is_reversed ? -1 : 1) *
+              turned_left(arc.has_singular_end() ? arc.second_derivative_of_tangent(part.range) : jet[3])};
 }
 
-// Of the curvature of disks by the parameter of the element, for points in a box that is not scaled, where the curvature and its first derivative are enclosed.
+// Of the curvature of disks by the parameter of the element, for points in a box that is not scaled, where the
+// curvature and its first derivative are enclosed.
 template <Enclosing_number Interval>
-Interval second_derivative_of_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_element_part<Interval>& part, const std::array<Interval, 2>& box, const Basic_curvature_bounds<Interval>& k)
+Interval second_derivative_of_curvature(const Basic_site_graph_2<Interval>& graph,
+                                        const Basic_element_part<Interval>& part, const std::array<Interval, 2>& box,
+                                        const Basic_curvature_bounds<Interval>& k)
 {
   const auto& [x, xu, n, nu] = part.jet;
   const auto [xuu, nuu] = second_derivatives(graph, part);
   const Interval two(2);
   const std::array<Interval, 2> d = box - x;
-  const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, xuu)), fuu = two * (dot(nuu, d) - dot(nu, xu));
+  const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, xuu)),
+                 fuu = two * (dot(nuu, d) - dot(nu, xu));
   return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number<Interval>();
 }
 

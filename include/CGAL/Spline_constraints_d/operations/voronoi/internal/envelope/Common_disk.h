@@ -21,7 +21,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-A disk with a rational center and a rational squared radius that is a guess for one that touches an element and three footpoints or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
+A disk with a rational center and a rational squared radius that is a guess for one that touches an element and three
+footpoints or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on
+lines and circles. Scaled sites are touched by the scaled disk.
 */
 template <Enclosing_number Interval>
 class Basic_common_disk
@@ -42,7 +44,9 @@ class Basic_common_disk
 
 public:
   // The center is the simplest one in an enclosure.
-  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> footpoints) : m_graph(graph), m_curvature(curvature)
+  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center,
+                    std::span<const Disk_branch> footpoints)
+    : m_graph(graph), m_curvature(curvature)
   {
     for (std::size_t k = 0; k < 2; ++k) {
       if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
@@ -52,7 +56,8 @@ public:
     }
     for (const Disk_branch& footpoint : footpoints)
       if (!m_squared_radius)
-        m_squared_radius = footpoint.move ? squared_radius_at_end({footpoint.move->arc, footpoint.move->parameter == 1}) : squared_radius(footpoint.footpoint);
+        m_squared_radius = footpoint.move ? squared_radius_at_end({footpoint.move->arc, footpoint.move->parameter == 1})
+                                          : squared_radius(footpoint.footpoint);
   }
 
   // Whether it touches a part of an element, on the side of the normals.
@@ -64,8 +69,11 @@ public:
       return false;
     if (!element.is_normal_cone)
       return touches_arc(m_graph.arcs()[element.object], part.range, *m_squared_radius);
-    const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.element_jet(element, {u, u}).normal), away)); };
-    return touches(m_graph.vertices()[element.object], *m_squared_radius) && turn(part.range.begin) * turn(part.range.end) < 0;
+    const auto turn = [&](double u) {
+      return certain_sign(dot(turned_left(m_graph.element_jet(element, {u, u}).normal), away));
+    };
+    return touches(m_graph.vertices()[element.object], *m_squared_radius) &&
+        turn(part.range.begin) * turn(part.range.end) < 0;
   }
 
   // Whether it touches the same thing as the disks of a branch.
@@ -76,7 +84,8 @@ public:
     const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.footpoint);
     if (located.footpoint.kind == Disk_footpoint::Kind::VERTEX)
       return touches(m_graph.vertices()[located.footpoint.index], square);
-    return located.footpoint.kind == Disk_footpoint::Kind::ARC && touches_arc(m_graph.arcs()[located.footpoint.index], located.range, square);
+    return located.footpoint.kind == Disk_footpoint::Kind::ARC &&
+        touches_arc(m_graph.arcs()[located.footpoint.index], located.range, square);
   }
 
   // Whether it touches an arc in its end: the center is on the perpendicular there.
@@ -85,13 +94,17 @@ public:
     if (!m_squared_radius || !m_graph.is_exact(end))
       return false;
     const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
-    return squared_distance_from(q) == *m_squared_radius * squared_factor(m_curvature, arc_of(end)) && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
+    return squared_distance_from(q) == *m_squared_radius * squared_factor(m_curvature, arc_of(end)) &&
+        sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
   }
 
 private:
   static Disk_footpoint arc_of(const Arc_end& end) { return {Disk_footpoint::Kind::ARC, end.arc}; }
 
-  bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
+  bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const
+  {
+    return vertex.is_exact && squared_distance_from(vertex.exact_point) == square;
+  }
 
   Exact_rational squared_distance_from(const Exact_pair& p) const
   {
@@ -109,27 +122,36 @@ private:
   // Of the disk that touches the point in which a footpoint goes over from an arc to the next one.
   std::optional<Exact_rational> squared_radius_at_end(const Arc_end& end) const
   {
-    return m_graph.is_exact(end) ? std::optional(Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) / squared_factor(m_curvature, arc_of(end)))) : std::nullopt;
+    return m_graph.is_exact(end)
+        ? std::optional(
+              Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) /
+                             squared_factor(m_curvature, arc_of(end))))
+        : std::nullopt;
   }
 
   // The squared radius of the disk that touches a footpoint, if it is known to be rational.
   std::optional<Exact_rational> squared_radius(const Disk_footpoint& footpoint) const
   {
     if (footpoint.kind == Disk_footpoint::Kind::VERTEX && m_graph.vertices()[footpoint.index].is_exact)
-      return Exact_rational(squared_distance_from(m_graph.vertices()[footpoint.index].exact_point) / squared_factor(m_curvature, footpoint));
+      return Exact_rational(squared_distance_from(m_graph.vertices()[footpoint.index].exact_point) /
+                            squared_factor(m_curvature, footpoint));
     if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].is_straight())
-      return Exact_rational(squared_distance_from_line(m_graph.arcs()[footpoint.index]) / squared_factor(m_curvature, footpoint));
+      return Exact_rational(squared_distance_from_line(m_graph.arcs()[footpoint.index]) /
+                            squared_factor(m_curvature, footpoint));
     if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].circle())
-      return squared_distance_from_circle(*m_graph.arcs()[footpoint.index].circle(), squared_factor(m_curvature, footpoint));
+      return squared_distance_from_circle(*m_graph.arcs()[footpoint.index].circle(),
+                                          squared_factor(m_curvature, footpoint));
     return std::nullopt;
   }
 
   // (d - r)^2 = d^2 + r^2 - 2 d r.
-  std::optional<Exact_rational> squared_distance_from_circle(const std::pair<Exact_pair, Exact_rational>& circle, const Exact_rational& squared_factor) const
+  std::optional<Exact_rational> squared_distance_from_circle(const std::pair<Exact_pair, Exact_rational>& circle,
+                                                             const Exact_rational& squared_factor) const
   {
     const Exact_rational square = squared_distance_from(circle.first);
     const auto product = rational_square_root(Exact_rational(square * circle.second));
-    return product ? std::optional(Exact_rational((square + circle.second - 2 * *product) / squared_factor)) : std::nullopt;
+    return product ? std::optional(Exact_rational((square + circle.second - 2 * *product) / squared_factor))
+                   : std::nullopt;
   }
 
   // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
@@ -142,7 +164,8 @@ private:
     return touches_line_or_circle(arc, square) && approach(range.begin) > 0 && approach(range.end) < 0;
   }
 
-  // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 = 4 r^2 s^2.
+  // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 =
+  // 4 r^2 s^2.
   bool touches_line_or_circle(const Site_arc_2& arc, const Exact_rational& squared_radius) const
   {
     if (arc.is_straight())

@@ -18,11 +18,15 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks that touch two arcs near their common vertex p, in an angle of less than 180 degrees. With X = p + s A on the element and Y = p + t B on the other arc, s > 0 and t = m s, the curvature of the disk that touches the element in X and passes through Y is
+Disks that touch two arcs near their common vertex p, in an angle of less than 180 degrees. With X = p + s A on the
+element and Y = p + t B on the other arc, s > 0 and t = m s, the curvature of the disk that touches the element in X and
+passes through Y is
 
   k = g(s,m) / s,   g = 2 <N, Z> / |Z|^2,   Z = m B - A,
 
-and g is a smooth function with one maximum in m for small s, also for s = 0. If the other arc is scaled, g is the positive zero of |Z|^2 g^2 - 2 <N, Z> g - (c^2 - 1) |N|^2; the angle may have any size, and the maximum may be that of the vertex, m = 0.
+and g is a smooth function with one maximum in m for small s, also for s = 0. If the other arc is scaled, g is the
+positive zero of |Z|^2 g^2 - 2 <N, Z> g - (c^2 - 1) |N|^2; the angle may have any size, and the maximum may be that of
+the vertex, m = 0.
 */
 template <Enclosing_number Interval>
 class Basic_corner_disks
@@ -36,7 +40,8 @@ class Basic_corner_disks
   using Disk_curvature = Basic_disk_curvature<Interval>;
 
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
-  static constexpr double most_share = 1 - 0x1p-20;   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
+  // of the curvature that is attained: the maximum is higher than others, also when it is rounded
+  static constexpr double most_share = 1 - 0x1p-20;
   static constexpr int steps = 12, most_halvings = 60;   // in angles that are tiny the maximum is narrow
 
 public:
@@ -54,8 +59,10 @@ private:
   std::optional<Interval> m_excess;   // of scaled disks: (c^2 - 1) |N|^2
 
 public:
-  // For the part of an element, which begins or ends in one end of its arc, and a range of the other arc that begins or ends there too.
-  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
+  // For the part of an element, which begins or ends in one end of its arc, and a range of the other arc that begins or
+  // ends there too.
+  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
+                     const Arc_end& own, const Arc_end& other, const Range& range)
   {
     const Curve_jet x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
     const Interval own_way(own.is_end ? -1 : 1), way(other.is_end ? -1 : 1);
@@ -74,12 +81,14 @@ public:
   {
     if (!std::isfinite(m_speed_ratio) || !(m_excess || dot(m_normal, m_b).inf() > 0))
       return std::nullopt;
-    const double attained = most_share * (std::max)(bounds(Interval(0)).value.inf(), bounds(Interval(m_speed_ratio)).value.inf());
+    const double attained =
+        most_share * (std::max)(bounds(Interval(0)).value.inf(), bounds(Interval(m_speed_ratio)).value.inf());
     Stationary_points found = Stationary_points::NONE;
     if (!(attained > 0) || !are_far_points_lower(attained) || !visit_near_points(attained, found))
       return std::nullopt;
     const bool is_in_vertex = found == Stationary_points::NONE;
-    if (const Curvature_bounds vertex = bounds(Interval(0)); !is_in_vertex && !(vertex.value.sup() < attained || vertex.dv.inf() > 0))
+    if (const Curvature_bounds vertex = bounds(Interval(0));
+        !is_in_vertex && !(vertex.value.sup() < attained || vertex.dv.inf() > 0))
       return std::nullopt;
     return Maximum{(Interval(attained) / Interval(m_s.sup())).inf(), is_in_vertex};
   }
@@ -88,11 +97,15 @@ public:
   bool are_all_lower(double number) const
   {
     Stationary_points found = Stationary_points::NONE;
-    return std::isfinite(m_speed_ratio) && bounds(Interval(0)).value.sup() < number && are_far_points_lower(number) && visit_near_points(number, found) && found == Stationary_points::NONE;
+    return std::isfinite(m_speed_ratio) && bounds(Interval(0)).value.sup() < number && are_far_points_lower(number) &&
+        visit_near_points(number, found) && found == Stationary_points::NONE;
   }
 
 private:
-  Curvature_bounds of_disk(const Curvature_quotient& k) const { return m_excess ? k.positive_zero(*m_excess, Interval(0)) : k.bounds(); }
+  Curvature_bounds of_disk(const Curvature_quotient& k) const
+  {
+    return m_excess ? k.positive_zero(*m_excess, Interval(0)) : k.bounds();
+  }
 
   // Of g, and of its derivatives by m.
   Curvature_bounds bounds(const Interval& m) const
@@ -101,7 +114,8 @@ private:
     const Interval_pair z = m * m_b - m_a;
     // Products with m are formed last: what the vectors have in common cancels before.
     Curvature_quotient k;
-    k.q = common_part(squared_norm(z), CGAL::square(m) * squared_norm(m_b) - two * m * dot(m_a, m_b) + squared_norm(m_a));
+    k.q =
+        common_part(squared_norm(z), CGAL::square(m) * squared_norm(m_b) - two * m * dot(m_a, m_b) + squared_norm(m_a));
     k.f = two * (m * dot(m_normal, m_b) - dot(m_normal, m_a));
     k.fv = two * dot(m_normal, m_derivative);
     k.qv = two * (m * dot(m_b, m_derivative) - dot(m_a, m_derivative));
@@ -124,11 +138,13 @@ private:
   // What has been found up to some m: none; some, up to there; or some, and none behind them.
   enum class Stationary_points { NONE, HERE, BEFORE };
 
-  // Whether g has at most one maximum of at least what is attained: all points where it may be stationary, and that high, are next to each other, and g_mm < 0 there.
+  // Whether g has at most one maximum of at least what is attained: all points where it may be stationary, and that
+  // high, are next to each other, and g_mm < 0 there.
   bool visit_near_points(double attained, Stationary_points& found) const
   {
     const double most = (Interval(far_ratio) * Interval(m_speed_ratio)).sup();
-    const auto end = [&](int k) { return k == steps ? most : m_speed_ratio * far_ratio * k * k / (steps * steps); };   // steps grow with m
+    // steps grow with m
+    const auto end = [&](int k) { return k == steps ? most : m_speed_ratio * far_ratio * k * k / (steps * steps); };
     for (int i = 0; i < steps; ++i)
       if (!visit(end(i), end(i + 1), attained, most_halvings, found))
         return false;
@@ -140,7 +156,8 @@ private:
   {
     const Curvature_bounds k = bounds(Interval(begin, end));
     const auto slope = [&](double m) { return certain_sign(bounds(Interval(m)).dv); };
-    if (k.value.sup() < attained || certain_sign(k.dv) != 0 || (k.dvv.sup() < 0 && (slope(begin) < 0 || slope(end) > 0))) {
+    if (k.value.sup() < attained || certain_sign(k.dv) != 0 ||
+        (k.dvv.sup() < 0 && (slope(begin) < 0 || slope(end) > 0))) {
       if (found == Stationary_points::HERE)
         found = Stationary_points::BEFORE;
       return true;
@@ -151,7 +168,8 @@ private:
       return is_first;
     }
     const double middle = begin + (end - begin) / 2;
-    return halvings > 0 && visit(begin, middle, attained, halvings - 1, found) && visit(middle, end, attained, halvings - 1, found);
+    return halvings > 0 && visit(begin, middle, attained, halvings - 1, found) &&
+        visit(middle, end, attained, halvings - 1, found);
   }
 };
 

@@ -20,10 +20,15 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Two arcs that join nearly smoothly, seen from the side where their angle is less than 180 degrees. From far away there is nothing but a smooth joint; but disks in the corner touch both arcs, at distances from it that are smaller than any interval can tell apart.
+Two arcs that join nearly smoothly, seen from the side where their angle is less than 180 degrees. From far away there
+is nothing but a smooth joint; but disks in the corner touch both arcs, at distances from it that are smaller than any
+interval can tell apart.
 
-Let the disk that touches the element in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the element between X and the corner touches something else in the pocket, and if nothing else is there, the
-other arc. Hence such points X form a range of the element that begins in the corner, and for this no disk has to be looked at.
+Let the disk that touches the element in X touch the other arc in Y, and let both be near the corner. It cuts a pocket
+off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that
+touches the element between X and the corner touches something else in the pocket, and if nothing else is there, the
+other arc. Hence such points X form a range of the element that begins in the corner, and for this no disk has to be
+looked at.
 */
 template <Enclosing_number Interval>
 class Basic_corner_pocket
@@ -49,7 +54,8 @@ class Basic_corner_pocket
 
 public:
   // The pocket at an end of a part of an element, if there is one.
-  static std::optional<Corner_pocket> at_end_of(const Element_part& part, const Site_graph_2& graph, const Disk_curvature& curvature)
+  static std::optional<Corner_pocket> at_end_of(const Element_part& part, const Site_graph_2& graph,
+                                                const Disk_curvature& curvature)
   {
     const Oriented_element& element = graph.elements()[part.element];
     for (const bool end : {false, true}) {
@@ -61,13 +67,18 @@ public:
     return std::nullopt;
   }
 
-  // Takes the candidates that belong to the pocket: those of the other arc, or the ones that are connected with the corner; and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the other arc. Returns whether the other arc has any.
+  // Takes the candidates that belong to the pocket: those of the other arc, or the ones that are connected with the
+  // corner; and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the
+  // other arc. Returns whether the other arc has any.
   bool take(std::vector<Disk_candidate>& candidates)
   {
     Range own{m_own.parameter(), m_own.parameter()};
     const int way = m_own.is_end ? 1 : -1;
-    take_connected(candidates, own, [&](const Disk_candidate& c) { return c.index == m_own.arc && certain_sign(c.bounds.dv) == way; });
-    const auto is_of_other = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc; };
+    take_connected(candidates, own,
+                   [&](const Disk_candidate& c) { return c.index == m_own.arc && certain_sign(c.bounds.dv) == way; });
+    const auto is_of_other = [&](const Disk_candidate& c) {
+      return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc;
+    };
     Range all = m_range;
     for (const Disk_candidate& candidate : candidates)
       if (is_of_other(candidate))
@@ -102,12 +113,15 @@ public:
   // Whether disks in the pocket leave no part of the other arc out: none touches it twice.
   bool has_one_envelope_arc() const { return m_graph.arcs()[m_other.arc].is_spiral(m_range); }
 
-  // Whether disks may touch the far end of the other arc, as those do that are too far from the corner: if a footpoint with the arc may be there, and their curvature is not known to decrease toward it.
+  // Whether disks may touch the far end of the other arc, as those do that are too far from the corner: if a footpoint
+  // with the arc may be there, and their curvature is not known to decrease toward it.
   bool may_touch_far_end(const Located_footpoint& located) const
   {
     const double far = 1 - m_other.parameter();
     const int way = m_other.is_end ? -1 : 1;   // of the parameter, to the far end
-    return located.range.meets({far, far}) && certain_sign(m_curvature(m_part, m_other.arc, {far, far}, m_graph.arcs()[m_other.arc].jet({far, far})).dv) != -way;
+    return located.range.meets({far, far}) &&
+        certain_sign(m_curvature(m_part, m_other.arc, {far, far}, m_graph.arcs()[m_other.arc].jet({far, far})).dv) !=
+        -way;
   }
 
   // Whether points are outside of all that may be in the pocket of a disk.
@@ -117,15 +131,18 @@ public:
     return certain_sign(points[0] - pocket[0]) != 0 || certain_sign(points[1] - pocket[1]) != 0;
   }
 
-  // Whether the radii of the disks in the pocket grow with the distance from the corner: their footpoints are never opposite.
+  // Whether the radii of the disks in the pocket grow with the distance from the corner: their footpoints are never
+  // opposite.
   bool has_growing_disks() const
   {
     const Curve_jet y = m_graph.arcs()[m_other.arc].jet(m_range, 1);
-    const Interval way(m_other.is_end != m_own.is_end ? 1 : -1), side(m_graph.elements()[m_part.element].is_reversed ? -1 : 1);
+    const Interval way(m_other.is_end != m_own.is_end ? 1 : -1),
+        side(m_graph.elements()[m_part.element].is_reversed ? -1 : 1);
     return dot(m_part.jet.normal, (way * side) * turned_left(y[1])).inf() > 0;
   }
 
-  // Whether the largest disk that touches the element in a point touches the other arc (1) rather than one of some curvature (-1); 0 if that is not certain.
+  // Whether the largest disk that touches the element in a point touches the other arc (1) rather than one of some
+  // curvature (-1); 0 if that is not certain.
   int sign(double u, const Interval& other_curvature) const
   {
     const Element_part point = m_curvature.part(m_part.element, {u, u});
@@ -136,19 +153,25 @@ public:
   }
 
 private:
-  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
-    : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end), m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
+  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
+                      const Arc_end& own, const Nearly_smooth_continuation& next)
+    : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end),
+      m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
   {}
 
   Located_footpoint footpoint(const Range& range) const { return {{Disk_footpoint::Kind::ARC, m_other.arc}, range}; }
 
-  Interval at(const Element_part& point, const Range& range) const { return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value; }
+  Interval at(const Element_part& point, const Range& range) const
+  {
+    return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value;
+  }
 
   bool is_below(const Element_part& point, const Range& range, double curvature, int halvings) const
   {
     if (at(point, range).sup() < curvature)
       return true;
-    return halvings > 0 && is_below(point, {range.begin, range.middle()}, curvature, halvings - 1) && is_below(point, {range.middle(), range.end}, curvature, halvings - 1);
+    return halvings > 0 && is_below(point, {range.begin, range.middle()}, curvature, halvings - 1) &&
+        is_below(point, {range.middle(), range.end}, curvature, halvings - 1);
   }
 };
 

@@ -20,8 +20,10 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Two arcs that join nearly smoothly, seen from the side where their angle is more than 180 degrees, if the largest disks at the vertex are those of the curvature of one of them: the diagram has a tip there. From far away it is that of a smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the arc with the
-larger curvature.
+Two arcs that join nearly smoothly, seen from the side where their angle is more than 180 degrees, if the largest disks
+at the vertex are those of the curvature of one of them: the diagram has a tip there. From far away it is that of a
+smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the
+arc with the larger curvature.
 */
 template <Enclosing_number Interval>
 class Basic_corner_tip
@@ -37,10 +39,13 @@ class Basic_corner_tip
   const Oriented_element& m_element;
 
 public:
-  Basic_corner_tip(const Site_graph_2& graph, const Element_part& part) : m_graph(graph), m_part(part), m_element(graph.elements()[part.element]) {}
+  Basic_corner_tip(const Site_graph_2& graph, const Element_part& part)
+    : m_graph(graph), m_part(part), m_element(graph.elements()[part.element])
+  {}
 
   /*
-  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk touches it twice: so the disks leave no part of it out.
+  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk
+  touches it twice: so the disks leave no part of it out.
   */
   std::optional<Located_footpoint> only_footpoint(const std::vector<Disk_candidate>& candidates) const
   {
@@ -65,7 +70,8 @@ public:
   };
 
   /*
-  The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
+  The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which
+  curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
   */
   std::optional<Footpoints> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
   {
@@ -76,29 +82,40 @@ public:
       const std::size_t vertex = m_graph.vertex_of(own);
       Range range{other.parameter(), other.parameter()}, own_range{own.parameter(), own.parameter()};
       const int way = own.is_end ? 1 : -1;
-      std::vector<Disk_candidate> left(candidates);   // without those of the own arc on which the curvature grows up to the vertex
-      take_connected(left, own_range, [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
+      // without those of the own arc on which the curvature grows up to the vertex
+      std::vector<Disk_candidate> left(candidates);
+      take_connected(left, own_range,
+                     [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
       for (const Disk_candidate& candidate : left)
         if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
           range = united(range, candidate.range);
         else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
           range = Range();
       if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
-        return Footpoints{own, other, {{Disk_footpoint::Kind::VERTEX, vertex}}, {{Disk_footpoint::Kind::ARC, other.arc}, range}};
+        return Footpoints{
+            own, other, {{Disk_footpoint::Kind::VERTEX, vertex}}, {{Disk_footpoint::Kind::ARC, other.arc}, range}};
     }
     return std::nullopt;
   }
 
-  // Whether the disk that touches the element in a point touches the vertex (1) or the arc (-1); 0 if that is not certain.
-  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Footpoints& footpoints, double u, double least) const
+  // Whether the disk that touches the element in a point touches the vertex (1) or the arc (-1); 0 if that is not
+  // certain.
+  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Footpoints& footpoints, double u,
+           double least) const
   {
     if (u == footpoints.own.parameter()) {
       const Element_part point = curvature.part(m_part.element, {u, u});
-      const Interval arc = curvature(point, footpoints.other.arc, footpoints.arc.range, m_graph.arcs()[footpoints.other.arc].jet(footpoints.arc.range)).value;
+      const Interval arc = curvature(point, footpoints.other.arc, footpoints.arc.range,
+                                     m_graph.arcs()[footpoints.other.arc].jet(footpoints.arc.range))
+                               .value;
       return arc.sup() < curvature(point, footpoints.vertex.footpoint.index).value.inf() ? 1 : 0;
     }
-    const auto distances = [](const Range& range, const Arc_end& end) { return end.is_end ? Range{1 - range.end, 1 - range.begin} : range; };
-    switch (slopes(footpoints.own.is_end, footpoints.other).slopes(distances({u, u}, footpoints.own), distances(footpoints.arc.range, footpoints.other), least).pattern) {
+    const auto distances = [](const Range& range, const Arc_end& end) {
+      return end.is_end ? Range{1 - range.end, 1 - range.begin} : range;
+    };
+    switch (slopes(footpoints.own.is_end, footpoints.other)
+                .slopes(distances({u, u}, footpoints.own), distances(footpoints.arc.range, footpoints.other), least)
+                .pattern) {
     case Sign_pattern::NEGATIVE: return 1;
     case Sign_pattern::FALLING:
     case Sign_pattern::POSITIVE: return -1;
@@ -120,7 +137,9 @@ private:
       return result;
     }
     for (const bool end : {false, true})
-      if (const auto& next = m_graph.nearly_smooth_continuation({m_element.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && !m_graph.is_pocket(m_element, {m_element.object, end}))
+      if (const auto& next = m_graph.nearly_smooth_continuation({m_element.object, end}); next &&
+          (end ? m_part.range.end == 1 : m_part.range.begin == 0) &&
+          !m_graph.is_pocket(m_element, {m_element.object, end}))
         result.push_back(next->end);
     return result;
   }

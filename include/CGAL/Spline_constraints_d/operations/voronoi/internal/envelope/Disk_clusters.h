@@ -24,7 +24,8 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The ranges of arcs that disks may touch over a part of an element, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
+The ranges of arcs that disks may touch over a part of an element, by what is left when candidates have been pruned; and
+whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
 */
 template <Enclosing_number Interval>
 class Basic_disk_clusters
@@ -41,7 +42,8 @@ class Basic_disk_clusters
   using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
 public:
-  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
+  // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
+  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };
 
   struct Cluster
   {
@@ -59,7 +61,8 @@ public:
 
 private:
   static constexpr double most_reach = 64;   // of a cluster at a corner, in units of the length of the part
-  static constexpr double most_gap = 4;   // between an end of the element and a part that is near it, in widths of the part
+  // between an end of the element and a part that is near it, in widths of the part
+  static constexpr double most_gap = 4;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
@@ -71,8 +74,10 @@ private:
   bool m_are_known = true, m_is_one_part = false;   // the latter: all that is left is one range of one arc
 
 public:
-  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
-    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_element(graph.elements()[part.element]), m_least(least)
+  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
+                      const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_element(graph.elements()[part.element]),
+      m_least(least)
   {
     collect(candidates);
     if (!(least > 0))
@@ -100,14 +105,21 @@ public:
   // The cluster that touches an end of an arc.
   const Cluster* cluster_at(const Arc_end& end) const
   {
-    const auto cluster = std::find_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == end.arc && c.touches(end.is_end); });
+    const auto cluster = std::find_if(m_clusters.begin(), m_clusters.end(),
+                                      [&](const Cluster& c) { return c.arc == end.arc && c.touches(end.is_end); });
     return cluster == m_clusters.end() ? nullptr : &*cluster;
   }
 
 private:
-  Curvature_bounds at(const Element_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
+  Curvature_bounds at(const Element_part& part, std::size_t arc, const Range& range) const
+  {
+    return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range));
+  }
 
-  Curvature_bounds at(const Element_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
+  Curvature_bounds at(const Element_part& part, const Arc_end& end) const
+  {
+    return at(part, end.arc, {end.parameter(), end.parameter()});
+  }
 
   // Neighbouring candidates form one cluster, as do all of a segment.
   void collect(const std::vector<Disk_candidate>& candidates)
@@ -117,23 +129,32 @@ private:
         m_clusters.push_back({candidate.index, candidate.range, candidate.bounds});
       else if (candidate.kind == Disk_candidate::Kind::NODE)
         m_are_known = false;
-    std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) { return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin); });
+    std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) {
+      return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin);
+    });
     std::vector<Cluster> merged;
     for (const Cluster& cluster : m_clusters)
-      if (!merged.empty() && merged.back().arc == cluster.arc && (cluster.range.begin <= merged.back().range.end || (are_connected(cluster.arc) && m_graph.arcs()[cluster.arc].is_straight()))) {
+      if (!merged.empty() && merged.back().arc == cluster.arc &&
+          (cluster.range.begin <= merged.back().range.end ||
+           (are_connected(cluster.arc) && m_graph.arcs()[cluster.arc].is_straight()))) {
         merged.back().range.end = cluster.range.end;
         merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
       } else
         merged.push_back(cluster);
     m_clusters = std::move(merged);
-    m_is_one_part = m_clusters.size() == 1 && std::all_of(candidates.begin(), candidates.end(), [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
+    m_is_one_part = m_clusters.size() == 1 &&
+        std::all_of(candidates.begin(), candidates.end(),
+                    [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
   }
 
-  // Disks that touch the element in one point are nested, also when they are scaled, and a line or circle meets the boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its points through which there are disks of at least some positive curvature are connected.
+  // Disks that touch the element in one point are nested, also when they are scaled, and a line or circle meets the
+  // boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its
+  // points through which there are disks of at least some positive curvature are connected.
   bool are_connected(std::size_t arc) const
   {
     const Site_arc_2& y = m_graph.arcs()[arc];
-    return m_least > 0 && !y.turns_back() && (m_curvature.is_arc_scaled(arc) ? y.is_straight() : y.is_on_line_or_circle());
+    return m_least > 0 && !y.turns_back() &&
+        (m_curvature.is_arc_scaled(arc) ? y.is_straight() : y.is_on_line_or_circle());
   }
 
   // Also finds out about maxima in the ends.
@@ -166,20 +187,29 @@ private:
       if (are_ends_known)
         return true;
     }
-    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster) || has_one_maximum_on_flat_arc(cluster);
+    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster) ||
+        has_one_maximum_on_flat_arc(cluster);
   }
 
   bool has_one_maximum_on_line_or_circle(Cluster& cluster) const
   {
-    const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
-    return are_connected(cluster.arc) && is_only && has_one_connected_maximum(cluster, std::numeric_limits<double>::min(), !m_graph.arcs()[cluster.arc].is_straight());
+    const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(),
+                                       [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
+    return are_connected(cluster.arc) && is_only &&
+        has_one_connected_maximum(cluster, std::numeric_limits<double>::min(),
+                                  !m_graph.arcs()[cluster.arc].is_straight());
   }
 
   // Where there is nothing else: events are known better by smaller parts.
-  bool has_one_maximum_on_flat_arc(Cluster& cluster) const { return m_is_one_part && m_least > 0 && is_flat(cluster) && has_one_connected_maximum(cluster, m_least, false); }
+  bool has_one_maximum_on_flat_arc(Cluster& cluster) const
+  {
+    return m_is_one_part && m_least > 0 && is_flat(cluster) && has_one_connected_maximum(cluster, m_least, false);
+  }
 
   /*
-  Whether an arc has less curvature than all disks, on the side on which they touch the element. Where it goes away from each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it from inside when it is moved away from the chord between.
+  Whether an arc has less curvature than all disks, on the side on which they touch the element. Where it goes away from
+  each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it
+  from inside when it is moved away from the chord between.
   */
   bool is_flat(const Cluster& cluster) const
   {
@@ -189,12 +219,15 @@ private:
     const Basic_curve_jet<Interval> y = arc.jet(cluster.range, 2);
     if (!turns_by_less_than_right_angle(y[1]))
       return false;
-    const Interval square = squared_norm(y[1]), turn = dot(turned_left(y[1]), y[2]), least = Interval(m_least) / CGAL::sqrt(squared_norm(m_part.jet.normal)) * (square * CGAL::sqrt(square));
+    const Interval square = squared_norm(y[1]), turn = dot(turned_left(y[1]), y[2]),
+                   least =
+                       Interval(m_least) / CGAL::sqrt(squared_norm(m_part.jet.normal)) * (square * CGAL::sqrt(square));
     const int side = certain_sign(dot(turned_left(y[1]), m_part.jet.point - y[0]));
     return (side < 0 || turn.sup() < least.inf()) && (side > 0 || -turn.inf() < least.inf());
   }
 
-  // The points through which there are disks of more than some curvature are connected, and have one maximum. If a circle connects them, its rest may do so, too.
+  // The points through which there are disks of more than some curvature are connected, and have one maximum. If a
+  // circle connects them, its rest may do so, too.
   bool has_one_connected_maximum(Cluster& cluster, double least, bool is_round) const
   {
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
@@ -225,25 +258,31 @@ private:
     if (std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) < 2)
       return false;
     const auto slope_at = [&](double v) { return certain_sign(at(m_part, cluster.arc, {v, v}).dv); };
-    return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) || (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
+    return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) ||
+        (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
   }
 
-  // The end of a segment that is nearest to the vertex of a normal cone, if that is on its line, and not in the segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
+  // The end of a segment that is nearest to the vertex of a normal cone, if that is on its line, and not in the
+  // segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
   std::optional<bool> nearest_end_on_line_through_normal_cone(std::size_t arc) const
   {
     const Site_arc_2& segment = m_graph.arcs()[arc];
-    if (!m_element.is_normal_cone || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_element.object].is_exact)
+    if (!m_element.is_normal_cone || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) ||
+        !m_graph.vertices()[m_element.object].is_exact)
       return std::nullopt;
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
     const typename Site_graph_2::Vertex& normal_cone = m_graph.vertices()[m_element.object];
-    const Interval_pair to_begin = m_graph.vertices()[begin].point - normal_cone.point, to_end = m_graph.vertices()[end].point - normal_cone.point;
-    if (begin == m_element.object || end == m_element.object || certain_sign(dot(to_begin, to_end)) <= 0 || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(normal_cone.exact_point))
+    const Interval_pair to_begin = m_graph.vertices()[begin].point - normal_cone.point,
+                        to_end = m_graph.vertices()[end].point - normal_cone.point;
+    if (begin == m_element.object || end == m_element.object || certain_sign(dot(to_begin, to_end)) <= 0 ||
+        certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(normal_cone.exact_point))
       return std::nullopt;
     const int order = certain_sign(squared_norm(to_begin) - squared_norm(to_end));
     return order == 0 ? std::nullopt : std::optional(order > 0);
   }
 
-  // Calls visit(slope, end of the element, range of the distance from that, end of the arc, range of the distance from that) for the ends that the part and a cluster reach, until that returns true.
+  // Calls visit(slope, end of the element, range of the distance from that, end of the arc, range of the distance from
+  // that) for the ends that the part and a cluster reach, until that returns true.
   template <class Visit>
   bool is_any_end(const Cluster& cluster, const Visit& visit) const
   {
@@ -254,21 +293,31 @@ private:
         if (!cluster.touches(end) || !is_decided_by_polynomials(a, element_end, {cluster.arc, end}))
           continue;
         const Disk_slope& slope = m_slopes(element_end, {cluster.arc, end});
-        if (visit(slope, element_end, a, end, from(cluster.range, end)) || (slope.has_powers() && visit(m_slopes(element_end, {cluster.arc, end}, false), element_end, a, end, from(cluster.range, end))))
+        if (visit(slope, element_end, a, end, from(cluster.range, end)) ||
+            (slope.has_powers() &&
+             visit(m_slopes(element_end, {cluster.arc, end}, false), element_end, a, end, from(cluster.range, end))))
           return true;
       }
     return false;
   }
 
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the element: where both join; where the derivative is zero, or the curvature or its derivative; on the circle of the element, in tangents of it; and near a tie.
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the element: where both join;
+  // where the derivative is zero, or the curvature or its derivative; on the circle of the element, in tangents of it;
+  // and near a tie.
   bool is_decided_by_polynomials(const Range& distance, bool element_end, const Arc_end& end) const
   {
-    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_element.is_normal_cone && !m_graph.is_exact({m_element.object, element_end})))
+    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) ||
+        (!m_element.is_normal_cone && !m_graph.is_exact({m_element.object, element_end})))
       return false;
-    const bool is_near = distance.begin <= most_gap * distance.width(), is_flat = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end) || m_graph.arcs()[end.arc].is_curvature_zero(end.is_end);
+    const bool is_near = distance.begin <= most_gap * distance.width(),
+               is_flat = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end) ||
+        m_graph.arcs()[end.arc].is_curvature_zero(end.is_end);
     const std::size_t vertex = m_graph.vertex_of(end);
     if (m_element.is_normal_cone)
-      return is_near && (vertex == m_element.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || is_flat || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(element_end, end));
+      return is_near &&
+          (vertex == m_element.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) ||
+                   is_flat || m_graph.nearly_smooth_continuation(end).has_value()
+                                      : is_tie(element_end, end));
     const Arc_end own{m_element.object, element_end};
     if (own == end)
       return is_near && (!m_graph.is_regular(end) || is_flat);
@@ -279,7 +328,8 @@ private:
     return is_near && (vertex == m_graph.vertex_of(own) || is_tie(element_end, end));
   }
 
-  // Whether the disk that touches the element in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
+  // Whether the disk that touches the element in its end and passes through the end of an arc may be a half-plane, or
+  // touch the arc there.
   bool is_tie(bool element_end, const Arc_end& end) const
   {
     const double u = element_end ? 1 : 0, v = end.parameter();
@@ -289,42 +339,54 @@ private:
 
   bool has_known_slopes(Cluster& cluster) const
   {
-    return is_any_end(cluster, [&](const Disk_slope& slope, bool element_end, const Range& a, bool end, const Range& b) {
-      const Path_signs signs = slope.slopes(a, b, m_least);
-      if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
-        return false;
-      cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
-      cluster.least = m_least;
-      if (const double share = slope.share_of_largest(a); share > 0)
-        cluster.corner = {element_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
-      const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
-      cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
-      cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
-      return true;
-    });
+    return is_any_end(
+        cluster, [&](const Disk_slope& slope, bool element_end, const Range& a, bool end, const Range& b) {
+          const Path_signs signs = slope.slopes(a, b, m_least);
+          if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
+            return false;
+          cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
+          cluster.least = m_least;
+          if (const double share = slope.share_of_largest(a); share > 0)
+            cluster.corner = {element_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
+          const auto state = [&](bool is_maximum, bool is_irrelevant) {
+            return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM;
+          };
+          cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE
+              ? End_state::UNKNOWN
+              : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
+          cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
+          return true;
+        });
   }
 
   // Whether all disks through a cluster are half-planes or larger.
   bool is_below_element(const Cluster& cluster) const
   {
-    return is_any_end(cluster, [](const Disk_slope& slope, bool, const Range& a, bool, const Range& b) { return slope.is_value_negative(a, b); });
+    return is_any_end(cluster, [](const Disk_slope& slope, bool, const Range& a, bool, const Range& b) {
+      return slope.is_value_negative(a, b);
+    });
   }
 
-  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one. In tangents of the circle of the element it may do so on both sides.
+  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
+  // In tangents of the circle of the element it may do so on both sides.
   void settle_joints()
   {
     for (Cluster& cluster : m_clusters)
       for (const bool end : {false, true}) {
         const auto continuation = m_curvature.continuation(m_part, {cluster.arc, end});
         const Cluster* next = continuation ? cluster_at(*continuation) : nullptr;
-        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.element, m_graph.vertex_of({cluster.arc, end})))
+        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr ||
+            m_graph.is_vertex_on_line_or_circle_of(m_part.element, m_graph.vertex_of({cluster.arc, end})))
           continue;
         const End_state state = next->ends[continuation->is_end];
-        cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
+        cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM
+            : state == End_state::NOT_A_MAXIMUM         ? End_state::MAXIMUM
+                                                        : End_state::UNKNOWN;
       }
   }
 
-  // What is left of an arc next to a vertex that it has in common with the element is one cluster, if it is known to have one maximum.
+  // What is left of an arc next to a vertex that it has in common with the element is one cluster, if it is known to
+  // have one maximum.
   void merge_at_common_vertices()
   {
     if (m_element.is_normal_cone) {
@@ -344,7 +406,8 @@ private:
       replace(is_part, *all);
   }
 
-  // The curvature of disks in the corners between an arc and others is inversely proportional to their distance, nearly; what is lower than in one of them is left out.
+  // The curvature of disks in the corners between an arc and others is inversely proportional to their distance,
+  // nearly; what is lower than in one of them is left out.
   void merge_at_corners(const Arc_end& own)
   {
     const std::vector<Arc_end>& ends = m_graph.vertices()[m_graph.vertex_of(own)].ends;
@@ -355,22 +418,31 @@ private:
     if (!(greatest > 0))
       return;
     const Interval width(m_part.range.width());
-    std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.bounds.value.sup() < (Interval(greatest) / width).inf(); });
+    std::erase_if(m_clusters, [&](const Cluster& cluster) {
+      return cluster.bounds.value.sup() < (Interval(greatest) / width).inf();
+    });
     for (const Arc_end& other : ends)
       std::erase_if(m_clusters, [&](const Cluster& cluster) {
-        return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_curvature, m_part, own, other, cluster.range).are_all_lower(greatest);
+        return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) &&
+            cluster.corner.least < greatest &&
+            Corner_disks(m_graph, m_curvature, m_part, own, other, cluster.range).are_all_lower(greatest);
       });
   }
 
   // Only what is near. Returns a curvature that is exceeded at unit distance, or 0.
   double merge_at_corner(const Arc_end& own, const Arc_end& other)
   {
-    const auto speed = [&](const Arc_end& end) { return std::sqrt(squared_norm(m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]).sup()); };
+    const auto speed = [&](const Arc_end& end) {
+      return std::sqrt(squared_norm(m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]).sup());
+    };
     const double reach = most_reach * m_part.range.width() * speed(own) / speed(other);
-    const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc && (other.is_end ? 1 - cluster.range.end : cluster.range.begin) <= reach; };
+    const auto is_part = [&](const Cluster& cluster) {
+      return cluster.arc == other.arc && (other.is_end ? 1 - cluster.range.end : cluster.range.begin) <= reach;
+    };
     const Cluster* first = cluster_at(other);
     auto all = first != nullptr && is_part(*first) ? united_at(other, is_part) : std::nullopt;
-    const auto maximum = all ? Corner_disks(m_graph, m_curvature, m_part, own, other, all->range).only_maximum() : std::nullopt;
+    const auto maximum =
+        all ? Corner_disks(m_graph, m_curvature, m_part, own, other, all->range).only_maximum() : std::nullopt;
     if (!maximum)
       return 0;
     all->least = maximum->least_curvature;
@@ -382,7 +454,8 @@ private:
     return all->corner.least;
   }
 
-  // Clusters of an arc with an end in the vertex as one; nothing if there are none, or they reach the other end, and the curvature may rise up to there.
+  // Clusters of an arc with an end in the vertex as one; nothing if there are none, or they reach the other end, and
+  // the curvature may rise up to there.
   template <class Is_part>
   std::optional<Cluster> united_at(const Arc_end& end, const Is_part& is_part) const
   {
@@ -428,7 +501,8 @@ private:
   bool has_one_maximum_at_normal_cone(const Cluster& cluster, const Arc_end& other) const
   {
     for (const bool normal : {false, true})
-      if (m_graph.is_perpendicular(m_element, normal, other) && Normal_cone_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
+      if (m_graph.is_perpendicular(m_element, normal, other) &&
+          Normal_cone_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
         return true;
     return false;
   }

@@ -36,14 +36,17 @@ struct Corner_end
   Interval curvature;
 };
 
-// An envelope arc of an element whose maximal disks touch the same thing elsewhere, and what happens at its ends, where the event is located by a range of the parameter.
+// An envelope arc of an element whose maximal disks touch the same thing elsewhere, and what happens at its ends, where
+// the event is located by a range of the parameter.
 struct Envelope_arc
 {
   Disk_footpoint footpoint;
   Range range;
   std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
-  std::vector<std::pair<Range, Located_footpoint>> boxes{};   // ranges of the element in order, and where the footpoint is
-  std::optional<Corner_end> corner{};                       // where disks are in a pocket, which is smaller than doubles can tell
+  // ranges of the element in order, and where the footpoint is
+  std::vector<std::pair<Range, Located_footpoint>> boxes{};
+  // where disks are in a pocket, which is smaller than doubles can tell
+  std::optional<Corner_end> corner{};
   bool holds_events = false;                                // at its ends; they are not known any better
 
   const Located_footpoint& located(double u) const
@@ -53,12 +56,19 @@ struct Envelope_arc
 };
 
 /*
-The largest disks that touch an element and have no curve inside. Where u runs along the element their curvature is the upper envelope of max_v k(u,v) over all arcs, and 0: a function of one variable, whose pieces and the events between these are proved as follows.
+The largest disks that touch an element and have no curve inside. Where u runs along the element their curvature is the
+upper envelope of max_v k(u,v) over all arcs, and 0: a function of one variable, whose pieces and the events between
+these are proved as follows.
 
-A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one envelope arc. If there are two, and the derivative of the difference has a sign, the
-signs of the difference at both ends tell whether they change places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in the end; and that at v = u, whether the disk touches the element before or after u: there is a tip of the diagram between.
+A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at
+most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one envelope arc. If there are
+two, and the derivative of the difference has a sign, the signs of the difference at both ends tell whether they change
+places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in
+the end; and that at v = u, whether the disk touches the element before or after u: there is a tip of the diagram
+between.
 
-What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least width. What these cannot decide is left unresolved.
+What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least
+width. What these cannot decide is left unresolved.
 */
 template <Enclosing_number Interval>
 class Basic_maximal_disks
@@ -81,13 +91,19 @@ class Basic_maximal_disks
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
-  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52, least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;   // of parts; normals of a small normal cone differ by less than doubles show
+  // of parts; normals of a small normal cone differ by less than doubles show
+  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52,
+                          least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
-  static constexpr double widest_event = 0x1p-12;        // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
+  // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
+  static constexpr double widest_event = 0x1p-12;
   static constexpr double most_corner = 0x1p-30;         // of an envelope arc of which nothing is known but its ends
-  static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of an element
-  static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
-  static constexpr std::size_t most_bounds = 1500000;                   // of candidates: what was proved in surveys needed 523,121 at most
+  // small ones, unresolved, before less is done for the rest of an element
+  static constexpr int most_places = 4;
+  // the latter where curves are known to touch or overlap, and that is not settled
+  static constexpr int most_nodes = 50000, most_unproved_nodes = 200;
+  // of candidates: what was proved in surveys needed 523,121 at most
+  static constexpr std::size_t most_bounds = 1500000;
 
   template <Enclosing_number Other>
   friend class Basic_maximal_disks;
@@ -106,13 +122,16 @@ class Basic_maximal_disks
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
 public:
-  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Fine_level* fine_level = nullptr)
+  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps,
+                      const Fine_level* fine_level = nullptr)
     : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps, fine_level)
   {}
 
   // With scaled sites. Where no disk touches these, footpoints are not told apart: they are said to be with nothing.
-  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
-    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps), m_fine_level(fine_level)
+  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature,
+                      const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps),
+      m_fine_level(fine_level)
   {}
 
   // The envelope arcs of an element in order; none if nothing could be resolved.
@@ -120,7 +139,9 @@ public:
   {
     Disk_slopes slopes(m_graph, element);
     m_slopes = &slopes;
-    m_size = m_graph.elements()[element].is_normal_cone ? 1 : std::sqrt(m_tree.squared_size(m_graph.elements()[element].object) / m_tree.squared_size());
+    m_size = m_graph.elements()[element].is_normal_cone
+        ? 1
+        : std::sqrt(m_tree.squared_size(m_graph.elements()[element].object) / m_tree.squared_size());
     m_envelope_arcs.clear();
     m_unresolved.reset();
     m_nodes = 0;
@@ -144,19 +165,26 @@ public:
     return std::move(m_envelope_arcs);
   }
 
-  // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been bounded than another one. Returns whether all of it is resolved.
-  bool resolve_part(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes, std::size_t bounds)
+  // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been
+  // bounded than another one. Returns whether all of it is resolved.
+  bool resolve_part(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates,
+                    Disk_slopes& slopes, int nodes, std::size_t bounds)
   {
     m_slopes = &slopes;
     m_most_nodes = nodes;
     m_most_bounds = bounds;
     sweep(element, range, std::move(candidates));
-    const auto is_resolved = [](const Envelope_arc& envelope_arc) { return envelope_arc.events[0] != Disk_event::UNRESOLVED && envelope_arc.events[1] != Disk_event::UNRESOLVED; };
+    const auto is_resolved = [](const Envelope_arc& envelope_arc) {
+      return envelope_arc.events[0] != Disk_event::UNRESOLVED && envelope_arc.events[1] != Disk_event::UNRESOLVED;
+    };
     return !m_unresolved && std::all_of(m_envelope_arcs.begin(), m_envelope_arcs.end(), is_resolved);
   }
 
 private:
-  const Cusp_side* cusp_at(std::size_t element, bool end) const { return m_cusps != nullptr && m_cusps->side(element, end) ? &*m_cusps->side(element, end) : nullptr; }
+  const Cusp_side* cusp_at(std::size_t element, bool end) const
+  {
+    return m_cusps != nullptr && m_cusps->side(element, end) ? &*m_cusps->side(element, end) : nullptr;
+  }
 
   void append_cusp(std::size_t element, bool end)
   {
@@ -182,12 +210,17 @@ private:
       Element_tangent(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
-    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.elements()[element]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
-    const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);   // with numbers that tell the normals of such a joint apart
-    if ((is_divided_there || Fine_level::is_tried(range, split_ratio, m_size)) && resolve_on_fine_level(element, range, candidates, is_divided_there))
+    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.elements()[element]),
+               is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) ||
+        ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
+    // with numbers that tell the normals of such a joint apart
+    const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);
+    if ((is_divided_there || Fine_level::is_tried(range, split_ratio, m_size)) &&
+        resolve_on_fine_level(element, range, candidates, is_divided_there))
       return;
     if (is_last) {
-      if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
+      // as in rounded circles, where disks nearly touch everything
+      if (candidates.size() > Disk_candidates::most_candidates)
         m_most_nodes = (std::min)(m_most_nodes, m_nodes);
       append_unresolved(range);
       return;
@@ -197,16 +230,21 @@ private:
     sweep(element, {middle, range.end}, std::move(candidates));
   }
 
-  // Sweeps a range with numbers of higher precision, with what is left to touch there. Returns whether it is resolved, but for smaller ranges of one that is not to be divided.
-  bool resolve_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
+  // Sweeps a range with numbers of higher precision, with what is left to touch there. Returns whether it is resolved,
+  // but for smaller ranges of one that is not to be divided.
+  bool resolve_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates,
+                             bool is_divided)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || m_fine_bounds >= Fine_level::most_bounds)
         return false;
       const bool are_many = candidates.size() > Fine_level::most_candidates;
-      const int nodes = !is_divided ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
+      const int nodes = !is_divided ? 0
+                                    : (std::min)(Fine_level::most_nodes - m_fine_nodes,
+                                                 are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
-      const bool is_resolved = disks.resolve_part(element, range, m_fine_level->candidates(candidates), *m_slopes, nodes, Fine_level::most_bounds - m_fine_bounds);
+      const bool is_resolved = disks.resolve_part(element, range, m_fine_level->candidates(candidates), *m_slopes,
+                                                  nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;
       m_fine_bounds += disks.m_candidates.number_of_bounds() + Fine_level::bounds_of_try;
       if (!is_resolved && (!(range.width() < least_width) || disks.m_envelope_arcs.empty()))
@@ -236,37 +274,59 @@ private:
   }
 
   /*
-  One disk that touches all footpoints of a small part, those that go over from one arc to the next one in the point between both. As differences of curvatures are monotone, the footpoints change places in that disk only.
+  One disk that touches all footpoints of a small part, those that go over from one arc to the next one in the point
+  between both. As differences of curvatures are monotone, the footpoints change places in that disk only.
   */
-  bool append_common_disk(const Disk_footpoints& footpoints, const Element_part& part, const std::vector<Disk_branch>& branches)
+  bool append_common_disk(const Disk_footpoints& footpoints, const Element_part& part,
+                          const std::vector<Disk_branch>& branches)
   {
-    const auto all = [&](const auto& has_property) { return std::all_of(branches.begin(), branches.end(), has_property); };
-    const auto outer = all([&](const Disk_branch& branch) { return footpoints.moves_once(branch); }) ? footpoints.before_and_after_common_disk(branches) : std::nullopt;
+    const auto all = [&](const auto& has_property) {
+      return std::all_of(branches.begin(), branches.end(), has_property);
+    };
+    const auto outer = all([&](const Disk_branch& branch) { return footpoints.moves_once(branch); })
+        ? footpoints.before_and_after_common_disk(branches)
+        : std::nullopt;
     if (!outer)
       return false;
     const auto& [before, after] = *outer;
-    const auto first = footpoints.footpoint_at(before, part.range.begin), last = footpoints.footpoint_at(after, part.range.end);
+    const auto first = footpoints.footpoint_at(before, part.range.begin),
+               last = footpoints.footpoint_at(after, part.range.end);
     for (const bool end : {false, true})
-      if (const auto& footpoint = end ? first : last; footpoint && (end ? part.range.end == 1 : part.range.begin == 0) &&
-                                                    all([&](const Disk_branch& branch) { return (!branch.move || footpoints.is_move_at_end(branch, end)) && footpoints.are_equal_at_end(branches[0], branch, end); })) {
+      if (const auto& footpoint = end ? first : last;
+          footpoint && (end ? part.range.end == 1 : part.range.begin == 0) && all([&](const Disk_branch& branch) {
+            return (!branch.move || footpoints.is_move_at_end(branch, end)) &&
+                footpoints.are_equal_at_end(branches[0], branch, end);
+          })) {
         append(*footpoint, part.range);
         return true;
       }
-    const auto sign_at = [&, &before = before, &after = after](double u) { return footpoints.compare(before, after, u); };
+    const auto sign_at = [&, &before = before, &after = after](double u) {
+      return footpoints.compare(before, after, u);
+    };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Located_footpoint &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
-    const Interval_pair middle = center(m_curvature.part(part.element, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
-    return is_disk_common(part, branches, middle) && append_change(part, true, sign_at, *first, *last, Disk_event::CROSSING);
+    // one that does not move, if there is one
+    const Located_footpoint &at_begin = before.move && !after.move ? *last : *first,
+                            &at_end = before.move ? *last : *first;
+    const Interval_pair middle =
+        center(m_curvature.part(part.element, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
+    return is_disk_common(part, branches, middle) &&
+        append_change(part, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
-  // Whether a disk with its center in an enclosure touches a part and all footpoints: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies, or has a rational border.
-  bool is_disk_common(const Element_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
+  // Whether a disk with its center in an enclosure touches a part and all footpoints: by the simplest rational numbers,
+  // by symmetry, or as a half-plane that touches copies, or has a rational border.
+  bool is_disk_common(const Element_part& part, const std::vector<Disk_branch>& branches,
+                      const Interval_pair& center) const
   {
     const Common_disk disk(m_graph, m_curvature, center, branches);
-    const auto touches = [&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); };
-    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all() ||
-           Common_half_plane(m_graph, m_curvature, part).touches_all(branches) || Common_line(m_graph, m_curvature, part).touches_all(branches);
+    const auto touches = [&](const Disk_branch& branch) {
+      return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch);
+    };
+    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) ||
+        Mirrored_disk(m_graph, m_curvature, part, branches).touches_all() ||
+        Common_half_plane(m_graph, m_curvature, part).touches_all(branches) ||
+        Common_line(m_graph, m_curvature, part).touches_all(branches);
   }
 
   /*
@@ -277,16 +337,23 @@ private:
     if (m_curvature.scaled_sites() != nullptr)   // a pocket excludes sites at their distance
       return false;
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
-    if (!pocket || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
+    if (!pocket || !pocket->take(candidates) ||
+        !std::all_of(candidates.begin(), candidates.end(),
+                     [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
     const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!footpoints.are_known())
       return false;
     const std::vector<Disk_branch> outside = footpoints.highest();
-    if (!pocket->has_one_envelope_arc() || outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].footpoint.kind == Disk_footpoint::Kind::CIRCLE)))
+    if (!pocket->has_one_envelope_arc() || outside.size() > 1 ||
+        (!outside.empty() && (outside[0].move || outside[0].footpoint.kind == Disk_footpoint::Kind::CIRCLE)))
       return false;
-    const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, {u, u}), outside[0]).curvature; };
-    const auto sign_at = [&](double u) { return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u)); };
+    const auto curvature_at = [&](double u) {
+      return largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, {u, u}), outside[0]).curvature;
+    };
+    const auto sign_at = [&](double u) {
+      return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u));
+    };
     const auto& [begin, end] = part.range;
     const int far_sign = sign_at(pocket->end() ? begin : end);
     if (far_sign == 0)
@@ -302,7 +369,10 @@ private:
     if (std::abs(event - (pocket->end() ? 1 : 0)) > most_corner)
       return false;
     const Interval curvature = curvature_at(event);
-    const Located_footpoint inside = pocket->footpoint(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    const Located_footpoint inside = pocket->footpoint(pocket->end() ? Range{event, end} : Range{begin, event},
+                                                       curvature.inf()),
+                            other = outside[0], &first = pocket->end() ? other : inside,
+                            &last = pocket->end() ? inside : other;
     if (pocket->may_touch_far_end(inside))
       return false;
     append(first, {begin, event});
@@ -316,7 +386,8 @@ private:
   // A part at the tip in a corner, between arcs that are not scaled.
   bool append_tip(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
-    if (std::any_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); }))
+    if (std::any_of(candidates.begin(), candidates.end(),
+                    [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); }))
       return false;
     const Corner_tip tip(m_graph, part);
     if (const auto only = tip.only_footpoint(candidates)) {
@@ -328,7 +399,8 @@ private:
     return footpoints && append_change(part, true, sign_at, footpoints->vertex, footpoints->arc, Disk_event::JOINT);
   }
 
-  // About the centers of the disks over a part of an element, with one footpoint where it begins and another one where it ends; between, they may go a little farther than there.
+  // About the centers of the disks over a part of an element, with one footpoint where it begins and another one where
+  // it ends; between, they may go a little farther than there.
   Interval_pair center(const Element_part& part, const Located_footpoint& first, const Located_footpoint& last) const
   {
     const auto at = [&](double u, const Located_footpoint& footpoint) {
@@ -348,17 +420,26 @@ private:
       return true;
     }
     const auto sign = [&](double u) { return footpoints.sign_of_move(branch, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return footpoints.is_move_at_end(branch, end); }); };
-    return append_change(part, footpoints.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
+    const auto sign_at = [&](double u) {
+      return sign_or_that_near_end(part.range, u, sign,
+                                   [&](bool end) { return footpoints.is_move_at_end(branch, end); });
+    };
+    return append_change(part, footpoints.is_sign_of_move_monotone(branch), sign_at, branch.move->positive,
+                         branch.move->negative, branch.move->event, branch.move->between);
   }
 
-  bool append_crossing(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& first, const Disk_branch& second)
+  bool append_crossing(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& first,
+                       const Disk_branch& second)
   {
     if (first.move || second.move)
       return false;
     const auto sign = [&](double u) { return footpoints.compare(first, second, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return footpoints.are_equal_at_end(first, second, end); }); };
-    return append_change(part, footpoints.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
+    const auto sign_at = [&](double u) {
+      return sign_or_that_near_end(part.range, u, sign,
+                                   [&](bool end) { return footpoints.are_equal_at_end(first, second, end); });
+    };
+    return append_change(part, footpoints.is_difference_monotone(first, second), sign_at, first, second,
+                         Disk_event::CROSSING);
   }
 
   // The sign of a monotone function, or, where it is zero at an end of the element, the sign near that.
@@ -372,9 +453,12 @@ private:
     return 0 < other && other < 1 ? sign(other) : 0;
   }
 
-  // Where a function is positive the footpoint is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known, which has to be small.
+  // Where a function is positive the footpoint is the first one, where it is negative the second one; there may be
+  // another one between, if only in the range where the sign is not known, which has to be small.
   template <class Sign>
-  bool append_change(const Element_part& part, bool is_monotone, const Sign& sign_at, const Located_footpoint& positive, const Located_footpoint& negative, Disk_event event, const std::optional<Located_footpoint>& between = std::nullopt)
+  bool append_change(const Element_part& part, bool is_monotone, const Sign& sign_at, const Located_footpoint& positive,
+                     const Located_footpoint& negative, Disk_event event,
+                     const std::optional<Located_footpoint>& between = std::nullopt)
   {
     if (!is_monotone)
       return false;
@@ -388,7 +472,8 @@ private:
       return true;
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
-    if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.elements()[part.element]))   // smaller parts tell more
+    // smaller parts tell more
+    if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.elements()[part.element]))
       return false;
     append(before, {range.begin, zero.begin});
     if (between) {
@@ -412,7 +497,8 @@ private:
       m_envelope_arcs.back().boxes.emplace_back(range, located);
       return;
     }
-    // Two neighbouring ranges have different footpoints only if both have the same curvature between them, which is decided nowhere.
+    // Two neighbouring ranges have different footpoints only if both have the same curvature between them, which is
+    // decided nowhere.
     const Disk_event event = m_unresolved || !m_envelope_arcs.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
     if (!m_envelope_arcs.empty())
       m_envelope_arcs.back().events[1] = event;
@@ -433,7 +519,8 @@ private:
     m_envelope_arcs.insert(m_envelope_arcs.end(), envelope_arcs.begin() + 1, envelope_arcs.end());
   }
 
-  // The diagram is not complete then: less is done for the rest of the element, unless there are only some such places, and small ones.
+  // The diagram is not complete then: less is done for the rest of the element, unless there are only some such places,
+  // and small ones.
   void append_unresolved(const Range& range)
   {
     if (range.width() > least_width || ++m_places > most_places)

@@ -19,10 +19,13 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks of symmetric drawings, with centers on axes of symmetry, that touch an element and several footpoints at once; where these are need not be rational.
+Disks of symmetric drawings, with centers on axes of symmetry, that touch an element and several footpoints at once;
+where these are need not be rational.
 
-Let a footpoint, which is not scaled, lie on the mirror image of the element. Any disk that touches the element and the image of that point is its own image, so that the branch of the footpoint has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
-an axis as well, its images in that axis too. Each branch has one maximum, which is the image if it holds it.
+Let a footpoint, which is not scaled, lie on the mirror image of the element. Any disk that touches the element and the
+image of that point is its own image, so that the branch of the footpoint has these disks. Where another branch crosses
+it, one disk touches both, and the images of all that it touches; if the second one is on an axis as well, its images in
+that axis too. Each branch has one maximum, which is the image if it holds it.
 */
 template <Enclosing_number Interval>
 class Basic_mirrored_disk
@@ -38,7 +41,8 @@ class Basic_mirrored_disk
   const std::vector<Disk_branch>& m_branches;
 
 public:
-  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const std::vector<Disk_branch>& branches)
+  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
+                      const std::vector<Disk_branch>& branches)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_branches(branches)
   {}
 
@@ -69,7 +73,8 @@ private:
     if (branch.move || is_scaled(m_curvature, branch.footpoint))
       return std::nullopt;
     for (const Reflection_2& mirror : reflections(m_graph, touched_on_element({}).footpoint, branch.footpoint))
-      if (const auto image = mirrored(m_graph, mirror, touched_on_element(m_part.range), branch.footpoint); image && image->range.meets(branch.range))
+      if (const auto image = mirrored(m_graph, mirror, touched_on_element(m_part.range), branch.footpoint);
+          image && image->range.meets(branch.range))
         return mirror;
     return std::nullopt;
   }
@@ -81,7 +86,9 @@ private:
     if (!zero)
       return false;
     const Element_part point = m_curvature.part(m_part.element, *zero);
-    const Touched_point on_element = touched_on_element(*zero), on_other{fixed(other).footpoint, largest_curvature(m_graph, m_curvature, point, fixed(other)).range};
+    const Touched_point on_element = touched_on_element(*zero),
+                        on_other{fixed(other).footpoint,
+                                 largest_curvature(m_graph, m_curvature, point, fixed(other)).range};
     std::vector<Reflection_2> mirrors{mirror};
     if (const auto second = mirror_of_element(other))
       mirrors.push_back(*second);
@@ -106,7 +113,9 @@ private:
   // A branch, or the vertex in which it moves from one arc to the next one.
   Located_footpoint fixed(const Disk_branch& branch) const
   {
-    return branch.move ? Located_footpoint{{Disk_footpoint::Kind::VERTEX, m_graph.vertex_of({branch.move->arc, branch.move->parameter == 1})}} : Located_footpoint(branch);
+    return branch.move ? Located_footpoint{{Disk_footpoint::Kind::VERTEX,
+                                            m_graph.vertex_of({branch.move->arc, branch.move->parameter == 1})}}
+                       : Located_footpoint(branch);
   }
 
   // Where the curvatures of two footpoints change their order.
@@ -114,22 +123,30 @@ private:
   {
     const auto sign_at = [&](double u) {
       const Element_part point = m_curvature.part(m_part.element, {u, u});
-      return certain_sign(largest_curvature(m_graph, m_curvature, point, a).curvature - largest_curvature(m_graph, m_curvature, point, b).curvature);
+      return certain_sign(largest_curvature(m_graph, m_curvature, point, a).curvature -
+                          largest_curvature(m_graph, m_curvature, point, b).curvature);
     };
     const int at_begin = sign_at(m_part.range.begin), at_end = sign_at(m_part.range.end);
     return at_begin * at_end < 0 ? std::optional(range_of_zero(m_part.range, sign_at, at_begin)) : std::nullopt;
   }
 
-  // Whether disks with the center on the axis are tangent to arcs where they pass through the joint in which the footpoint moves.
+  // Whether disks with the center on the axis are tangent to arcs where they pass through the joint in which the
+  // footpoint moves.
   bool is_tangent_to_joint(const Reflection_2& mirror, const Disk_branch& branch) const
   {
     const Arc_end end{branch.move->arc, branch.move->parameter == 1};
-    return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && m_graph.is_exact(end) && m_curvature.is_arc_scaled(end.arc) == m_curvature.is_vertex_scaled(m_graph.vertex_of(end)) && mirror.is_perpendicular(m_graph.vertices()[m_graph.vertex_of(end)].exact_point, m_graph.direction(end));
+    return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && m_graph.is_exact(end) &&
+        m_curvature.is_arc_scaled(end.arc) == m_curvature.is_vertex_scaled(m_graph.vertex_of(end)) &&
+        mirror.is_perpendicular(m_graph.vertices()[m_graph.vertex_of(end)].exact_point, m_graph.direction(end));
   }
 
-  std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point, const Disk_branch& branch, const Element_part& part) const
+  std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point,
+                                             const Disk_branch& branch, const Element_part& part) const
   {
-    const auto image = branch.move || is_scaled(m_curvature, point.footpoint) != is_scaled(m_curvature, branch.footpoint) ? std::nullopt : mirrored(m_graph, mirror, point, branch.footpoint);
+    const auto image =
+        branch.move || is_scaled(m_curvature, point.footpoint) != is_scaled(m_curvature, branch.footpoint)
+        ? std::nullopt
+        : mirrored(m_graph, mirror, point, branch.footpoint);
     return image && is_only_maximum(m_graph, m_curvature, part, *image, branch) ? image : std::nullopt;
   }
 };

@@ -31,19 +31,24 @@ bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_footp
   return footpoint.kind == Disk_footpoint::Kind::VERTEX && graph.vertices()[footpoint.index].is_exact;
 }
 
-// Whether two arcs, which are not cut, are certain to have their ends at different distances: no reflection maps one to the other then.
+// Whether two arcs, which are not cut, are certain to have their ends at different distances: no reflection maps one to
+// the other then.
 template <Enclosing_number Interval>
 bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_t a, std::size_t b)
 {
   if (graph.arcs()[a].piece().whole || graph.arcs()[b].piece().whole)
     return false;
-  const auto chord = [&](std::size_t arc) { return squared_norm(graph.vertices()[graph.vertex_of({arc, true})].point - graph.vertices()[graph.vertex_of({arc, false})].point); };
+  const auto chord = [&](std::size_t arc) {
+    return squared_norm(graph.vertices()[graph.vertex_of({arc, true})].point -
+                        graph.vertices()[graph.vertex_of({arc, false})].point);
+  };
   return certain_sign(chord(a) - chord(b)) != 0;
 }
 
 // The reflections that map a footpoint to another one.
 template <Enclosing_number Interval>
-std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& from, const Disk_footpoint& to)
+std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& from,
+                                      const Disk_footpoint& to)
 {
   std::vector<Reflection_2> result;
   const auto append = [&](const std::optional<Reflection_2>& reflection) {
@@ -64,17 +69,21 @@ std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph,
   return result;
 }
 
-// The range of the parameter of an arc whose points have the parameters of those of another one in the pieces before they were cut, or 1 minus these.
+// The range of the parameter of an arc whose points have the parameters of those of another one in the pieces before
+// they were cut, or 1 minus these.
 template <Enclosing_number Number>
-Range corresponding_range(const Basic_site_graph_2<Number>& graph, std::size_t from, const Range& range, std::size_t to, bool is_reversed)
+Range corresponding_range(const Basic_site_graph_2<Number>& graph, std::size_t from, const Range& range, std::size_t to,
+                          bool is_reversed)
 {
-  const Interval t = Arc_parameter(graph, from).to_uncut(range.interval()), image = Arc_parameter(graph, to).from_uncut(is_reversed ? Interval(1) - t : t);
+  const Interval t = Arc_parameter(graph, from).to_uncut(range.interval()),
+                 image = Arc_parameter(graph, to).from_uncut(is_reversed ? Interval(1) - t : t);
   return {image.inf(), image.sup()};
 }
 
 // The range of the parameter of an arc that is the image of one of another arc; of segments as much as on their lines.
 template <Enclosing_number Number>
-std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, const Reflection_2& mirror, std::size_t arc, const Range& range, std::size_t image_arc)
+std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, const Reflection_2& mirror,
+                                    std::size_t arc, const Range& range, std::size_t image_arc)
 {
   const Exact_arc_2 &from = graph.arcs()[arc], &to = graph.arcs()[image_arc];
   if (from.is_segment() && to.is_segment()) {
@@ -82,7 +91,10 @@ std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, con
     if (!to.is_on_line_or_circle(p) || !to.is_on_line_or_circle(q))
       return std::nullopt;
     const Exact_rational begin = to.parameter_of_foot(p), length = to.parameter_of_foot(q) - begin;
-    const Interval image = Arc_parameter(graph, image_arc).from_piece(interval_of(begin) + interval_of<Interval>(length) * Arc_parameter(graph, arc).to_piece(range.interval()));
+    const Interval image =
+        Arc_parameter(graph, image_arc)
+            .from_piece(interval_of(begin) +
+                        interval_of<Interval>(length) * Arc_parameter(graph, arc).to_piece(range.interval()));
     return Range{image.inf(), image.sup()};
   }
   const Homogeneous_piece piece = from.piece().uncut(), other = to.piece().uncut();
@@ -94,9 +106,11 @@ std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, con
 
 // The image of a point if it is on another footpoint.
 template <Enclosing_number Interval>
-std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_footpoint& footpoint)
+std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror,
+                                      const Touched_point& point, const Disk_footpoint& footpoint)
 {
-  if (is_exact_vertex(graph, point.footpoint) && is_exact_vertex(graph, footpoint) && mirror(graph.vertices()[point.footpoint.index].exact_point) == graph.vertices()[footpoint.index].exact_point)
+  if (is_exact_vertex(graph, point.footpoint) && is_exact_vertex(graph, footpoint) &&
+      mirror(graph.vertices()[point.footpoint.index].exact_point) == graph.vertices()[footpoint.index].exact_point)
     return Touched_point{footpoint, {}};
   if (point.footpoint.kind == Disk_footpoint::Kind::ARC && footpoint.kind == Disk_footpoint::Kind::ARC)
     if (const auto range = mirrored_range(graph, mirror, point.footpoint.index, point.range, footpoint.index))
@@ -104,14 +118,19 @@ std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph,
   return std::nullopt;
 }
 
-// Whether a point in which the curvature of disks through an arc is stationary is that of a footpoint: its range holds it, and the curvature is concave there.
+// Whether a point in which the curvature of disks through an arc is stationary is that of a footpoint: its range holds
+// it, and the curvature is concave there.
 template <Enclosing_number Interval>
-bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Touched_point& point, const Located_footpoint& located)
+bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
+                     const Basic_element_part<Interval>& part, const Touched_point& point,
+                     const Located_footpoint& located)
 {
   if (located.footpoint.kind != Disk_footpoint::Kind::ARC)
     return true;
   const auto& [begin, end] = located.range;
-  return begin <= point.range.begin && point.range.end <= end && curvature(part, located.footpoint.index, located.range, graph.arcs()[located.footpoint.index].jet(located.range)).dvv.sup() < 0;
+  return begin <= point.range.begin && point.range.end <= end &&
+      curvature(part, located.footpoint.index, located.range, graph.arcs()[located.footpoint.index].jet(located.range))
+          .dvv.sup() < 0;
 }
 
 } // namespace Voronoi

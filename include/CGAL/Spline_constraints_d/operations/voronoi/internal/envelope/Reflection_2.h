@@ -62,7 +62,9 @@ public:
   // Those that map the line of a straight arc to that of another one; none if they are not rational.
   static std::vector<Reflection_2> of_lines(const Exact_arc_2& a, const Exact_arc_2& b)
   {
-    const auto vector = [](const Exact_pair& p, const Exact_pair& q) { return Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])}; };
+    const auto vector = [](const Exact_pair& p, const Exact_pair& q) {
+      return Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    };
     const Exact_pair p = a.at(0), q = b.at(0), d = vector(p, a.at(1)), e = vector(q, b.at(1));
     const Exact_rational sine = exact_cross(d, e);
     if (sign_of(sine) == 0) {
@@ -86,10 +88,16 @@ public:
   }
 
   // Whether the line passes through a point, perpendicularly to a direction.
-  bool is_perpendicular(const Exact_pair& p, const Exact_pair& direction) const { return exact_dot(m_normal, p) == m_offset && sign_of(exact_cross(m_normal, direction)) == 0; }
+  bool is_perpendicular(const Exact_pair& p, const Exact_pair& direction) const
+  {
+    return exact_dot(m_normal, p) == m_offset && sign_of(exact_cross(m_normal, direction)) == 0;
+  }
 
   // Whether the image of a piece is another one, or itself, with the parameter 1 - t or t.
-  bool maps(const Homogeneous_piece& a, const Homogeneous_piece& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
+  bool maps(const Homogeneous_piece& a, const Homogeneous_piece& b, bool is_reversed) const
+  {
+    return is_image(a, *this, b, is_reversed);
+  }
 };
 
 } // namespace Voronoi

@@ -27,12 +27,17 @@ struct Touched_element
 template <Enclosing_number Interval>
 bool is_footpoint_with(const Disk_footpoint& footpoint, const Basic_oriented_element<Interval>& element)
 {
-  return footpoint.index == element.object && footpoint.kind == (element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC);
+  return footpoint.index == element.object &&
+      footpoint.kind == (element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC);
 }
 
-// The element of a footpoint: the side of the arc on which the center of the disk is, or the only normal cone of the vertex that may have the normal towards it; nothing if that is not certain. The range is that of the parameter of an arc.
+// The element of a footpoint: the side of the arc on which the center of the disk is, or the only normal cone of the
+// vertex that may have the normal towards it; nothing if that is not certain. The range is that of the parameter of an
+// arc.
 template <Enclosing_number Interval>
-std::optional<Touched_element> touched_element(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& footpoint, const Range& range, const std::array<Interval, 2>& center)
+std::optional<Touched_element> touched_element(const Basic_site_graph_2<Interval>& graph,
+                                               const Disk_footpoint& footpoint, const Range& range,
+                                               const std::array<Interval, 2>& center)
 {
   if (footpoint.kind == Disk_footpoint::Kind::ARC) {
     const Basic_site_arc_2<Interval>& arc = graph.arcs()[footpoint.index];

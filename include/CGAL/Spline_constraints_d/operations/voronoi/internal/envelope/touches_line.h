@@ -16,17 +16,22 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Whether an arc is proved to be tangent to the line through a point inside of a range, whose ends are no such points: the polynomial of the distance from the line, times the weight and a constant, has a multiple root there.
+// Whether an arc is proved to be tangent to the line through a point inside of a range, whose ends are no such points:
+// the polynomial of the distance from the line, times the weight and a constant, has a multiple root there.
 template <Enclosing_number Interval>
-bool touches_line(const Basic_site_graph_2<Interval>& graph, std::size_t arc, const Range& range, const Exact_pair& point, const Exact_pair& direction)
+bool touches_line(const Basic_site_graph_2<Interval>& graph, std::size_t arc, const Range& range,
+                  const Exact_pair& point, const Exact_pair& direction)
 {
   const auto inside = Arc_parameter(graph, arc).range_of_piece_within(range);
   const auto& [x, y, w] = graph.arcs()[arc].piece().coordinates;
-  const Integer_polynomial distance = integer_polynomial(direction[0] * (y - point[1] * w) - direction[1] * (x - point[0] * w));
+  const Integer_polynomial distance =
+      integer_polynomial(direction[0] * (y - point[1] * w) - direction[1] * (x - point[0] * w));
   if (!inside || distance.is_zero())
     return false;
   const auto factors = distance.square_free_factors();
-  return std::any_of(factors.begin(), factors.end(), [&](const auto& factor) { return factor.second > 1 && factor.first.sign_at(inside->begin) * factor.first.sign_at(inside->end) < 0; });
+  return std::any_of(factors.begin(), factors.end(), [&](const auto& factor) {
+    return factor.second > 1 && factor.first.sign_at(inside->begin) * factor.first.sign_at(inside->end) < 0;
+  });
 }
 
 } // namespace Voronoi

@@ -30,7 +30,9 @@ class Element_offset
   Interval m_radius;
 
 public:
-  Element_offset(const Site_graph_2& graph, std::size_t element, const Interval& radius) : m_graph(graph), m_element(graph.elements()[element]), m_radius(radius) {}
+  Element_offset(const Site_graph_2& graph, std::size_t element, const Interval& radius)
+    : m_graph(graph), m_element(graph.elements()[element]), m_radius(radius)
+  {}
 
   Interval_pair point(const Range& range) const
   {
@@ -38,7 +40,8 @@ public:
     if (range.is_number())
       return naive;
     const double u = range.middle();
-    return common_part(naive, center(m_graph.element_jet(m_element, {u, u})) + (range.interval() - Interval(u)) * derivative(range));
+    return common_part(
+        naive, center(m_graph.element_jet(m_element, {u, u})) + (range.interval() - Interval(u)) * derivative(range));
   }
 
   Interval_pair derivative(const Range& range) const
@@ -55,14 +58,19 @@ public:
   std::vector<double> stops(double begin, double end, double error) const
   {
     const auto between = [](double from, double to) { return from / 2 + to / 2; };
-    const auto is_chord = [&](double from, double, double to) { return height({(std::min)(from, to), (std::max)(from, to)}) <= error; };
+    const auto is_chord = [&](double from, double, double to) {
+      return height({(std::min)(from, to), (std::max)(from, to)}) <= error;
+    };
     std::vector<double> result{begin};
     append_samples(result, end, between, is_chord, {0, 24});
     return result;
   }
 
 private:
-  Interval_pair center(const Element_jet& x) const { return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal; }
+  Interval_pair center(const Element_jet& x) const
+  {
+    return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal;
+  }
 
   // A bound of the distance from the line of the chord.
   double height(const Range& range) const
@@ -73,7 +81,9 @@ private:
       const Interval_pair box = point(range);
       return CGAL::sqrt(CGAL::square(box[0] - box[0]) + CGAL::square(box[1] - box[1])).sup();
     }
-    const Interval rise = dot(turned_left(chord), derivative(range)) / length * (Interval(range.end) - Interval(range.begin)) / Interval(2);   // at most half of the way up
+    // at most half of the way up
+    const Interval rise = dot(turned_left(chord), derivative(range)) / length *
+        (Interval(range.end) - Interval(range.begin)) / Interval(2);
     return (std::max)(rise.sup(), -rise.inf());
   }
 };

@@ -25,8 +25,10 @@ namespace Voronoi {
 /*
 The centers of the free disks of all elements, as chains.
 
-Where an element ends, the next one goes on. Where a disk has a second footpoint, the chain goes over to the element of that: there, the footpoint with the first element bounds a range of free disks, too. It is the only boundary in the range of the parameter that holds the footpoint, so
-the two are connected by proof, and nothing is compared by coordinates. As elements are traversed with the free side on the left, so are chains.
+Where an element ends, the next one goes on. Where a disk has a second footpoint, the chain goes over to the element of
+that: there, the footpoint with the first element bounds a range of free disks, too. It is the only boundary in the
+range of the parameter that holds the footpoint, so the two are connected by proof, and nothing is compared by
+coordinates. As elements are traversed with the free side on the left, so are chains.
 */
 class Free_chains
 {
@@ -56,7 +58,8 @@ private:
 public:
   // An enclosure of the disk where a piece has a second footpoint has the center `center(element, end)`.
   template <class Center>
-  Free_chains(const Site_graph_2& graph, std::vector<Free_ranges> ranges, const Center& center) : m_graph(graph), m_ranges(std::move(ranges))
+  Free_chains(const Site_graph_2& graph, std::vector<Free_ranges> ranges, const Center& center)
+    : m_graph(graph), m_ranges(std::move(ranges))
   {
     for (std::size_t f = 0; f < m_ranges.size(); ++f) {
       m_first_piece_of.push_back(m_pieces.size());
@@ -88,7 +91,10 @@ public:
   }
 
   // Where a piece begins or ends.
-  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != element(piece).is_reversed]; }
+  const Free_end& end(const Piece& piece, bool is_end) const
+  {
+    return piece.range[is_end != element(piece).is_reversed];
+  }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
   std::array<double, 2> parameters(const Piece& piece) const
@@ -161,7 +167,8 @@ private:
     return end(m_pieces[i], false).kind == kind ? i : none;
   }
 
-  // Where disks shrink to a vertex, the chain goes on along the other side of the arc; or, where disks there touch a next arc instead, along the other side of that.
+  // Where disks shrink to a vertex, the chain goes on along the other side of the arc; or, where disks there touch a
+  // next arc instead, along the other side of that.
   std::size_t piece_around_point(std::size_t f) const
   {
     const Oriented_element& last = m_graph.elements()[f];
@@ -169,19 +176,24 @@ private:
     for (std::size_t k = 0; k < m_graph.vertices()[m_graph.vertex_of(end)].ends.size(); ++k) {
       const Oriented_element other{false, end.arc, end.is_end};   // departs from the vertex
       const std::size_t index = 2 * end.arc + end.is_end;
-      if (const std::size_t piece = first_piece(index, Free_end::Kind::POINT); piece != none || !m_ranges[index].undecided.empty())
+      if (const std::size_t piece = first_piece(index, Free_end::Kind::POINT);
+          piece != none || !m_ranges[index].undecided.empty())
         return piece;
       end = m_graph.next_around_vertex(other, end);
     }
     return none;
   }
 
-  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal. On the other side, the disk may be known as one of a second footpoint only.
+  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points
+  // are opposite to each other, with the other normal. On the other side, the disk may be known as one of a second
+  // footpoint only.
   std::size_t piece_with_disk(const Exact_disk& disk, bool is_footpoint_allowed) const
   {
     const auto has_disk = [&](const Piece& piece, bool is_end) {
       const Free_end& e = end(piece, is_end);
-      return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center : is_footpoint_allowed && e.kind == Free_end::Kind::CONTACT && touches_elsewhere(disk, piece.element, e.location);
+      return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center
+                                           : is_footpoint_allowed && e.kind == Free_end::Kind::CONTACT &&
+              touches_elsewhere(disk, piece.element, e.location);
     };
     std::vector<std::size_t> first, opposite;
     std::size_t last = 0;
@@ -189,7 +201,8 @@ private:
       last += has_disk(m_pieces[i], true);
       if (has_disk(m_pieces[i], false)) {
         first.push_back(i);
-        if (const auto& other = end(m_pieces[i], false).disk; other && other->way == Exact_pair{Exact_rational(-disk.way[0]), Exact_rational(-disk.way[1])})
+        if (const auto& other = end(m_pieces[i], false).disk;
+            other && other->way == Exact_pair{Exact_rational(-disk.way[0]), Exact_rational(-disk.way[1])})
           opposite.push_back(i);
       }
     }
@@ -200,22 +213,27 @@ private:
   std::size_t piece_with_disk_of_footpoint(const Piece& piece) const
   {
     for (const Piece& other : m_pieces)
-      if (const auto& disk = end(other, false).disk; disk && touches_elsewhere(*disk, piece.element, end(piece, true).location))
+      if (const auto& disk = end(other, false).disk;
+          disk && touches_elsewhere(*disk, piece.element, end(piece, true).location))
         return piece_with_disk(*disk, true);
     return none;
   }
 
-  // Whether a disk that touches one element touches a range of another one in another point, where the parameter is the simplest number.
+  // Whether a disk that touches one element touches a range of another one in another point, where the parameter is the
+  // simplest number.
   bool touches_elsewhere(const Exact_disk& disk, std::size_t element, const Range& range) const
   {
     const Oriented_element& f = m_graph.elements()[element];
     const auto jet = m_graph.element_jet(f, range);
     const Interval_pair center{interval_of(disk.center[0]), interval_of(disk.center[1])};
-    if (!Touching_disk::is_defined(m_graph, element) || certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
+    if (!Touching_disk::is_defined(m_graph, element) ||
+        certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
       return false;
     const Exact_rational u = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));
-    const Exact_pair way = exact_difference(disk.center, m_graph.exact_point_at(f, u)), normal = m_graph.exact_normal(f, u);
-    return way != disk.way && exact_dot(way, way) == exact_dot(disk.way, disk.way) && exact_cross(normal, way) == 0 && exact_dot(normal, way) > 0;
+    const Exact_pair way = exact_difference(disk.center, m_graph.exact_point_at(f, u)),
+                     normal = m_graph.exact_normal(f, u);
+    return way != disk.way && exact_dot(way, way) == exact_dot(disk.way, disk.way) && exact_cross(normal, way) == 0 &&
+        exact_dot(normal, way) > 0;
   }
 
   // The piece that begins where another one ends in a second footpoint.
@@ -223,14 +241,18 @@ private:
   {
     const Free_end& footpoint = end(piece, true);
     const auto touched = touched_element(m_graph, footpoint.footpoint, footpoint.footpoint_location, center);
-    if (!touched || std::any_of(m_ranges[touched->element].undecided.begin(), m_ranges[touched->element].undecided.end(), [&](const Range& range) { return range.meets(touched->range); }))
+    if (!touched ||
+        std::any_of(m_ranges[touched->element].undecided.begin(), m_ranges[touched->element].undecided.end(),
+                    [&](const Range& range) { return range.meets(touched->range); }))
       return none;
     std::vector<std::pair<std::size_t, bool>> ends;   // there
     for (std::size_t i = m_first_piece_of[touched->element]; i < m_first_piece_of[touched->element + 1]; ++i)
       for (const bool is_end : {false, true})
-        if (const Free_end& e = end(m_pieces[i], is_end); e.kind == Free_end::Kind::CONTACT && e.location.meets(touched->range))
+        if (const Free_end& e = end(m_pieces[i], is_end);
+            e.kind == Free_end::Kind::CONTACT && e.location.meets(touched->range))
           ends.emplace_back(i, is_end);
-    const bool is_certain = ends.size() == 1 && !ends[0].second && is_footpoint_with(end(m_pieces[ends[0].first], false).footpoint, element(piece));
+    const bool is_certain = ends.size() == 1 && !ends[0].second &&
+        is_footpoint_with(end(m_pieces[ends[0].first], false).footpoint, element(piece));
     return is_certain ? ends[0].first : none;
   }
 };

@@ -36,10 +36,15 @@ namespace Voronoi {
 /*
 Where a disk of a given radius r that touches an element has no curve inside.
 
-With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the element, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one footpoint is
-left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Rolling_disks, Opposite_sites, Covering_sites).
+With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest
+disk has a curvature K(u) <= T(u). Along the element, in ranges where K < T or K > T is certain by bounds of K from all
+curves that can reach T, nothing else needs to be known. Between these, where one footpoint is left and K - T is
+monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is
+decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk,
+Rolling_disks, Opposite_sites, Covering_sites).
 
-What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
+What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot
+tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
 */
 template <Enclosing_number Interval>
 class Basic_free_disks
@@ -60,9 +65,11 @@ class Basic_free_disks
   static constexpr double least_width = is_in_doubles ? 0x1p-33 : 0x1p-48;
   static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
   static constexpr double width_of_inner_ties = 0x1p-20;   // of those where they are decided in the inside
-  static constexpr int most_nodes = 2000, most_undecided_nodes = 200;   // the latter where the offset is not complete anyway
+  // the latter where the offset is not complete anyway
+  static constexpr int most_nodes = 2000, most_undecided_nodes = 200;
   static constexpr std::size_t many_candidates = 64;   // that are as much work as a node
-  static constexpr std::size_t most_sites = 3;   // of which it is tried to find out that one of them is touched: with more, that succeeds rarely
+  // of which it is tried to find out that one of them is touched: with more, that succeeds rarely
+  static constexpr std::size_t most_sites = 3;
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
@@ -77,14 +84,17 @@ class Basic_free_disks
   Interval m_radius;
   Swept_ranges m_swept;
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
-  double m_fine_width = 0;   // of parts for which the fine level is tried, as doubles have not decided smaller ones next to them
+  // of parts for which the fine level is tried, as doubles have not decided smaller ones next to them
+  double m_fine_width = 0;
 
   template <Enclosing_number Other>
   friend class Basic_free_disks;
 
 public:
-  Basic_free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Exact_rational& radius, const Fine_level* fine_level = nullptr)
-    : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps), m_fine_level(fine_level), m_exact_radius(radius), m_radius(interval_of<Interval>(radius))
+  Basic_free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps,
+                   const Exact_rational& radius, const Fine_level* fine_level = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps),
+      m_fine_level(fine_level), m_exact_radius(radius), m_radius(interval_of<Interval>(radius))
   {}
 
   Free_ranges operator()(std::size_t element) requires(is_in_doubles)
@@ -110,7 +120,9 @@ public:
   }
 
   // Goes on with a part of an element, if all of it can be decided, and is divided no more often than some number.
-  std::optional<Swept_ranges> decided(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates, Swept_ranges swept, Disk_slopes& slopes, Opposite_sites& opposite_sites, int nodes)
+  std::optional<Swept_ranges> decided(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates,
+                                      Swept_ranges swept, Disk_slopes& slopes, Opposite_sites& opposite_sites,
+                                      int nodes)
   {
     const std::size_t undecided = swept.ranges().undecided.size();
     m_slopes = &slopes;
@@ -136,7 +148,10 @@ private:
   {
     const auto& cusp = m_cusps.side(element, end);
     double width = cusp ? cusp->range.width() : 0;
-    const auto are_smaller = [&](const Range& range) { return cusp->footpoint->corner.least_curvature(end ? range.begin : range.end) > wanted_curvature(m_curvature.part(element, range)).sup(); };
+    const auto are_smaller = [&](const Range& range) {
+      return cusp->footpoint->corner.least_curvature(end ? range.begin : range.end) >
+          wanted_curvature(m_curvature.part(element, range)).sup();
+    };
     while (width > least_width && cusp->footpoint && !are_smaller(range_at(end, width)))
       width /= 2;
     return range_at(end, width);
@@ -165,11 +180,15 @@ private:
     if (range.width() < width_of_ties)
       std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_opposite_sites->contain(candidate); });
     erase_below_rolling_disks(range, candidates);
-    if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) || resolve(part, candidates, *least))
+    if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) ||
+        resolve(part, candidates, *least))
       return;
     m_nodes += 1 + static_cast<int>(candidates.size() / many_candidates);
-    const bool is_last = range.width() < least_width || m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
-    if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(element, range, candidates, is_last)))
+    const bool is_last = range.width() < least_width || m_nodes > m_most_nodes,
+               is_fine_level_tried =
+                   is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
+    if ((is_last && append_covered_exactly(part, candidates)) ||
+        (is_fine_level_tried && decide_on_fine_level(element, range, candidates, is_last)))
       return;
     if (is_last) {
       append_undecided(range, candidates.size());
@@ -180,19 +199,23 @@ private:
     sweep(element, {middle, range.end}, std::move(candidates));
   }
 
-  // The offset is not complete then: less is done for the rest of the element, and least where very many things cannot be told apart.
+  // The offset is not complete then: less is done for the rest of the element, and least where very many things cannot
+  // be told apart.
   void append_undecided(const Range& range, std::size_t candidates)
   {
-    m_most_nodes = (std::min)(m_most_nodes, m_nodes + (candidates > Disk_candidates::most_candidates ? 0 : most_undecided_nodes));
+    m_most_nodes =
+        (std::min)(m_most_nodes, m_nodes + (candidates > Disk_candidates::most_candidates ? 0 : most_undecided_nodes));
     m_swept.append_undecided(range);
   }
 
-  // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters; nothing if all of the disks hold something.
+  // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters;
+  // nothing if all of the disks hold something.
   std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates) const
   {
     const double u = part.range.middle();
     const Interval wanted = wanted_curvature(part);
-    const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(part.element, {u, u})), wanted_slope(part), wanted.inf()});
+    const auto least = m_candidates.prune(
+        part, candidates, {wanted_curvature(m_curvature.part(part.element, {u, u})), wanted_slope(part), wanted.inf()});
     return least && *least <= wanted.sup() ? least : std::nullopt;
   }
 
@@ -210,7 +233,9 @@ private:
   {
     if constexpr (is_in_doubles) {
       const Covering_sites sites(m_graph, part.element, m_exact_radius, candidates);
-      const bool is_covered = sites.cover(part.range) || sites.are_walls_around(Element_offset(m_graph, part.element, m_radius).point(part.range)) || is_covered_behind_end(part, sites);
+      const bool is_covered = sites.cover(part.range) ||
+          sites.are_walls_around(Element_offset(m_graph, part.element, m_radius).point(part.range)) ||
+          is_covered_behind_end(part, sites);
       if (is_covered)
         m_swept.append_undecided(part.range, true);
       return is_covered;
@@ -218,14 +243,18 @@ private:
     return false;
   }
 
-  // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is not the last one.
-  bool decide_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
+  // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is
+  // not the last one.
+  bool decide_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates,
+                            bool is_last)
   {
     if constexpr (is_in_doubles) {
-      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || candidates.size() > Fine_level::most_candidates)
+      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes ||
+          candidates.size() > Fine_level::most_candidates)
         return false;
       Basic_free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_exact_radius);
-      auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes, *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
+      auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes,
+                                 *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;
       m_fine_width = swept ? 4 * range.width() : 0;
       if (swept)
@@ -238,31 +267,47 @@ private:
   // Whether the disk in an end of the element touches a vertex, and those behind it hold that.
   bool is_covered_behind_end(const Element_part& part, const Covering_sites& sites) const requires(is_in_doubles)
   {
-    const auto holds_behind = [&](bool end, std::size_t vertex) { return certain_sign(m_curvature(part, vertex).du - wanted_slope(part)) == (end ? -1 : 1) && sites.touches_at_end(end, vertex); };
+    const auto holds_behind = [&](bool end, std::size_t vertex) {
+      return certain_sign(m_curvature(part, vertex).du - wanted_slope(part)) == (end ? -1 : 1) &&
+          sites.touches_at_end(end, vertex);
+    };
     for (const bool end : {false, true})
-      if ((end ? part.range.end == 1 : part.range.begin == 0) && (m_graph.elements()[part.element].is_normal_cone || m_graph.is_exact({m_graph.elements()[part.element].object, end})))
-        if (std::any_of(sites.vertices().begin(), sites.vertices().end(), [&](std::size_t v) { return holds_behind(end, v); }))
+      if ((end ? part.range.end == 1 : part.range.begin == 0) &&
+          (m_graph.elements()[part.element].is_normal_cone ||
+           m_graph.is_exact({m_graph.elements()[part.element].object, end})))
+        if (std::any_of(sites.vertices().begin(), sites.vertices().end(),
+                        [&](std::size_t v) { return holds_behind(end, v); }))
           return true;
     return false;
   }
 
   // The curvature of the disks of the radius.
-  Interval wanted_curvature(const Element_part& part) const { return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius; }
+  Interval wanted_curvature(const Element_part& part) const
+  {
+    return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius;
+  }
 
-  Interval wanted_slope(const Element_part& part) const { return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius); }
+  Interval wanted_slope(const Element_part& part) const
+  {
+    return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius);
+  }
 
-  // The sign of K - T if only the circle is known that an element is on the inner side of, by its exact radius; -1 for other elements.
+  // The sign of K - T if only the circle is known that an element is on the inner side of, by its exact radius; -1 for
+  // other elements.
   int sign_in_own_circle(std::size_t element) const
   {
     if (!m_curvature.of_own_circle(m_curvature.part(element, {0.5, 0.5})))
       return -1;
-    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - m_graph.arcs()[m_graph.elements()[element].object].circle()->second));
+    return sign_of(Exact_rational(m_exact_radius * m_exact_radius -
+                                  m_graph.arcs()[m_graph.elements()[element].object].circle()->second));
   }
 
   // Parts of arcs, and vertices.
   static std::size_t number_of_sites(const std::vector<Disk_candidate>& candidates)
   {
-    return Touching_disk::parts_of_arcs(candidates).size() + static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), [](const Disk_candidate& c) { return c.kind != Candidate_kind::ARC; }));
+    return Touching_disk::parts_of_arcs(candidates).size() +
+        static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(),
+                                               [](const Disk_candidate& c) { return c.kind != Candidate_kind::ARC; }));
   }
 
   // Decides a range with one footpoint that may be reached, or none.
@@ -278,25 +323,34 @@ private:
     if (!footpoints.are_known())
       return false;
     std::vector<Disk_branch> branches = footpoints.highest();
-    std::erase_if(branches, [](const Disk_branch& branch) { return branch.footpoint.kind == Disk_footpoint::Kind::NOTHING || branch.footpoint.kind == Disk_footpoint::Kind::CIRCLE; });   // they are lower
+    // they are lower
+    std::erase_if(branches, [](const Disk_branch& branch) {
+      return branch.footpoint.kind == Disk_footpoint::Kind::NOTHING ||
+          branch.footpoint.kind == Disk_footpoint::Kind::CIRCLE;
+    });
     if (branches.empty()) {
       m_swept.append_free(part.range);
       return true;
     }
-    return branches.size() == 1 && !branches[0].move && is_touched_once(part, branches[0]) && append_monotone(part, branches[0]);
+    return branches.size() == 1 && !branches[0].move && is_touched_once(part, branches[0]) &&
+        append_monotone(part, branches[0]);
   }
 
-  // Whether K - T, which belongs to a footpoint, has one zero at most: where K' - T' has a sign, or, where disks and elements are nearly parallel, by expansions of second order.
+  // Whether K - T, which belongs to a footpoint, has one zero at most: where K' - T' has a sign, or, where disks and
+  // elements are nearly parallel, by expansions of second order.
   bool is_touched_once(const Element_part& part, const Located_footpoint& located) const
   {
     if (certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, located) - wanted_slope(part)) != 0)
       return true;
     const Disk_reach reach(m_graph, m_graph.elements()[part.element], m_radius, part.range);
     const auto& [kind, index, side] = located.footpoint;
-    return kind == Disk_footpoint::Kind::VERTEX ? reach.growth_where_vertex_is_touched(index) != 0 : kind == Disk_footpoint::Kind::ARC && reach.growth_where_arc_is_touched(index, located.range) != 0;
+    return kind == Disk_footpoint::Kind::VERTEX
+        ? reach.growth_where_vertex_is_touched(index) != 0
+        : kind == Disk_footpoint::Kind::ARC && reach.growth_where_arc_is_touched(index, located.range) != 0;
   }
 
-  // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are monotone.
+  // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are
+  // monotone.
   bool append_pocket(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
@@ -304,18 +358,30 @@ private:
     if (!pocket || !pocket->take(others) || !pocket->has_growing_disks())
       return false;
     const double wanted = wanted_curvature(part).inf();
-    if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted; }))
+    if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) {
+          return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted;
+        }))
       return false;
-    const auto sign_at = [&](double u) { return u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, wanted_curvature(m_curvature.part(part.element, {u, u}))); };
+    const auto sign_at = [&](double u) {
+      return u == (pocket->end() ? 1 : 0) ? 1
+                                          : pocket->sign(u, wanted_curvature(m_curvature.part(part.element, {u, u})));
+    };
     return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->footpoint(zero, wanted); });
   }
 
-  // Whether the disks of a part hold points near the one that the smallest disk touches in the middle of what has been divided: before candidates are bounded.
+  // Whether the disks of a part hold points near the one that the smallest disk touches in the middle of what has been
+  // divided: before candidates are bounded.
   bool hold_nearest(const Element_part& part, const std::vector<Disk_candidate>& candidates) const
   {
-    const auto height = [](const Disk_candidate& c) { return c.kind == Candidate_kind::ARC ? c.at_middle.inf() : -std::numeric_limits<double>::infinity(); };
-    const auto nearest = std::max_element(candidates.begin(), candidates.end(), [&](const Disk_candidate& a, const Disk_candidate& b) { return height(a) < height(b); });
-    return nearest != candidates.end() && height(*nearest) > 0 && Disk_reach(m_graph, m_graph.elements()[part.element], m_radius, part.range).hold_point_near(nearest->index, nearest->range.middle());
+    const auto height = [](const Disk_candidate& c) {
+      return c.kind == Candidate_kind::ARC ? c.at_middle.inf() : -std::numeric_limits<double>::infinity();
+    };
+    const auto nearest =
+        std::max_element(candidates.begin(), candidates.end(),
+                         [&](const Disk_candidate& a, const Disk_candidate& b) { return height(a) < height(b); });
+    return nearest != candidates.end() && height(*nearest) > 0 &&
+        Disk_reach(m_graph, m_graph.elements()[part.element], m_radius, part.range)
+            .hold_point_near(nearest->index, nearest->range.middle());
   }
 
   // Decides a part by expansions of second order. Candidates that are not held are removed.
@@ -325,11 +391,17 @@ private:
     if (candidates.empty())
       return false;
     const Disk_reach reach(m_graph, element, m_radius, part.range);
-    std::erase_if(candidates, [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO; });
+    std::erase_if(candidates, [&](const Disk_candidate& c) {
+      return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO;
+    });
     for (const auto& [arc, range] : Touching_disk::parts_of_arcs(candidates))
       switch (reach.hold_arc(arc, range)) {
       case Held::YES: m_swept.append_covered(); return true;
-      case Held::NO: std::erase_if(candidates, [&, &arc = arc, &range = range](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == arc && c.range.begin >= range.begin && c.range.end <= range.end; });
+      case Held::NO:
+        std::erase_if(candidates, [&, &arc = arc, &range = range](const Disk_candidate& c) {
+          return c.kind == Disk_candidate::Kind::ARC && c.index == arc && c.range.begin >= range.begin &&
+              c.range.end <= range.end;
+        });
       default: break;
       }
     if (candidates.empty())
@@ -337,7 +409,8 @@ private:
     return candidates.empty();
   }
 
-  // Decides a part that holds a disk with an exact footpoint: at an end of the element, or, if the part is short, where the parameter is the simplest number.
+  // Decides a part that holds a disk with an exact footpoint: at an end of the element, or, if the part is short, where
+  // the parameter is the simplest number.
   bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     const auto& [begin, end] = part.range;
@@ -347,11 +420,14 @@ private:
       return append_touching(part, candidates, Exact_rational(begin == 0 ? 0 : 1));
     if (part.range.width() > width_of_inner_ties)
       return false;
-    const std::vector<Exact_rational> parameters = Touching_disk::simple_parameters(m_graph, part, m_exact_radius, candidates);
-    return std::any_of(parameters.begin(), parameters.end(), [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
+    const std::vector<Exact_rational> parameters =
+        Touching_disk::simple_parameters(m_graph, part, m_exact_radius, candidates);
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
   }
 
-  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates, const Exact_rational& parameter)
+  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates,
+                       const Exact_rational& parameter)
   {
     Touching_disk touching(m_graph, part.element, m_exact_radius, parameter);
     const auto sides = touching.sides(part.range, candidates);
@@ -359,7 +435,9 @@ private:
       return false;
     const CGAL::Interval_nt<false> u = interval_of(parameter);
     const Range before{part.range.begin, u.inf()}, behind{u.sup(), part.range.end};
-    const auto is_unknown = [](const Range& range, Held side) { return range.begin < range.end && side == Held::UNKNOWN; };
+    const auto is_unknown = [](const Range& range, Held side) {
+      return range.begin < range.end && side == Held::UNKNOWN;
+    };
     if (is_unknown(before, (*sides)[0]) || is_unknown(behind, (*sides)[1]))
       return false;
     const auto append_side = [&](const Range& range, Held side) {
@@ -381,12 +459,17 @@ private:
 
   bool append_monotone(const Element_part& part, const Located_footpoint& located)
   {
-    return append_change(part.range, [&](double u) { return sign_at(part.element, located, u); }, [&](const Range& zero) {
-      return Located_footpoint{located.footpoint, largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, zero), located).range};
-    });
+    return append_change(
+        part.range, [&](double u) { return sign_at(part.element, located, u); },
+        [&](const Range& zero) {
+          return Located_footpoint{
+              located.footpoint,
+              largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, zero), located).range};
+        });
   }
 
-  // Where the sign of K - T is known at both ends of a range and has one change there at most: the disk there has the footpoint that footpoint_at(zero) tells.
+  // Where the sign of K - T is known at both ends of a range and has one change there at most: the disk there has the
+  // footpoint that footpoint_at(zero) tells.
   template <class Sign_at, class Footpoint_at>
   bool append_change(const Range& range, const Sign_at& sign_at, const Footpoint_at& footpoint_at)
   {

@@ -22,7 +22,9 @@ struct Exact_disk
   Exact_pair center, way;
 };
 
-// Where a range of an element ends in which disks are free: where the element ends; where it ends and disks shrink to the vertex there; where the disk has a second footpoint; where it has one that is known exactly, as is the center of the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
+// Where a range of an element ends in which disks are free: where the element ends; where it ends and disks shrink to
+// the vertex there; where the disk has a second footpoint; where it has one that is known exactly, as is the center of
+// the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
 struct Free_end
 {
   enum class Kind { FRONT_END, POINT, CONTACT, TIE, UNDECIDED };

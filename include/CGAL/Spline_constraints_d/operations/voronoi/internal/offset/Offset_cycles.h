@@ -31,8 +31,9 @@ namespace Voronoi {
 /*
 The points at one distance from all curves of a graph, as chains of offsets of elements.
 
-A chain is an outer boundary of a set, the side that is free or the other one, or one of its holes. Let X be a point of the curves that is nearest to a point O of the chain. The segment between does not meet any chain elsewhere, and X is at least the radius away from all of them. So all questions are answered by the numbers of times chains
-go around such X.
+A chain is an outer boundary of a set, the side that is free or the other one, or one of its holes. Let X be a point of
+the curves that is nearest to a point O of the chain. The segment between does not meet any chain elsewhere, and X is at
+least the radius away from all of them. So all questions are answered by the numbers of times chains go around such X.
 */
 class Offset_cycles
 {
@@ -55,7 +56,8 @@ private:
   std::vector<Element_range> m_not_nested;   // points of curves that are nearest to chains that are not
 
 public:
-  Offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Interval& radius, std::vector<Free_ranges> ranges, bool is_set_free)
+  Offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Interval& radius, std::vector<Free_ranges> ranges,
+                bool is_set_free)
     : m_graph(std::move(graph)), m_radius(radius), m_free(free_chains(std::move(ranges)))
   {
     const Upward_rounding_guard guard;
@@ -85,7 +87,9 @@ private:
   Free_chains free_chains(std::vector<Free_ranges> ranges) const
   {
     const Upward_rounding_guard guard;
-    return {*m_graph, std::move(ranges), [&](std::size_t element, const Free_end& end) { return Element_offset(*m_graph, element, m_radius).point(end.location); }};
+    return {*m_graph, std::move(ranges), [&](std::size_t element, const Free_end& end) {
+              return Element_offset(*m_graph, element, m_radius).point(end.location);
+            }};
   }
 
   // A point of the curves that is nearest to a point of a chain.
@@ -97,7 +101,8 @@ private:
     return {piece.element, {u, u}};
   }
 
-  // Whether a closed chain goes around the foot of a chain, if that is certain. It goes on from one piece to the next one in a point that is within the ranges of both ends.
+  // Whether a closed chain goes around the foot of a chain, if that is certain. It goes on from one piece to the next
+  // one in a point that is within the ranges of both ends.
   CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
   {
     const Element_range place = foot(other);
@@ -110,7 +115,9 @@ private:
       const auto path = [&](const Range& range) { return offset(piece).point(range); };
       const auto way = [&](const Piece& of, const Range& range) { return offset(of).point(range) - p; };
       const auto angle = turn_around(p, path, from, to);
-      const auto angle_at_end = angle_within(hull(way(piece, m_free.end(piece, true).location), way(next, m_free.end(next, false).location)), way(piece, {to, to}), way(next, {begin, begin}));
+      const auto angle_at_end =
+          angle_within(hull(way(piece, m_free.end(piece, true).location), way(next, m_free.end(next, false).location)),
+                       way(piece, {to, to}), way(next, {begin, begin}));
       if (!angle || !angle_at_end)
         return CGAL::Uncertain<bool>::indeterminate();
       turn += *angle + *angle_at_end;
@@ -130,14 +137,17 @@ private:
         else if (!chain.is_hole)
           m_not_nested.push_back(foot(chain));
       }
-    for (const std::size_t hole : find_outer_boundaries(m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); }))
+    for (const std::size_t hole : find_outer_boundaries(
+             m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); }))
       m_not_nested.push_back(foot(m_chains[hole]));
   }
 };
 
-// The offset on some of the elements of a graph: of the set that is free, or of the other one. With a tag for parallel work, elements are handed to all cores.
+// The offset on some of the elements of a graph: of the set that is free, or of the other one. With a tag for parallel
+// work, elements are handed to all cores.
 template <class Concurrency_tag>
-Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& elements, bool is_set_free)
+Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius,
+                            const std::vector<std::size_t>& elements, bool is_set_free)
 {
   check_magnitude(*graph, "trimmed_offset");
   const Site_tree_2 tree(*graph);

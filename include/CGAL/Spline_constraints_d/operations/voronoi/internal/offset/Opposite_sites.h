@@ -23,13 +23,20 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Sites that disks of one radius r on an element may touch, but only opposite to the element, and never hold: parallel walls at the distance 2 r, and what is behind them. Bounds cannot tell such disks from larger and smaller ones, but the coordinates are rational, and all is decided by exact computation.
+Sites that disks of one radius r on an element may touch, but only opposite to the element, and never hold: parallel
+walls at the distance 2 r, and what is behind them. Bounds cannot tell such disks from larger and smaller ones, but the
+coordinates are rational, and all is decided by exact computation.
 
-An element that lies behind the tangent in one of its ends, X, has all its disks in the half-plane up to the parallel at the distance 2 r, as <N, O - X> <= r |N|; they reach that line only where the element is on the tangent and has its normal. All disks of a normal cone are in the disk of the radius 2 r around its vertex.
-A site beyond the border, with all Bernstein coefficients of its distance, is touched at most where that is zero: in one of its ends, or all of it; or, of a segment beside a normal cone, in one point. Nor do disks of a segment reach what is outside of the last one, and behind its center.
-Where an arc ends in a crossing that is not known exactly, an arc that is a little longer takes its place; what would touch in such an end is not decided.
+An element that lies behind the tangent in one of its ends, X, has all its disks in the half-plane up to the parallel at
+the distance 2 r, as <N, O - X> <= r |N|; they reach that line only where the element is on the tangent and has its
+normal. All disks of a normal cone are in the disk of the radius 2 r around its vertex. A site beyond the border, with
+all Bernstein coefficients of its distance, is touched at most where that is zero: in one of its ends, or all of it; or,
+of a segment beside a normal cone, in one point. Nor do disks of a segment reach what is outside of the last one, and
+behind its center. Where an arc ends in a crossing that is not known exactly, an arc that is a little longer takes its
+place; what would touch in such an end is not decided.
 
-Disks there count as covered: the offset is the limit of those at greater distances. On both sides of a range of parallel walls, offsets are the same and bound nothing; where they touch in one point, each ends in it.
+Disks there count as covered: the offset is the limit of those at greater distances. On both sides of a range of
+parallel walls, offsets are the same and bound nothing; where they touch in one point, each ends in it.
 */
 class Opposite_sites
 {
@@ -54,7 +61,8 @@ class Opposite_sites
   std::vector<Tie> m_ties;
 
 public:
-  Opposite_sites(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius) : m_graph(graph), m_element(graph.elements()[element]), m_square(4 * radius * radius)
+  Opposite_sites(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius)
+    : m_graph(graph), m_element(graph.elements()[element]), m_square(4 * radius * radius)
   {
     if (!m_element.is_normal_cone)
       for (const bool end : {false, true})
@@ -68,7 +76,9 @@ public:
   {
     const auto [position, is_new] = m_is_beyond.try_emplace({candidate.kind, candidate.index}, false);
     if (is_new)
-      position->second = candidate.kind == Candidate_kind::ARC ? add_arc(candidate.index) : candidate.kind == Candidate_kind::VERTEX && add_vertex(candidate.index);
+      position->second = candidate.kind == Candidate_kind::ARC
+          ? add_arc(candidate.index)
+          : candidate.kind == Candidate_kind::VERTEX && add_vertex(candidate.index);
     return position->second;
   }
 
@@ -78,17 +88,24 @@ public:
     if (m_element.is_normal_cone || !own_arc().circle() || !m_graph.are_ends_exact(m_element.object))
       return false;
     const auto& [center, square] = *own_arc().circle();
-    const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_element, 0), exact_difference(own_arc().at(0), center))) < 0;
-    const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(exact_difference(x, center), exact_difference(y, center))) == 0 && sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0; };
+    const bool is_inside =
+        sign_of(exact_dot(m_graph.exact_normal(m_element, 0), exact_difference(own_arc().at(0), center))) < 0;
+    const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) {
+      return sign_of(exact_cross(exact_difference(x, center), exact_difference(y, center))) == 0 &&
+          sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0;
+    };
     const auto is_opposite = [&](std::size_t index) {
       const Site_arc_2& arc = m_graph.arcs()[index];
-      if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside || !m_graph.are_ends_exact(index))
+      if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside ||
+          !m_graph.are_ends_exact(index))
         return false;
       const Exact_rational sum = square + arc.circle()->second - m_square;   // of squared radii: (R1 - R2)^2 = 4 r^2
       if (sign_of(sum) < 0 || sum * sum != 4 * square * arc.circle()->second)
         return false;
       const bool is_other_way = !are_on_one_ray(own_arc().at(0), arc.at(0));
-      return are_on_one_ray(own_arc().at(0), arc.at(is_other_way)) && are_on_one_ray(own_arc().at(1), arc.at(!is_other_way)) && side_of_chord(own_arc()) == (is_other_way ? -1 : 1) * side_of_chord(arc);
+      return are_on_one_ray(own_arc().at(0), arc.at(is_other_way)) &&
+          are_on_one_ray(own_arc().at(1), arc.at(!is_other_way)) &&
+          side_of_chord(own_arc()) == (is_other_way ? -1 : 1) * side_of_chord(arc);
     };
     for (std::size_t i = 0; i < m_graph.arcs().size(); ++i)
       if (is_opposite(i))
@@ -99,7 +116,9 @@ public:
   // Whether all disks of a range are known to be touched from opposite.
   bool touch(const Range& range) const
   {
-    return std::any_of(m_ties.begin(), m_ties.end(), [&](const Tie& tie) { return tie.begin < tie.end && tie.begin <= range.begin && tie.end >= range.end; });
+    return std::any_of(m_ties.begin(), m_ties.end(), [&](const Tie& tie) {
+      return tie.begin < tie.end && tie.begin <= range.begin && tie.end >= range.end;
+    });
   }
 
   // Takes the places where disks are touched from ranges where they are free otherwise.
@@ -107,7 +126,8 @@ public:
   {
     unite_ties();
     for (const Tie& tie : m_ties) {
-      std::erase_if(ranges.undecided, [&](const Range& range) { return tie.begin <= range.begin && tie.end >= range.end; });
+      std::erase_if(ranges.undecided,
+                    [&](const Range& range) { return tie.begin <= range.begin && tie.end >= range.end; });
       std::vector<Free_range> parts;
       for (const Free_range& range : ranges.free)
         cut(range, tie, parts, ranges.undecided);
@@ -122,7 +142,10 @@ private:
   Exact_pair own_end(bool end) const { return own_arc().at(Exact_rational(end ? 1 : 0)); }   // of the piece
 
   // How much farther than to an end of its piece an arc may go.
-  Exact_rational error(const Arc_end& end) const { return m_graph.is_exact(end) ? Exact_rational(0) : m_graph.arcs()[end.arc].error(); }
+  Exact_rational error(const Arc_end& end) const
+  {
+    return m_graph.is_exact(end) ? Exact_rational(0) : m_graph.arcs()[end.arc].error();
+  }
 
   // Of an arc, or one that it is a part of.
   Coordinates coordinates(std::size_t arc) const
@@ -141,10 +164,16 @@ private:
     Coefficients result;
     for (std::size_t k = 0; k < 3; ++k)
       result[k] = all[k].elevated({m_graph.arcs()[arc].degree()}).coefficients();
-    return std::all_of(result[2].begin(), result[2].end(), [](const Exact_rational& w) { return sign_of(w) > 0; }) ? std::optional(result) : std::nullopt;
+    return std::all_of(result[2].begin(), result[2].end(), [](const Exact_rational& w) { return sign_of(w) > 0; })
+        ? std::optional(result)
+        : std::nullopt;
   }
 
-  static int side_of_chord(const Site_arc_2& arc) { return sign_of(exact_cross(exact_difference(arc.at(1), arc.at(0)), exact_difference(arc.at(Exact_rational(1) / 2), arc.at(0)))); }
+  static int side_of_chord(const Site_arc_2& arc)
+  {
+    return sign_of(exact_cross(exact_difference(arc.at(1), arc.at(0)),
+                               exact_difference(arc.at(Exact_rational(1) / 2), arc.at(0))));
+  }
 
   bool is_behind_tangent(bool end) const
   {
@@ -156,15 +185,22 @@ private:
     const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0));
     std::vector<int> sides;
     for (std::size_t i = 0; i < (*c)[2].size(); ++i)
-      sides.push_back(sign_of(exact_dot(n, Exact_pair{Exact_rational((*c)[0][i] - p[0] * (*c)[2][i]), Exact_rational((*c)[1][i] - p[1] * (*c)[2][i])})));
-    return *std::max_element(sides.begin(), sides.end()) <= 0 && (end ? sides.front() : sides.back()) < 0;   // on it in this end only
+      sides.push_back(sign_of(exact_dot(
+          n,
+          Exact_pair{Exact_rational((*c)[0][i] - p[0] * (*c)[2][i]), Exact_rational((*c)[1][i] - p[1] * (*c)[2][i])})));
+    // on it in this end only
+    return *std::max_element(sides.begin(), sides.end()) <= 0 && (end ? sides.front() : sides.back()) < 0;
   }
 
-  // The ends in which an arc touches a border, if all Bernstein coefficients of its distance from that have signs that are not negative. Nothing if it is not beyond.
+  // The ends in which an arc touches a border, if all Bernstein coefficients of its distance from that have signs that
+  // are not negative. Nothing if it is not beyond.
   std::optional<Points> touching_ends(std::size_t arc, const std::vector<int>& sides) const
   {
     const auto touches = [&](bool end) { return (end ? sides.back() : sides.front()) == 0; };
-    if (*std::min_element(sides.begin(), sides.end()) < 0 || std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return touches(end) && !m_graph.is_exact({arc, end}); }))
+    if (*std::min_element(sides.begin(), sides.end()) < 0 ||
+        std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
+          return touches(end) && !m_graph.is_exact({arc, end});
+        }))
       return std::nullopt;
     Points result;
     for (const bool end : both_ends)
@@ -173,7 +209,10 @@ private:
     return result;
   }
 
-  static bool is_on_border(const std::vector<int>& sides) { return std::all_of(sides.begin(), sides.end(), [](int s) { return s == 0; }); }
+  static bool is_on_border(const std::vector<int>& sides)
+  {
+    return std::all_of(sides.begin(), sides.end(), [](int s) { return s == 0; });
+  }
 
   // On which side of the parallel at the distance 2 r of the tangent in an end a homogeneous point is.
   int side_of_parallel(bool end, const Exact_rational& x, const Exact_rational& y, const Exact_rational& w) const
@@ -209,14 +248,17 @@ private:
     const auto c = coefficients(arc);
     const auto is_beyond = [&](bool end) {
       const std::vector<int> sides = sides_of_parallel(end, *c);
-      if (is_on_border(sides))   // what it does not touch next to a crossing that is not known exactly, the next arc of its curve does
+      // what it does not touch next to a crossing that is not known exactly, the next arc of its curve does
+      if (is_on_border(sides))
         return add_tie(m_graph.arcs()[arc].at(0), m_graph.arcs()[arc].at(1), end);
       return add_ties(touching_ends(arc, sides), end);
     };
-    return c && (std::any_of(m_ends.begin(), m_ends.end(), is_beyond) || (is_segment() && is_behind_last_disk(arc, *c)));
+    return c &&
+        (std::any_of(m_ends.begin(), m_ends.end(), is_beyond) || (is_segment() && is_behind_last_disk(arc, *c)));
   }
 
-  // Whether an arc is outside of the disk at an end of a straight element, and behind its center: then it is outside of all other ones.
+  // Whether an arc is outside of the disk at an end of a straight element, and behind its center: then it is outside of
+  // all other ones.
   bool is_behind_last_disk(std::size_t arc, const Coefficients& c)
   {
     const Exact_pair n = m_graph.exact_normal(m_element, 0);
@@ -224,9 +266,12 @@ private:
     return ratio && std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
       if (!is_own_end_exact(end))
         return false;
-      const Exact_pair p = own_end(end), outward = exact_difference(p, own_end(!end)), center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
+      const Exact_pair p = own_end(end), outward = exact_difference(p, own_end(!end)),
+                       center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
       for (std::size_t i = 0; i < c[2].size(); ++i)
-        if (sign_of(exact_dot(outward, Exact_pair{Exact_rational(c[0][i] - center[0] * c[2][i]), Exact_rational(c[1][i] - center[1] * c[2][i])})) < 0)
+        if (sign_of(exact_dot(outward,
+                              Exact_pair{Exact_rational(c[0][i] - center[0] * c[2][i]),
+                                         Exact_rational(c[1][i] - center[1] * c[2][i])})) < 0)
           return false;
       const auto touching = touching_ends(arc, sides_of_circle(arc, center, Exact_rational(m_square / 4)));
       if (touching && std::any_of(touching->begin(), touching->end(), [&](const Exact_pair& y) { return y != p; }))
@@ -249,10 +294,13 @@ private:
       return add_ties(touching_ends(index, sides));
     if (side > 0 || (t < 0 && m_graph.is_exact({index, false})) || (t > 1 && m_graph.is_exact({index, true})))
       return true;
-    return is_certain(index, t, t) && add_ties(t >= 0 && t <= 1 ? Points{{Exact_rational(a[0] + t * d[0]), Exact_rational(a[1] + t * d[1])}} : Points());
+    return is_certain(index, t, t) &&
+        add_ties(t >= 0 && t <= 1 ? Points{{Exact_rational(a[0] + t * d[0]), Exact_rational(a[1] + t * d[1])}}
+                                  : Points());
   }
 
-  // Whether an end of an arc that is not known exactly is not between the ends of a range that should be on it, or there is nothing but that range.
+  // Whether an end of an arc that is not known exactly is not between the ends of a range that should be on it, or
+  // there is nothing but that range.
   bool is_certain(std::size_t arc, const Exact_rational& first, const Exact_rational& last) const
   {
     return std::all_of(both_ends.begin(), both_ends.end(), [&](bool end) {
@@ -266,29 +314,39 @@ private:
     if (!m_graph.vertices()[vertex].is_exact)
       return false;
     const Exact_pair& q = m_graph.vertices()[vertex].exact_point;
-    const auto points = [&](int side) { return side < 0 ? std::nullopt : std::optional(side == 0 ? Points{q} : Points()); };
+    const auto points = [&](int side) {
+      return side < 0 ? std::nullopt : std::optional(side == 0 ? Points{q} : Points());
+    };
     if (m_element.is_normal_cone) {
       const Exact_pair d = exact_difference(q, m_graph.vertices()[m_element.object].exact_point);
       return add_ties(points(sign_of(Exact_rational(exact_dot(d, d) - m_square))));
     }
-    return std::any_of(m_ends.begin(), m_ends.end(), [&](bool end) { return add_ties(points(side_of_parallel(end, q[0], q[1], 1)), end); });
+    return std::any_of(m_ends.begin(), m_ends.end(),
+                       [&](bool end) { return add_ties(points(side_of_parallel(end, q[0], q[1], 1)), end); });
   }
 
   // Disks are touched in some points. Returns whether they are known.
   bool add_ties(const std::optional<Points>& points, bool end = false)
   {
-    return points && std::all_of(points->begin(), points->end(), [&](const Exact_pair& y) { return m_element.is_normal_cone ? add_tie_of_normal_cone(y) : add_tie(y, y, end); });
+    return points && std::all_of(points->begin(), points->end(), [&](const Exact_pair& y) {
+             return m_element.is_normal_cone ? add_tie_of_normal_cone(y) : add_tie(y, y, end);
+           });
   }
 
   // The same for all points between two of them, on a parallel.
-  bool add_tie(const Exact_pair& y, const Exact_pair& z, bool end) { return is_segment() ? add_tie_of_segment(y, z) : add_tie_at_end(y, z, end); }
+  bool add_tie(const Exact_pair& y, const Exact_pair& z, bool end)
+  {
+    return is_segment() ? add_tie_of_segment(y, z) : add_tie_at_end(y, z, end);
+  }
 
   bool add_tie_of_normal_cone(const Exact_pair& y)
   {
     const Exact_pair d = exact_difference(y, m_graph.vertices()[m_element.object].exact_point);
     const auto& [from, to] = m_element.exact_normals;
-    const Exact_rational a = exact_cross(d, from), b = exact_cross(to, d);   // clockwise from the first to the second one
-    if (sign_of(a) < 0 || sign_of(b) < 0 || sign_of(Exact_rational(a + b)) == 0 || (sign_of(exact_dot(d, from)) <= 0 && sign_of(exact_dot(d, to)) <= 0))
+    // clockwise from the first to the second one
+    const Exact_rational a = exact_cross(d, from), b = exact_cross(to, d);
+    if (sign_of(a) < 0 || sign_of(b) < 0 || sign_of(Exact_rational(a + b)) == 0 ||
+        (sign_of(exact_dot(d, from)) <= 0 && sign_of(exact_dot(d, to)) <= 0))
       return true;
     const Exact_rational u = a / (a + b);
     m_ties.push_back({u, u, half(d)});
@@ -308,7 +366,8 @@ private:
 
   bool add_tie_at_end(const Exact_pair& y, const Exact_pair& z, bool end)
   {
-    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0)),
+                     to_y = exact_difference(y, p);
     if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, exact_difference(z, p))) > 0)
       return true;
     const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n));
@@ -346,24 +405,30 @@ private:
     return {Free_end::Kind::TIE, {(std::max)(x.inf(), 0.0), (std::min)(x.sup(), 1.0)}, {}, {}, disk_at(u, way)};
   }
 
-  // Whether a disk touches a vertex, an end of an arc, or a segment. Then the footpoint begins there, as it does so once only where it may.
+  // Whether a disk touches a vertex, an end of an arc, or a segment. Then the footpoint begins there, as it does so
+  // once only where it may.
   bool touches(const Exact_disk& disk, const Disk_footpoint& footpoint) const
   {
     const auto is_on_circle = [&](const Exact_pair& y) {
       const Exact_pair d = exact_difference(y, disk.center);
       return exact_dot(d, d) == exact_dot(disk.way, disk.way);
     };
-    const auto is_touched = [&](std::size_t vertex) { return m_graph.vertices()[vertex].is_exact && is_on_circle(m_graph.vertices()[vertex].exact_point); };
+    const auto is_touched = [&](std::size_t vertex) {
+      return m_graph.vertices()[vertex].is_exact && is_on_circle(m_graph.vertices()[vertex].exact_point);
+    };
     if (footpoint.kind != Disk_footpoint::Kind::ARC)
       return footpoint.kind == Disk_footpoint::Kind::VERTEX && is_touched(footpoint.index);
     const Site_arc_2& arc = m_graph.arcs()[footpoint.index];
-    if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({footpoint.index, end})); }))
+    if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
+          return is_touched(m_graph.vertex_of({footpoint.index, end}));
+        }))
       return true;
     const Exact_rational foot = arc.is_segment() ? arc.parameter_of_foot(disk.center) : Exact_rational(-1);
     return foot >= 0 && foot <= 1 && is_on_circle(arc.at(foot));
   }
 
-  // A tie cuts off what is behind or before it. Where another end is as close as it is known, what is between is not decided.
+  // A tie cuts off what is behind or before it. Where another end is as close as it is known, what is between is not
+  // decided.
   void cut(const Free_range& range, const Tie& tie, std::vector<Free_range>& parts, std::vector<Range>& undecided) const
   {
     const Range &first = range[0].location, &last = range[1].location;
@@ -373,7 +438,8 @@ private:
     }
     for (const Free_end& end : range)
       for (const Exact_rational& u : {tie.begin, tie.end})
-        if (end.kind != Free_end::Kind::TIE && !end.location.is_number() && u >= end.location.begin && u <= end.location.end && !touches(disk_at(u, tie.way), end.footpoint))
+        if (end.kind != Free_end::Kind::TIE && !end.location.is_number() && u >= end.location.begin &&
+            u <= end.location.end && !touches(disk_at(u, tie.way), end.footpoint))
           undecided.push_back(end.location);
     if (tie.begin > first.end)
       parts.push_back({range[0], end_at(tie.begin, tie.way)});

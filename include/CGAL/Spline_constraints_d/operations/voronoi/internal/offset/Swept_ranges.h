@@ -15,7 +15,8 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The ranges of an element in which disks are free, as they are found by a sweep from its begin to its end: what is appended follows what has been.
+The ranges of an element in which disks are free, as they are found by a sweep from its begin to its end: what is
+appended follows what has been.
 */
 class Swept_ranges
 {

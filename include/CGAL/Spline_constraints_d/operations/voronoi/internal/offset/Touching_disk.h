@@ -24,10 +24,14 @@ namespace internal {
 namespace Voronoi {
 
 /*
-A disk of a given radius r that touches an element in a point X(a), and a site in a point Y(b), both known exactly; and the disks on both sides of it.
+A disk of a given radius r that touches an element in a point X(a), and a site in a point Y(b), both known exactly; and
+the disks on both sides of it.
 
-The disk of u holds Y(v) where a function H(u,v) is negative (see Disk_reach). Here H(a,b) = 0, which is decided exactly, as is whether H_u and H_v are zero there: for points opposite to each other, and where the site is tangent to the disk. Where they are not, bounds over a box tell their signs, and where they are, bounds of the second derivatives tell the signs of H in all
-quadrants around (a,b): whether H is positive but in (a,b), so that the site is never held; or negative for some v, whatever u.
+The disk of u holds Y(v) where a function H(u,v) is negative (see Disk_reach). Here H(a,b) = 0, which is decided
+exactly, as is whether H_u and H_v are zero there: for points opposite to each other, and where the site is tangent to
+the disk. Where they are not, bounds over a box tell their signs, and where they are, bounds of the second derivatives
+tell the signs of H in all quadrants around (a,b): whether H is positive but in (a,b), so that the site is never held;
+or negative for some v, whatever u.
 */
 template <Enclosing_number Interval>
 class Basic_touching_disk
@@ -60,8 +64,11 @@ class Basic_touching_disk
 
 public:
   // At a parameter of an element that ends exactly.
-  Basic_touching_disk(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius, const Exact_rational& parameter)
-    : m_graph(graph), m_element(graph.elements()[element]), m_radius(interval_of<Interval>(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_element, parameter)), m_normal(graph.exact_normal(m_element, parameter))
+  Basic_touching_disk(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius,
+                      const Exact_rational& parameter)
+    : m_graph(graph), m_element(graph.elements()[element]), m_radius(interval_of<Interval>(radius)),
+      m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_element, parameter)),
+      m_normal(graph.exact_normal(m_element, parameter))
   {}
 
   static bool is_defined(const Site_graph_2& graph, std::size_t element)
@@ -83,7 +90,9 @@ public:
     for (const Disk_candidate& candidate : candidates)
       if (candidate.kind == Disk_candidate::Kind::ARC)
         parts.push_back({candidate.index, candidate.range});
-    std::sort(parts.begin(), parts.end(), [](const Arc_part& a, const Arc_part& b) { return a.arc != b.arc ? a.arc < b.arc : a.range.begin < b.range.begin; });
+    std::sort(parts.begin(), parts.end(), [](const Arc_part& a, const Arc_part& b) {
+      return a.arc != b.arc ? a.arc < b.arc : a.range.begin < b.range.begin;
+    });
     for (const Arc_part& part : parts)
       if (!result.empty() && result.back().arc == part.arc && part.range.begin - result.back().range.end < most_way)
         result.back().range = united(result.back().range, part.range);
@@ -92,14 +101,18 @@ public:
     return result;
   }
 
-  // Where an exact disk of a small part may be: at the simplest number, or, on a segment, where it touches an end of an arc.
-  static std::vector<Exact_rational> simple_parameters(const Site_graph_2& graph, const Element_part& part, const Exact_rational& radius, const std::vector<Disk_candidate>& candidates)
+  // Where an exact disk of a small part may be: at the simplest number, or, on a segment, where it touches an end of an
+  // arc.
+  static std::vector<Exact_rational> simple_parameters(const Site_graph_2& graph, const Element_part& part,
+                                                       const Exact_rational& radius,
+                                                       const std::vector<Disk_candidate>& candidates)
   {
     const Exact_rational begin(part.range.begin), end(part.range.end);
     std::vector<Exact_rational> result{simplest_rational_between(begin, end)};
     const Oriented_element& element = graph.elements()[part.element];
     const auto add = [&](std::size_t vertex) {
-      for (const Exact_rational& u : touching_parameters(graph.vertices()[vertex].exact_point, graph.arcs()[element.object], radius))
+      for (const Exact_rational& u :
+           touching_parameters(graph.vertices()[vertex].exact_point, graph.arcs()[element.object], radius))
         if (begin <= u && u <= end && std::find(result.begin(), result.end(), u) == result.end())
           result.push_back(u);
     };
@@ -117,24 +130,32 @@ public:
   }
 
   // Where disks touch the line of a segment and a point, if that is opposite, or the numbers are rational.
-  static std::vector<Exact_rational> touching_parameters(const Exact_pair& p, const Site_arc_2& segment, const Exact_rational& radius)
+  static std::vector<Exact_rational> touching_parameters(const Exact_pair& p, const Site_arc_2& segment,
+                                                         const Exact_rational& radius)
   {
     const Exact_rational foot = segment.parameter_of_foot(p);
     const Exact_pair d = exact_difference(segment.at(1), segment.at(0));
     const Exact_rational dd = exact_dot(d, d);
     const auto length = rational_square_root(dd);
-    const Exact_rational height = length ? Exact_rational(CGAL::abs(exact_cross(d, exact_difference(p, segment.at(0)))) / *length) : Exact_rational(0), square = (2 * radius - height) * height / dd;
+    const Exact_rational height = length
+        ? Exact_rational(CGAL::abs(exact_cross(d, exact_difference(p, segment.at(0)))) / *length)
+        : Exact_rational(0),
+                         square = (2 * radius - height) * height / dd;
     const auto way = sign_of(square) > 0 ? rational_square_root(square) : std::nullopt;
-    return way ? std::vector<Exact_rational>{Exact_rational(foot - *way), Exact_rational(foot + *way)} : std::vector<Exact_rational>{foot};
+    return way ? std::vector<Exact_rational>{Exact_rational(foot - *way), Exact_rational(foot + *way)}
+               : std::vector<Exact_rational>{foot};
   }
 
-  // What the disks of a part of the element that holds the parameter do before and behind it, if the disk touches one of some sites, and others are not held.
+  // What the disks of a part of the element that holds the parameter do before and behind it, if the disk touches one
+  // of some sites, and others are not held.
   std::optional<std::array<Held, 2>> sides(const Range& range, const std::vector<Disk_candidate>& candidates)
   {
     const Disk_reach reach(m_graph, m_element, m_radius, range);
     m_ways = ways_to_ends(range, m_parameter);
     std::array<Held, 2> result{Held::NO, Held::NO};
-    const auto add = [&](const std::array<Held, 2>& sides) { result = {held_by_any(result[0], sides[0]), held_by_any(result[1], sides[1])}; };
+    const auto add = [&](const std::array<Held, 2>& sides) {
+      result = {held_by_any(result[0], sides[0]), held_by_any(result[1], sides[1])};
+    };
     for (const Disk_candidate& candidate : candidates)
       if (candidate.kind == Disk_candidate::Kind::VERTEX)
         add(sides_with_vertex(reach, candidate.index));
@@ -162,7 +183,10 @@ private:
     return true;
   }
 
-  bool is_opposite(const Exact_pair& y) const { return sign_of(exact_cross(m_normal, exact_difference(y, m_point))) == 0; }
+  bool is_opposite(const Exact_pair& y) const
+  {
+    return sign_of(exact_cross(m_normal, exact_difference(y, m_point))) == 0;
+  }
 
   std::array<Held, 2> sides_with_vertex(const Disk_reach& reach, std::size_t index)
   {
@@ -200,7 +224,10 @@ private:
       Held result = Held::NO;
       for (const Way& v : ways_to_ends(range, *b))
         if (v.width.sup() > 0)
-          result = held_by_any(result, is_tangent ? held_in_quadrant(h, at_b, u, v, is_opposite(y)) : v.direction * growth > 0 ? held_beside(at_b, u, is_opposite(y)) : Held::UNKNOWN);
+          result = held_by_any(result,
+                               is_tangent                     ? held_in_quadrant(h, at_b, u, v, is_opposite(y))
+                                   : v.direction * growth > 0 ? held_beside(at_b, u, is_opposite(y))
+                                                              : Held::UNKNOWN);
       return result;
     };
     return {side(m_ways[0]), side(m_ways[1])};
@@ -226,10 +253,12 @@ private:
       return Held::NO;
     const Interval slope((-uv / h.vv).inf());   // of v, where H is least
     const bool is_in_box = slope.inf() > 0 && (slope * u.width).sup() <= v.width.inf();
-    return is_in_box && (h.uu + Interval(2) * slope * uv + CGAL::square(slope) * h.vv).sup() < 0 ? Held::YES : Held::UNKNOWN;
+    return is_in_box && (h.uu + Interval(2) * slope * uv + CGAL::square(slope) * h.vv).sup() < 0 ? Held::YES
+                                                                                                 : Held::UNKNOWN;
   }
 
-  // Where the disk touches an arc, next to a part of that: in an end, in the foot of the center on a segment, or in a point with a simple parameter.
+  // Where the disk touches an arc, next to a part of that: in an end, in the foot of the center on a segment, or in a
+  // point with a simple parameter.
   std::optional<Exact_rational> touched_parameter(std::size_t arc, const Range& part)
   {
     const Site_arc_2& site = m_graph.arcs()[arc];
@@ -241,10 +270,13 @@ private:
     if (site.is_segment()) {
       parameters.push_back(site.parameter_of_foot(m_point));   // of an opposite point
       if (const auto share = rational_square_root(Exact_rational(m_square / (4 * exact_dot(m_normal, m_normal)))))
-        parameters.push_back(site.parameter_of_foot({Exact_rational(m_point[0] + *share * m_normal[0]), Exact_rational(m_point[1] + *share * m_normal[1])}));
+        parameters.push_back(site.parameter_of_foot(
+            {Exact_rational(m_point[0] + *share * m_normal[0]), Exact_rational(m_point[1] + *share * m_normal[1])}));
     }
     parameters.push_back(simplest_rational_between(Exact_rational(part.begin), Exact_rational(part.end)));
-    const auto position = std::find_if(parameters.begin(), parameters.end(), [&](const Exact_rational& b) { return b >= 0 && b <= 1 && touches(site.at(b)); });
+    const auto position = std::find_if(parameters.begin(), parameters.end(), [&](const Exact_rational& b) {
+      return b >= 0 && b <= 1 && touches(site.at(b));
+    });
     return position == parameters.end() ? std::nullopt : std::optional(*position);
   }
 };

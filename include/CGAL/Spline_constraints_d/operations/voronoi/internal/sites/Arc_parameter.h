@@ -17,7 +17,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The parameter of an arc, which runs from 0 to 1 on it, and that of its piece, which ends exactly there or, where curves cross at parameters that are not rational, nearby; and that of the piece before it was cut. All ranges hold the exact values.
+The parameter of an arc, which runs from 0 to 1 on it, and that of its piece, which ends exactly there or, where curves
+cross at parameters that are not rational, nearby; and that of the piece before it was cut. All ranges hold the exact
+values.
 */
 class Arc_parameter
 {
@@ -29,7 +31,9 @@ public:
   Arc_parameter(const Basic_site_graph_2<Number>& graph, std::size_t arc) : m_piece(graph.arcs()[arc].piece())
   {
     const double error = interval_of<Interval>(graph.arcs()[arc].error()).sup();
-    const auto end = [&](bool is_end) { return Interval(is_end ? 1 : 0) + (graph.is_exact({arc, is_end}) ? Interval(0) : Interval(-error, error)); };
+    const auto end = [&](bool is_end) {
+      return Interval(is_end ? 1 : 0) + (graph.is_exact({arc, is_end}) ? Interval(0) : Interval(-error, error));
+    };
     m_begin = end(false);
     m_end = end(true);
   }
@@ -37,8 +41,14 @@ public:
   Interval to_piece(const Interval& t) const { return m_begin + t * (m_end - m_begin); }
   Interval from_piece(const Interval& s) const { return (s - m_begin) / (m_end - m_begin); }
 
-  Interval to_uncut(const Interval& t) const { return m_piece.whole ? first() + to_piece(t) * (last() - first()) : to_piece(t); }
-  Interval from_uncut(const Interval& s) const { return from_piece(m_piece.whole ? (s - first()) / (last() - first()) : s); }
+  Interval to_uncut(const Interval& t) const
+  {
+    return m_piece.whole ? first() + to_piece(t) * (last() - first()) : to_piece(t);
+  }
+  Interval from_uncut(const Interval& s) const
+  {
+    return from_piece(m_piece.whole ? (s - first()) / (last() - first()) : s);
+  }
 
   // A range of the parameter of the piece which is within one of that of the arc.
   std::optional<Range> range_of_piece_within(const Range& range) const
@@ -51,12 +61,17 @@ public:
   std::optional<Exact_rational> simplest_of_piece_within(const Range& range) const
   {
     const auto inside = range_of_piece_within(range);
-    return inside ? std::optional(simplest_rational_between(Exact_rational(inside->begin), Exact_rational(inside->end))) : std::nullopt;
+    return inside ? std::optional(simplest_rational_between(Exact_rational(inside->begin), Exact_rational(inside->end)))
+                  : std::nullopt;
   }
 
 private:
   // The ends of the piece, in the parameter of the one before it was cut.
-  Interval place(const Exact_rational& x) const { return interval_of<Interval>(Exact_rational((x - m_piece.whole->first) / (m_piece.whole->second - m_piece.whole->first))); }
+  Interval place(const Exact_rational& x) const
+  {
+    return interval_of<Interval>(
+        Exact_rational((x - m_piece.whole->first) / (m_piece.whole->second - m_piece.whole->first)));
+  }
   Interval first() const { return place(m_piece.domain.first); }
   Interval last() const { return place(m_piece.domain.second); }
 };

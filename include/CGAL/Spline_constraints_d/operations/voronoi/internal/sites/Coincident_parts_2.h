@@ -16,7 +16,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// A piece that two curves have in common: all points of the second one are proved to be points of the first one, and the ends are the same. The second curve may run backwards there.
+// A piece that two curves have in common: all points of the second one are proved to be points of the first one, and
+// the ends are the same. The second curve may run backwards there.
 struct Curve_overlap_2
 {
   std::array<std::pair<Exact_rational, Exact_rational>, 2> parameters;
@@ -31,7 +32,8 @@ struct Coincident_parts_2
 
   bool hold(std::size_t k, std::size_t curve, const std::pair<Exact_rational, Exact_rational>& range) const
   {
-    return curves[k] == curve && overlap.parameters[k].first <= range.first && range.second <= overlap.parameters[k].second;
+    return curves[k] == curve && overlap.parameters[k].first <= range.first &&
+        range.second <= overlap.parameters[k].second;
   }
 };
 

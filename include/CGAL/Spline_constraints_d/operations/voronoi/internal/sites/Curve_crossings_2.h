@@ -25,10 +25,13 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The points in which the curves of a collection cross each other or themselves, touch, end on another one, or pass through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
-are left out, and so are footpoints at parameters that are not rational.
+The points in which the curves of a collection cross each other or themselves, touch, end on another one, or pass
+through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the
+parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart are
+left out, and so are footpoints at parameters that are not rational.
 
-Where curves overlap, both are cut at the ends, and the part of the second one is marked as redundant; what crosses it crosses the first one.
+Where curves overlap, both are cut at the ends, and the part of the second one is marked as redundant; what crosses it
+crosses the first one.
 */
 class Curve_crossings_2
 {
@@ -98,7 +101,8 @@ public:
   // Whether a range of a curve is within one that a curve before has in common with it.
   bool is_redundant(std::size_t curve, const Parameter_range& range) const
   {
-    return std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) { return parts.hold(1, curve, range); });
+    return std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(),
+                       [&](const Coincident_parts_2& parts) { return parts.hold(1, curve, range); });
   }
 
   const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
@@ -119,7 +123,9 @@ private:
   template <class Concurrency_tag, SplineKernel Kernel>
   std::vector<Intersecting_pair<Kernel, 2>> intersecting_pairs() const
   {
-    return Pairwise_intersector<Kernel, 2>({}).template within<Concurrency_tag>(m_curves, Self_intersections::INCLUDED).pairs;
+    return Pairwise_intersector<Kernel, 2>({})
+        .template within<Concurrency_tag>(m_curves, Self_intersections::INCLUDED)
+        .pairs;
   }
 
   template <class Pairs>
@@ -136,7 +142,9 @@ private:
   {
     for (const auto& pair : pairs)
       for (const auto& intersection : pair.intersections)
-        if (intersection.kind() != Intersection_kind::OVERLAP && !is_redundant(pair.first, intersection.parameter_range(0)) && !is_redundant(pair.second, intersection.parameter_range(1)))
+        if (intersection.kind() != Intersection_kind::OVERLAP &&
+            !is_redundant(pair.first, intersection.parameter_range(0)) &&
+            !is_redundant(pair.second, intersection.parameter_range(1)))
           add({pair.first, pair.second}, intersection);
   }
 
@@ -146,7 +154,9 @@ private:
   {
     return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
       return std::any_of(pair.intersections.begin(), pair.intersections.end(), [&](const auto& intersection) {
-        return intersection.kind() == Intersection_kind::TANGENT && at(pair.first, simplest_parameter(pair.first, intersection, 0)) == at(pair.second, simplest_parameter(pair.second, intersection, 1));
+        return intersection.kind() == Intersection_kind::TANGENT &&
+            at(pair.first, simplest_parameter(pair.first, intersection, 0)) ==
+            at(pair.second, simplest_parameter(pair.second, intersection, 1));
       });
     });
   }
@@ -156,13 +166,18 @@ private:
   void add_points(const std::vector<Exact_pair>& points)
   {
     const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
-    for (const auto& pair : Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(patches, m_curves).pairs)
+    for (const auto& pair :
+         Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(patches, m_curves).pairs)
       for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::TRANSVERSAL && !is_redundant(pair.second, intersection.parameter_range(1)))
+        if (intersection.kind() == Intersection_kind::TRANSVERSAL &&
+            !is_redundant(pair.second, intersection.parameter_range(1)))
           add_point(points[pair.first], pair.second, intersection.parameter_range(1));
   }
 
-  Exact_pair at(std::size_t curve, const Exact_rational& t) const { return m_curves[curve](std::array<Exact_rational, 1>{t}); }
+  Exact_pair at(std::size_t curve, const Exact_rational& t) const
+  {
+    return m_curves[curve](std::array<Exact_rational, 1>{t});
+  }
 
   // Of curves, or of different parts of one curve.
   void add_overlaps(const std::array<std::size_t, 2>& curves, const std::array<Parameter_range, 2>& ranges)
@@ -193,27 +208,34 @@ private:
       cuts[k] = {{t, t}, m_points.size()};
     }
     const bool is_exact = points[0] == points[1];
-    if (intersection.kind() == Intersection_kind::UNDECIDED || (!is_exact && intersection.kind() == Intersection_kind::TANGENT)) {
+    if (intersection.kind() == Intersection_kind::UNDECIDED ||
+        (!is_exact && intersection.kind() == Intersection_kind::TANGENT)) {
       m_are_cut_everywhere = false;
       return;
     }
     if (!is_exact)
-      std::tie(cuts[0].parameter, cuts[1].parameter) = narrow_ranges(curves, with_short_ends({intersection.parameter_range(0), intersection.parameter_range(1)}));
+      std::tie(cuts[0].parameter, cuts[1].parameter) =
+          narrow_ranges(curves, with_short_ends({intersection.parameter_range(0), intersection.parameter_range(1)}));
     for (std::size_t k = 0; k < 2; ++k) {
       if (!intersection.is_at_end(k))
         m_cuts[curves[k]].push_back(cuts[k]);
     }
     m_near_points.push_back(points[intersection.is_at_end(1)]);
-    m_points.push_back(is_exact || intersection.is_at_end(0) || intersection.is_at_end(1) ? std::optional(m_near_points.back()) : std::nullopt);
+    m_points.push_back(is_exact || intersection.is_at_end(0) || intersection.is_at_end(1)
+                           ? std::optional(m_near_points.back())
+                           : std::nullopt);
   }
 
   // Those of a crossing, narrowed if each is inside of one piece of its curve.
-  std::pair<Parameter_range, Parameter_range> narrow_ranges(const std::array<std::size_t, 2>& curves, const Parameter_box& ranges) const
+  std::pair<Parameter_range, Parameter_range> narrow_ranges(const std::array<std::size_t, 2>& curves,
+                                                            const Parameter_box& ranges) const
   {
     std::array<const Homogeneous_piece*, 2> pieces;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::vector<Homogeneous_piece>& all = m_sites[curves[k]].pieces;
-      const auto piece = std::find_if(all.begin(), all.end(), [&](const Homogeneous_piece& p) { return p.domain.first < ranges[k].first && ranges[k].second < p.domain.second; });
+      const auto piece = std::find_if(all.begin(), all.end(), [&](const Homogeneous_piece& p) {
+        return p.domain.first < ranges[k].first && ranges[k].second < p.domain.second;
+      });
       if (piece == all.end())
         return {ranges[0], ranges[1]};
       pieces[k] = &*piece;
@@ -225,7 +247,8 @@ private:
   void add_point(const Exact_pair& point, std::size_t curve, const Parameter_range& range)
   {
     const Exact_rational t = simplest_rational_between(range.first, range.second);
-    m_cuts[curve].push_back({at(curve, t) == point ? Parameter_range(t, t) : with_short_ends({range})[0], m_points.size()});
+    m_cuts[curve].push_back(
+        {at(curve, t) == point ? Parameter_range(t, t) : with_short_ends({range})[0], m_points.size()});
     m_near_points.push_back(point);
     m_points.push_back(point);
   }
@@ -235,7 +258,9 @@ private:
   {
     const Parameter_range range = intersection.parameter_range(operand);
     const auto [begin, end] = m_curves[curve].domain(0);
-    return !intersection.is_at_end(operand) ? simplest_rational_between(range.first, range.second) : range.first <= begin ? begin : end;
+    return !intersection.is_at_end(operand) ? simplest_rational_between(range.first, range.second)
+        : range.first <= begin              ? begin
+                                            : end;
   }
 
   void close()
@@ -256,18 +281,26 @@ private:
           for (const Cut& cut : {cuts[i - 1], cuts[i]})
             is_removed[cut.crossing] = !cut.is_exact();
         for (const Exact_rational& at : breaks)
-          if (!cuts[i].is_exact() && (at < cuts[i].parameter.first ? are_too_near({{at, at}, 0}, cuts[i]) : are_too_near(cuts[i], {{at, at}, 0})))
+          if (!cuts[i].is_exact() &&
+              (at < cuts[i].parameter.first ? are_too_near({{at, at}, 0}, cuts[i])
+                                            : are_too_near(cuts[i], {{at, at}, 0})))
             is_removed[cuts[i].crossing] = true;
       }
     }
-    m_are_cut_everywhere = m_are_cut_everywhere && std::find(is_removed.begin(), is_removed.end(), true) == is_removed.end();
+    m_are_cut_everywhere =
+        m_are_cut_everywhere && std::find(is_removed.begin(), is_removed.end(), true) == is_removed.end();
     for (auto& cuts : m_cuts) {
       std::erase_if(cuts, [&](const Cut& cut) { return is_removed[cut.crossing]; });
-      cuts.erase(std::unique(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter == b.parameter; }), cuts.end());
+      cuts.erase(
+          std::unique(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter == b.parameter; }),
+          cuts.end());
     }
   }
 
-  static bool are_too_near(const Cut& a, const Cut& b) { return b.parameter.first - a.parameter.second < least_gap * (a.width() + b.width()); }
+  static bool are_too_near(const Cut& a, const Cut& b)
+  {
+    return b.parameter.first - a.parameter.second < least_gap * (a.width() + b.width());
+  }
 };
 
 } // namespace Voronoi

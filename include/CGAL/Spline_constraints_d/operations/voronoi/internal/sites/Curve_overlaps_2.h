@@ -26,7 +26,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The overlaps of two polynomial or rational pieces, as far as they are proved exactly: pieces with the same polynomials, one of them perhaps backwards or of a higher degree, pieces of lines and circles, and others of one curve that turn by less than a right angle, whatever their speeds.
+The overlaps of two polynomial or rational pieces, as far as they are proved exactly: pieces with the same polynomials,
+one of them perhaps backwards or of a higher degree, pieces of lines and circles, and others of one curve that turn by
+less than a right angle, whatever their speeds.
 */
 class Overlap_of_pieces
 {
@@ -96,19 +98,24 @@ private:
     const Homogeneous_piece first = piece(m_first, parameters[0]), second = piece(m_second, parameters[1]);
     const Site_arc_2 a(first), b(second);
     for (const bool is_reversed : {false, true})
-      if (a.at(0) == b.at(is_reversed) && a.at(1) == b.at(!is_reversed) && (are_equal(first, is_reversed ? reversed(second) : second) || is_part_of_segment(b, a) || are_equal_circular_arcs(a, b) || are_on_one_curve(a, b, is_reversed))) {
+      if (a.at(0) == b.at(is_reversed) && a.at(1) == b.at(!is_reversed) &&
+          (are_equal(first, is_reversed ? reversed(second) : second) || is_part_of_segment(b, a) ||
+           are_equal_circular_arcs(a, b) || are_on_one_curve(a, b, is_reversed))) {
         result.push_back({parameters, is_reversed});
         return true;
       }
     return false;
   }
 
-  // Whether both pieces run along one curve, at different speeds: next to their common point they have more coefficients in common than different curves of their degrees may have (Bezout), and as they go on in this direction, they end there, too, in one place of the curve.
+  // Whether both pieces run along one curve, at different speeds: next to their common point they have more
+  // coefficients in common than different curves of their degrees may have (Bezout), and as they go on in this
+  // direction, they end there, too, in one place of the curve.
   static bool are_on_one_curve(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed)
   {
     const Upward_rounding_guard guard;
     const auto goes_on = [](const Site_arc_2& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)[1]); };
-    if (!are_same_directions(outgoing_direction(a, false), outgoing_direction(b, is_reversed)) || !goes_on(a) || !goes_on(b))
+    if (!are_same_directions(outgoing_direction(a, false), outgoing_direction(b, is_reversed)) || !goes_on(a) ||
+        !goes_on(b))
       return false;
     const std::size_t order = static_cast<std::size_t>(a.degree() * b.degree()) + 1;
     const Arc_germ germ(a, false, order);
@@ -139,27 +146,37 @@ private:
     return x * s == u * w && y * s == v * w;
   }
 
-  // Whether the points of a straight piece are on the segment between its ends, which are those of another straight piece.
+  // Whether the points of a straight piece are on the segment between its ends, which are those of another straight
+  // piece.
   static bool is_part_of_segment(const Site_arc_2& part, const Site_arc_2& whole)
   {
     if (!part.is_straight() || !whole.is_straight())
       return false;
     const Exact_pair a = part.at(0), b = part.at(1), along{Exact_rational(b[0] - a[0]), Exact_rational(b[1] - a[1])};
     const auto& [x, y, w] = part.piece().coordinates;
-    const auto height = [&, &x = x, &y = y, &w = w](const Exact_pair& from) { return (x - w * from[0]) * along[0] + (y - w * from[1]) * along[1]; };   // times the weight
+    // times the weight
+    const auto height = [&, &x = x, &y = y, &w = w](const Exact_pair& from) {
+      return (x - w * from[0]) * along[0] + (y - w * from[1]) * along[1];
+    };
     return w.bounds().first > 0 && height(a).bounds().first >= 0 && height(b).bounds().second <= 0;
   }
 
-  // Whether pieces of a circle with the same ends are on the same side of these. Of degree two, they pass no point twice.
+  // Whether pieces of a circle with the same ends are on the same side of these. Of degree two, they pass no point
+  // twice.
   static bool are_equal_circular_arcs(const Site_arc_2& a, const Site_arc_2& b)
   {
-    const auto is_quadratic = [](const Site_arc_2& arc) { return std::all_of(arc.piece().coordinates.begin(), arc.piece().coordinates.end(), [](const Tensor& tensor) { return tensor.degree(0) <= 2; }); };
+    const auto is_quadratic = [](const Site_arc_2& arc) {
+      return std::all_of(arc.piece().coordinates.begin(), arc.piece().coordinates.end(),
+                         [](const Tensor& tensor) { return tensor.degree(0) <= 2; });
+    };
     if (!a.circle() || a.circle() != b.circle() || a.at(0) == a.at(1) || !is_quadratic(a) || !is_quadratic(b))
       return false;
-    const Exact_pair begin = a.at(0), end = a.at(1), chord{Exact_rational(end[0] - begin[0]), Exact_rational(end[1] - begin[1])};
+    const Exact_pair begin = a.at(0), end = a.at(1),
+                     chord{Exact_rational(end[0] - begin[0]), Exact_rational(end[1] - begin[1])};
     const auto side = [&](const Site_arc_2& arc) {
       const Exact_pair middle = arc.at(one_half());
-      return sign_of(exact_cross(chord, Exact_pair{Exact_rational(middle[0] - begin[0]), Exact_rational(middle[1] - begin[1])}));
+      return sign_of(
+          exact_cross(chord, Exact_pair{Exact_rational(middle[0] - begin[0]), Exact_rational(middle[1] - begin[1])}));
     };
     return side(a) == side(b);
   }
@@ -174,13 +191,15 @@ struct Overlaps_of_curves
   bool are_all_proved = true;
 };
 
-inline Overlaps_of_curves overlaps_of_curves(const Spline_patch<2>& first, const Spline_patch<2>& second, const std::array<Parameter_range, 2>& ranges)
+inline Overlaps_of_curves overlaps_of_curves(const Spline_patch<2>& first, const Spline_patch<2>& second,
+                                             const std::array<Parameter_range, 2>& ranges)
 {
   const auto pieces = [](const Spline_patch<2>& curve, const Parameter_range& range) {
     const std::vector<Exact_rational> breaks = curve.breaks(0);
     std::vector<Spline_patch<2>> result;
     for (std::size_t i = 1; i < breaks.size(); ++i)
-      if (const Parameter_range part((std::max)(breaks[i - 1], range.first), (std::min)(breaks[i], range.second)); part.first < part.second)
+      if (const Parameter_range part((std::max)(breaks[i - 1], range.first), (std::min)(breaks[i], range.second));
+          part.first < part.second)
         result.push_back(curve.part(0, part));
     return result;
   };

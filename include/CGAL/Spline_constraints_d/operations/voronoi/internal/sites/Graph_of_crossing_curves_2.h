@@ -28,7 +28,9 @@ class Graph_of_crossing_curves
   std::vector<std::optional<std::size_t>> m_vertices;   // of the crossings, made when they are needed
 
 public:
-  Graph_of_crossing_curves(const Curve_crossings_2& crossings, const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points) : m_crossings(crossings), m_vertices(crossings.size())
+  Graph_of_crossing_curves(const Curve_crossings_2& crossings, const std::vector<Site_curve_2>& curves,
+                           const std::vector<Exact_pair>& points)
+    : m_crossings(crossings), m_vertices(crossings.size())
   {
     const Upward_rounding_guard guard;
     for (std::size_t i = 0; i < curves.size(); ++i)
@@ -64,12 +66,17 @@ private:
       if (m_crossings.is_redundant(curve, {begin, end}))
         continue;
       Homogeneous_piece part = piece.within({begin, end});
-      const auto place = [&](const Limit& limit) { return limit.cut ? std::optional(Site_graph_2::Place_of_end{vertex(limit.cut->crossing), Exact_rational(limit.cut->width() / (end - begin))}) : std::nullopt; };
+      const auto place = [&](const Limit& limit) {
+        return limit.cut ? std::optional(Site_graph_2::Place_of_end{vertex(limit.cut->crossing),
+                                                                    Exact_rational(limit.cut->width() / (end - begin))})
+                         : std::nullopt;
+      };
       m_graph->add_arc(std::move(part), curve, {place(limits[i - 1]), place(limits[i])});
     }
   }
 
-  // The ends of a piece and all cuts. A part at whose end the derivative is zero, which is decided exactly, does not reach up to a crossing that is not known exactly.
+  // The ends of a piece and all cuts. A part at whose end the derivative is zero, which is decided exactly, does not
+  // reach up to a crossing that is not known exactly.
   std::vector<Limit> limits_of_parts(const Homogeneous_piece& piece, std::size_t curve) const
   {
     std::vector<Limit> result{{piece.domain.first}};
@@ -79,7 +86,8 @@ private:
     for (const bool end : {false, true}) {
       const std::size_t i = end ? result.size() - 1 : 1;
       if (piece.stops_at(end) && !result[end ? i - 1 : i].is_exact())
-        result.insert(result.begin() + static_cast<std::ptrdiff_t>(i), {Exact_rational((result[i - 1].parameter + result[i].parameter) / 2)});
+        result.insert(result.begin() + static_cast<std::ptrdiff_t>(i),
+                      {Exact_rational((result[i - 1].parameter + result[i].parameter) / 2)});
     }
     return result;
   }
@@ -88,7 +96,8 @@ private:
   {
     std::optional<std::size_t>& result = m_vertices[crossing];
     if (!result)
-      result = m_crossings.point(crossing) ? m_graph->add_point(*m_crossings.point(crossing)) : m_graph->add_crossing(m_crossings.near_point(crossing));
+      result = m_crossings.point(crossing) ? m_graph->add_point(*m_crossings.point(crossing))
+                                           : m_graph->add_crossing(m_crossings.near_point(crossing));
     return *result;
   }
 };
@@ -103,7 +112,8 @@ std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& p
 }
 
 template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
+std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves,
+                                                             const std::vector<CGAL::Point_2<Kernel>>& points)
 {
   const std::vector<Exact_pair> exact = exact_points(points);
   return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact), curves, exact)();
@@ -111,9 +121,11 @@ std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<S
 
 // The same without cuts at crossings, unless curves touch.
 template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
+std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves,
+                                                           const std::vector<CGAL::Point_2<Kernel>>& points)
 {
-  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag, Kernel>(curves), curves, exact_points(points))();
+  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag, Kernel>(curves), curves,
+                                  exact_points(points))();
 }
 
 } // namespace Voronoi

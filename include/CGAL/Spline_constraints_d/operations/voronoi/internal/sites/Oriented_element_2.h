@@ -33,8 +33,9 @@ struct Arc_end
 inline Range range_at(const Arc_end& end, double width) { return range_at(end.parameter(), width); }
 
 /*
-One side of an arc, or the normals of a vertex between two sides: what disks touch. Elements are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
-from 1 to 0; and a normal cone clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
+One side of an arc, or the normals of a vertex between two sides: what disks touch. Elements are traversed with the free
+side on the left: an arc on its left side from 0 to 1, on its right side from 1 to 0; and a normal cone clockwise from
+its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
 */
 template <Enclosing_number Interval>
 struct Basic_oriented_element
@@ -64,7 +65,8 @@ struct Basic_element_jet
 
 using Element_jet = Basic_element_jet<Interval>;
 
-// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there; of any size, if one of them is zero.
+// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one
+// there; of any size, if one of them is zero.
 template <Enclosing_number Interval>
 struct Basic_smooth_continuation
 {
@@ -74,7 +76,8 @@ struct Basic_smooth_continuation
 
 using Smooth_continuation = Basic_smooth_continuation<Interval>;
 
-// The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
+// The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small
+// jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
 template <Enclosing_number Interval>
 struct Basic_nearly_smooth_continuation
 {
@@ -88,7 +91,8 @@ struct Basic_nearly_smooth_continuation
 
 using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
 
-// How an arc goes on: smoothly, as each of those that leave the vertex in the direction in which it arrives, of which one may be that which is meant; or nearly so.
+// How an arc goes on: smoothly, as each of those that leave the vertex in the direction in which it arrives, of which
+// one may be that which is meant; or nearly so.
 template <Enclosing_number Interval>
 struct Basic_arc_continuations
 {
@@ -101,11 +105,15 @@ struct Basic_arc_continuations
 
   const Smooth_continuation* smooth_at(const Arc_end& end) const
   {
-    const auto result = std::find_if(smooth.begin(), smooth.end(), [&](const Smooth_continuation& next) { return next.end == end; });
+    const auto result =
+        std::find_if(smooth.begin(), smooth.end(), [&](const Smooth_continuation& next) { return next.end == end; });
     return result == smooth.end() ? nullptr : &*result;
   }
 
-  bool hold(const Arc_end& end) const { return smooth_at(end) != nullptr || (nearly_smooth && nearly_smooth->end == end); }
+  bool hold(const Arc_end& end) const
+  {
+    return smooth_at(end) != nullptr || (nearly_smooth && nearly_smooth->end == end);
+  }
 };
 
 } // namespace Voronoi

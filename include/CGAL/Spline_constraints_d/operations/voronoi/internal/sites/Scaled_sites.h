@@ -19,7 +19,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one does so when scaled by that number about its center.
+// Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one
+// does so when scaled by that number about its center.
 template <Enclosing_number Interval>
 struct Basic_scaled_sites
 {
@@ -30,7 +31,8 @@ struct Basic_scaled_sites
   Interval excess;                    // squared_factor - 1
 
   Basic_scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
-    : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)), excess(interval_of<Interval>(Exact_rational(square - 1)))
+    : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)),
+      excess(interval_of<Interval>(Exact_rational(square - 1)))
   {}
 
   // The vertices that are not on scaled arcs.
@@ -43,12 +45,14 @@ struct Basic_scaled_sites
     return result;
   }
 
-  // How an arc goes on smoothly in an exact vertex, whatever others are between on which the factor is another one: if there is no choice.
+  // How an arc goes on smoothly in an exact vertex, whatever others are between on which the factor is another one: if
+  // there is no choice.
   std::optional<Arc_end> continuation(const Site_graph_2& graph, const Arc_end& end) const
   {
     std::vector<Arc_end> before, after;
     for (const Arc_end& other : graph.vertices()[graph.vertex_of(end)].ends)
-      if (const Exact_pair &p = graph.direction(end), &q = graph.direction(other); arcs[other.arc] == arcs[end.arc] && sign_of(exact_cross(p, q)) == 0)
+      if (const Exact_pair& p = graph.direction(end), &q = graph.direction(other);
+          arcs[other.arc] == arcs[end.arc] && sign_of(exact_cross(p, q)) == 0)
         (sign_of(exact_dot(p, q)) > 0 ? before : after).push_back(other);
     return before.size() == 1 && after.size() == 1 ? std::optional(after[0]) : std::nullopt;
   }

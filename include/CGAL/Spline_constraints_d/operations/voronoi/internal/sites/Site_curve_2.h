@@ -19,12 +19,17 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The parameters inside of a piece, in order, where its derivative is zero, as in a cusp or where it turns back, if they are rational with short fractions.
+// The parameters inside of a piece, in order, where its derivative is zero, as in a cusp or where it turns back, if
+// they are rational with short fractions.
 inline std::vector<Exact_rational> rational_stops(const Homogeneous_piece& piece)
 {
   const auto& [x, y, w] = piece.coordinates;
-  const std::array<Bernstein_tensor<Exact_rational>, 2> d{x.derivative(0) * w - x * w.derivative(0), y.derivative(0) * w - y * w.derivative(0)};
-  const auto has_sign = [](const auto& f) { return std::ranges::all_of(f.coefficients(), [](const auto& c) { return c > 0; }) || std::ranges::all_of(f.coefficients(), [](const auto& c) { return c < 0; }); };
+  const std::array<Bernstein_tensor<Exact_rational>, 2> d{x.derivative(0) * w - x * w.derivative(0),
+                                                          y.derivative(0) * w - y * w.derivative(0)};
+  const auto has_sign = [](const auto& f) {
+    return std::ranges::all_of(f.coefficients(), [](const auto& c) { return c > 0; }) ||
+        std::ranges::all_of(f.coefficients(), [](const auto& c) { return c < 0; });
+  };
   if (has_sign(d[0]) || has_sign(d[1]))
     return {};
   const bool is_vertical = std::ranges::all_of(d[0].coefficients(), [](const auto& c) { return c == 0; });

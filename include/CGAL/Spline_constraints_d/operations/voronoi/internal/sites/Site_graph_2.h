@@ -28,9 +28,11 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
+Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc
+has a next one on each of its sides.
 
-Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no normal cones; in its place, and in those of the ends of its arcs, there are exact points next to them.
+Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so
+that it has no normal cones; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
 template <Enclosing_number Interval>
 class Basic_site_graph_2
@@ -47,7 +49,8 @@ class Basic_site_graph_2
 public:
   using Vertex = Basic_site_vertex<Interval>;
 
-  // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of that.
+  // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of
+  // that.
   struct Place_of_end
   {
     std::size_t vertex;
@@ -76,19 +79,32 @@ public:
   // The same graph with enclosures of another precision.
   template <Enclosing_number Other>
   explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
-    : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
-      m_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved), m_is_planar(other.m_is_planar)
+    : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc),
+      m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions), m_continuations(other.m_arcs.size()),
+      m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved),
+      m_is_planar(other.m_is_planar)
   {
     for (const Exact_arc_2& arc : other.m_arcs)
       m_arcs.emplace_back(arc);
     for (const auto& [exact_point, point, ends, normal_cones, is_exact, rest] : other.m_vertices) {
-      Vertex& vertex = m_vertices.emplace_back(Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, normal_cones, is_exact});
+      Vertex& vertex = m_vertices.emplace_back(
+          Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, normal_cones, is_exact});
       vertex.enclose();
       for (const Arc_end& end : ends)
         vertex.enclose_by_end(m_arcs[end.arc], end.is_end);
     }
-    for (const auto& [is_normal_cone, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle, component] : other.m_elements)
-      m_elements.push_back({is_normal_cone, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next, cycle, component});
+    for (const auto& [is_normal_cone, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle,
+                      component] : other.m_elements)
+      m_elements.push_back(
+          {is_normal_cone,
+           object,
+           is_reversed,
+           exact_normals,
+           {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])},
+           perpendicular_ends,
+           next,
+           cycle,
+           component});
     for (const Vertex& vertex : m_vertices)
       find_continuations(vertex);
   }
@@ -110,7 +126,8 @@ public:
   }
 
   // Ends that have no place given are those of the piece.
-  void add_arc(Homogeneous_piece piece, std::size_t curve, const std::array<std::optional<Place_of_end>, 2>& places = {})
+  void add_arc(Homogeneous_piece piece, std::size_t curve,
+               const std::array<std::optional<Place_of_end>, 2>& places = {})
   {
     const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
     Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
@@ -119,7 +136,8 @@ public:
     m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
     m_curve_of_arc.push_back(curve);
     m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});
-    const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a), places[1] ? places[1]->vertex : add_point(b)};
+    const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a),
+                                              places[1] ? places[1]->vertex : add_point(b)};
     m_vertices_of_arc.push_back(vertices);
     for (const bool is_end : {false, true}) {
       m_vertices[vertices[is_end]].ends.push_back({m_arcs.size(), is_end});
@@ -131,7 +149,8 @@ public:
   // For parts that other curves have, too, and only one of which has been added.
   void add_coincident_parts(const Coincident_parts_2& parts) { m_coincident_parts.push_back(parts); }
 
-  // Orders the arcs around the vertices, and makes the elements. Where some may overlap, the graph is not proved; where some may cross, it is not planar.
+  // Orders the arcs around the vertices, and makes the elements. Where some may overlap, the graph is not proved; where
+  // some may cross, it is not planar.
   void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true)
   {
     m_is_proved = are_arcs_disjoint;
@@ -159,7 +178,10 @@ public:
   // Whether an arc is a part of a curve, its own or one that overlaps it there.
   bool is_part_of(std::size_t arc, std::size_t curve) const
   {
-    return m_curve_of_arc[arc] == curve || std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) { return parts.curves[1] == curve && parts.hold(0, m_curve_of_arc[arc], m_arcs[arc].piece().domain); });
+    return m_curve_of_arc[arc] == curve ||
+        std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) {
+             return parts.curves[1] == curve && parts.hold(0, m_curve_of_arc[arc], m_arcs[arc].piece().domain);
+           });
   }
 
   // The parameter of a point of an arc, of its curve.
@@ -174,7 +196,9 @@ public:
   Interval_pair way_between(std::size_t from, std::size_t to) const
   {
     const Vertex &p = m_vertices[from], &q = m_vertices[to];
-    const auto way = [&](std::size_t k) { return Interval(q.point[k].inf()) - Interval(p.point[k].inf()) + (q.rest[k] - p.rest[k]); };
+    const auto way = [&](std::size_t k) {
+      return Interval(q.point[k].inf()) - Interval(p.point[k].inf()) + (q.rest[k] - p.rest[k]);
+    };
     return {way(0), way(1)};
   }
 
@@ -195,9 +219,13 @@ public:
 
   const Arc_continuations& continuations(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return continuations(end).only; }
-  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return continuations(end).nearly_smooth; }
+  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const
+  {
+    return continuations(end).nearly_smooth;
+  }
 
-  // The arc that leaves a vertex in the direction in which another one arrives, if it is the next one on a side of that, as for disks that touch both there.
+  // The arc that leaves a vertex in the direction in which another one arrives, if it is the next one on a side of
+  // that, as for disks that touch both there.
   std::optional<Arc_end> continuation_beside(const Arc_end& end, bool is_left) const
   {
     const Arc_end& next = next_around_vertex({false, end.arc, is_left != end.is_end}, end);
@@ -209,14 +237,18 @@ public:
   bool is_pocket(const Oriented_element& element, const Arc_end& end) const
   {
     const auto& next = nearly_smooth_continuation(end);
-    return next && (end.is_end != element.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
+    // on the left of the way to the corner
+    return next && (end.is_end != element.is_reversed) != next->is_left_reflex;
   }
 
-  // The end of the arc on the other side of the cusp in which an element ends: that arc leaves the vertex in the same direction, and nothing is between.
+  // The end of the arc on the other side of the cusp in which an element ends: that arc leaves the vertex in the same
+  // direction, and nothing is between.
   std::optional<Arc_end> across_cusp(const Oriented_element& element, const Arc_end& end) const
   {
     const Arc_end& next = next_around_vertex(element, end);
-    return !is_last_around_vertex(element, end) && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+    return !is_last_around_vertex(element, end) && are_same_directions(direction(end), direction(next))
+        ? std::optional(next)
+        : std::nullopt;
   }
 
   // Whether the next arc around the vertex is on the other side of all others, if all leave in one direction.
@@ -226,17 +258,20 @@ public:
     return end == (is_left_of_way_to(element, end) ? ends.front() : ends.back());
   }
 
-  // That of the next arc around the vertex in which an element ends, on the side of the element; and the element on the other side of the angle between them.
+  // That of the next arc around the vertex in which an element ends, on the side of the element; and the element on the
+  // other side of the angle between them.
   const Arc_end& next_around_vertex(const Oriented_element& element, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
-    const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()), n = ends.size();
+    const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()),
+                      n = ends.size();
     return ends[(i + (is_left_of_way_to(element, end) ? n - 1 : 1)) % n];
   }
 
   std::size_t element_across(const Oriented_element& element, const Arc_end& end) const
   {
-    return is_left_of_way_to(element, end) ? departing(next_around_vertex(element, end)) : arriving(next_around_vertex(element, end));
+    return is_left_of_way_to(element, end) ? departing(next_around_vertex(element, end))
+                                           : arriving(next_around_vertex(element, end));
   }
 
   // Those of the arcs on both sides of a normal cone.
@@ -252,7 +287,8 @@ public:
   // Whether an element is a normal cone between arcs that join nearly smoothly.
   bool is_in_nearly_smooth_joint(const Oriented_element& element) const
   {
-    return element.is_normal_cone && !m_vertices[element.object].ends.empty() && nearly_smooth_continuation(m_vertices[element.object].ends.front()).has_value();
+    return element.is_normal_cone && !m_vertices[element.object].ends.empty() &&
+        nearly_smooth_continuation(m_vertices[element.object].ends.front()).has_value();
   }
 
   // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
@@ -263,7 +299,10 @@ public:
     if (element.is_normal_cone) {
       const Interval u = interval_of<Interval>(range);
       const Interval_pair difference = element.normals[1] - element.normals[0];
-      return {m_vertices[element.object].point, {Interval(0), Interval(0)}, {element.normals[0][0] + u * difference[0], element.normals[0][1] + u * difference[1]}, difference};
+      return {m_vertices[element.object].point,
+              {Interval(0), Interval(0)},
+              {element.normals[0][0] + u * difference[0], element.normals[0][1] + u * difference[1]},
+              difference};
     }
     const Site_arc_2& arc = m_arcs[element.object];
     const Curve_jet jet = arc.jet(range, 2);
@@ -272,7 +311,8 @@ public:
     return {jet[0], jet[1], side * turned_left(tangent), side * turned_left(change)};
   }
 
-  // Whether a vertex lies on the line or circle of the arc of an element: the disks through it then are half-planes, or have the curvature of the circle.
+  // Whether a vertex lies on the line or circle of the arc of an element: the disks through it then are half-planes, or
+  // have the curvature of the circle.
   bool is_vertex_on_line_or_circle_of(std::size_t element, std::size_t vertex) const
   {
     if (m_elements[element].is_normal_cone)
@@ -289,11 +329,15 @@ public:
       return false;
     if (m_vertices[vertex].is_exact)
       return arc.is_on_line_or_circle(m_vertices[vertex].exact_point);
-    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(element, end.arc); });
+    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(),
+                       [&](const Arc_end& end) { return is_on_line_or_circle_of(element, end.arc); });
   }
 
   // A point of an element, of an arc by the parameter of its piece, and the normal there.
-  Exact_pair exact_point_at(const Oriented_element& element, const Exact_rational& u) const { return element.is_normal_cone ? m_vertices[element.object].exact_point : m_arcs[element.object].at(u); }
+  Exact_pair exact_point_at(const Oriented_element& element, const Exact_rational& u) const
+  {
+    return element.is_normal_cone ? m_vertices[element.object].exact_point : m_arcs[element.object].at(u);
+  }
   Exact_pair exact_normal(const Oriented_element& element, const Exact_rational& u) const
   {
     if (element.is_normal_cone) {
@@ -301,7 +345,8 @@ public:
       return {Exact_rational(from[0] + u * (to[0] - from[0])), Exact_rational(from[1] + u * (to[1] - from[1]))};
     }
     const Exact_pair tangent = m_arcs[element.object].tangent_at(u);
-    return element.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
+    return element.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])}
+                               : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
   }
 
   // Whether the first or last normal of a normal cone is perpendicular to an arc there.
@@ -311,7 +356,10 @@ public:
     return std::find(ends.begin(), ends.end(), end) != ends.end();
   }
 
-  const Exact_pair& exact_point(const Oriented_element& element, bool end) const { return m_vertices[element.is_normal_cone ? element.object : vertex_of({element.object, end})].exact_point; }
+  const Exact_pair& exact_point(const Oriented_element& element, bool end) const
+  {
+    return m_vertices[element.is_normal_cone ? element.object : vertex_of({element.object, end})].exact_point;
+  }
 
   // Whether an arc lies on the line or circle of the arc of an element.
   bool is_on_line_or_circle_of(std::size_t element, std::size_t arc) const
@@ -324,13 +372,15 @@ public:
     return own.circle() && own.circle() == other.circle();
   }
 
-  // Whether no disk that touches an element touches an arc elsewhere: it lies on the line or circle of the element; or it is a segment that ends in the vertex of the element, or is behind one.
+  // Whether no disk that touches an element touches an arc elsewhere: it lies on the line or circle of the element; or
+  // it is a segment that ends in the vertex of the element, or is behind one.
   bool is_never_touched(std::size_t element, std::size_t arc) const
   {
     if (!m_elements[element].is_normal_cone)
       return is_on_line_or_circle_of(element, arc);
     const auto& ends = m_vertices[m_elements[element].object].ends;
-    return m_arcs[arc].is_straight() && std::any_of(ends.begin(), ends.end(), [&](const Arc_end& end) { return is_on_ray_of(m_arcs[arc], end); });
+    return m_arcs[arc].is_straight() &&
+        std::any_of(ends.begin(), ends.end(), [&](const Arc_end& end) { return is_on_ray_of(m_arcs[arc], end); });
   }
 
 private:
@@ -355,10 +405,13 @@ private:
       return turn != 0 ? turn > 0 : is_germ_before(a, b);
     };
     std::stable_sort(vertex.ends.begin(), vertex.ends.end(), is_before);
-    return std::adjacent_find(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& a, const Arc_end& b) { return !is_before(a, b); }) == vertex.ends.end();
+    return std::adjacent_find(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& a, const Arc_end& b) {
+             return !is_before(a, b);
+           }) == vertex.ends.end();
   }
 
-  // Of arcs that leave a vertex in one direction. Others than pieces of one curve have no more coefficients in common than their degrees allow.
+  // Of arcs that leave a vertex in one direction. Others than pieces of one curve have no more coefficients in common
+  // than their degrees allow.
   bool is_germ_before(const Arc_end& a, const Arc_end& b) const
   {
     if (!is_exact(a) || !is_exact(b))
@@ -367,15 +420,19 @@ private:
     return Arc_germ(m_arcs[a.arc], a.is_end, order) < Arc_germ(m_arcs[b.arc], b.is_end, order);
   }
 
-  // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less than 180 degrees, or that because one curve passes.
+  // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less
+  // than 180 degrees, or that because one curve passes.
   bool is_order_proved(const Vertex& vertex) const
   {
     for (std::size_t i = 0; i < vertex.ends.size(); ++i) {
       const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + 1) % vertex.ends.size()];
       if (is_exact(a) && is_exact(b))
         continue;
-      const auto way = [&](const Arc_end& end) { return Interval(end.is_end ? -1 : 1) * m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]; };
-      const bool is_one_curve = sign_of(exact_cross(direction(a), direction(b))) == 0 && a.is_end != b.is_end && (a.is_end ? b.arc == a.arc + 1 : a.arc == b.arc + 1);
+      const auto way = [&](const Arc_end& end) {
+        return Interval(end.is_end ? -1 : 1) * m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1];
+      };
+      const bool is_one_curve = sign_of(exact_cross(direction(a), direction(b))) == 0 && a.is_end != b.is_end &&
+          (a.is_end ? b.arc == a.arc + 1 : a.arc == b.arc + 1);
       if (!is_one_curve && certain_sign(dot(turned_left(way(a)), way(b))) <= 0)
         return false;
     }
@@ -397,18 +454,23 @@ private:
           continue;
         const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
         if (turn == 0) {
-          const Smooth_continuation next{b, !has_ratio ? any_number<Interval>() : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio) : ratio_of_speeds(a, b, k)};
+          const Smooth_continuation next{b,
+                                         !has_ratio                       ? any_number<Interval>()
+                                             : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio)
+                                                                          : ratio_of_speeds(a, b, k)};
           const bool goes_on = goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a);
           if (goes_on)
             m_continuations[a.arc][a.is_end].only = next;
           if (goes_on || (is_exact(a) && is_exact(b)))
             m_continuations[a.arc][a.is_end].smooth.push_back(next);
         } else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
-          m_continuations[a.arc][a.is_end].nearly_smooth = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
+          m_continuations[a.arc][a.is_end].nearly_smooth =
+              nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
   }
 
-  // Which of several opposite arcs goes on as another one: that next to it around the vertex; if there is one on each side, that of the same curve.
+  // Which of several opposite arcs goes on as another one: that next to it around the vertex; if there is one on each
+  // side, that of the same curve.
   bool goes_on_as(const Vertex& vertex, const Arc_end& a, const Arc_end& b) const
   {
     const auto is_opposite = [&](const Arc_end& end) { return are_same_directions(direction(end), direction(b)); };
@@ -416,25 +478,33 @@ private:
       return true;
     const Oriented_element left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
     const Arc_end &next = next_around_vertex(left, a), &last = next_around_vertex(right, a);
-    return (b == next || b == last) && (!is_opposite(next) || !is_opposite(last) || (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
+    return (b == next || b == last) &&
+        (!is_opposite(next) || !is_opposite(last) ||
+         (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
   }
 
   // Of absolute values.
   Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
   {
-    const auto speed = [&](const Arc_end& end) { return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate])); };
+    const auto speed = [&](const Arc_end& end) {
+      return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate]));
+    };
     return speed(b) / speed(a);
   }
 
   // From the derivatives of both arcs.
-  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s, const Exact_pair& t, double scale, bool is_left_reflex)
+  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s,
+                                                               const Exact_pair& t, double scale, bool is_left_reflex)
   {
     const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
     const auto jump = [&](std::size_t k) { return interval_of<Interval>(Exact_rational(away * t[k] - to_end * s[k])); };
     return {b, scale, {jump(0), jump(1)}, is_left_reflex};
   }
 
-  static bool is_left_of_way_to(const Oriented_element& element, const Arc_end& end) { return end.is_end != element.is_reversed; }
+  static bool is_left_of_way_to(const Oriented_element& element, const Arc_end& end)
+  {
+    return end.is_end != element.is_reversed;
+  }
 
   // The element that is traversed away from an end of an arc, or toward it.
   static std::size_t departing(const Arc_end& end) { return 2 * end.arc + end.is_end; }
@@ -456,11 +526,15 @@ private:
     }
     for (std::size_t i = 0; i < n; ++i) {
       const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + n - 1) % n];
-      const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])}, to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
+      const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])},
+                       to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
       const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
       std::size_t last = arriving(a);
-      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_elements[last].next = add_normal_cone(v, n0, with_length_of(n0, n1)); };
-      if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {   // the last case: all arcs leave in one direction
+      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) {
+        last = m_elements[last].next = add_normal_cone(v, n0, with_length_of(n0, n1));
+      };
+      // the last case: all arcs leave in one direction
+      if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {
         if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
           const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
           turn(from, middle);
@@ -474,7 +548,8 @@ private:
 
   std::size_t add_normal_cone(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
-    Oriented_element normal_cone{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
+    Oriented_element normal_cone{
+        true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
         if (sign_of(exact_dot(normal_cone.exact_normals[k], direction(end))) == 0)

@@ -87,8 +87,11 @@ private:
     m_nodes.push_back({box, first, last});
     if (last - first == 1)
       return index;
-    const std::size_t axis = box[0].sup() - box[0].inf() < box[1].sup() - box[1].inf(), half = first + (last - first) / 2;
-    std::nth_element(m_items.begin() + static_cast<std::ptrdiff_t>(first), m_items.begin() + static_cast<std::ptrdiff_t>(half), m_items.begin() + static_cast<std::ptrdiff_t>(last),
+    const std::size_t axis = box[0].sup() - box[0].inf() < box[1].sup() - box[1].inf(),
+                      half = first + (last - first) / 2;
+    std::nth_element(m_items.begin() + static_cast<std::ptrdiff_t>(first),
+                     m_items.begin() + static_cast<std::ptrdiff_t>(half),
+                     m_items.begin() + static_cast<std::ptrdiff_t>(last),
                      [axis](const Item& a, const Item& b) { return middle(a.box[axis]) < middle(b.box[axis]); });
     const std::size_t lower = build(first, half), upper = build(half, last);
     m_nodes[index].children[0] = lower;

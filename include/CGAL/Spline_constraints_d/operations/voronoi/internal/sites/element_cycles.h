@@ -17,7 +17,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Numbers the cycles in which elements follow each other, and the connected sets that they belong to: those of both sides of an arc are connected. The sides of arc i are elements 2 i and 2 i + 1.
+// Numbers the cycles in which elements follow each other, and the connected sets that they belong to: those of both
+// sides of an arc are connected. The sides of arc i are elements 2 i and 2 i + 1.
 template <Enclosing_number Interval>
 void number_cycles(std::vector<Basic_oriented_element<Interval>>& elements)
 {

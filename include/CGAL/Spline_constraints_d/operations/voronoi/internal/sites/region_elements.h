@@ -34,13 +34,16 @@ std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
   return graph;
 }
 
-// The elements inside or outside of a region, of which this is the graph: the sides of arcs there, and the normal cones that they lead to.
+// The elements inside or outside of a region, of which this is the graph: the sides of arcs there, and the normal cones
+// that they lead to.
 template <class Region>
 std::vector<std::size_t> region_elements(const Site_graph_2& graph, const Region& region, bool is_inside)
 {
   const auto is_reversed = [&](std::size_t arc) {   // against the direction that has the region on the left
     const auto& arcs = region.arcs_of_curves()[graph.curve_of_arc(arc)];
-    return std::find_if(arcs.begin(), arcs.end(), [&](const auto& own) { return own.parameters[1] >= graph.arcs()[arc].piece().domain.second; })->is_reversed;
+    return std::find_if(arcs.begin(), arcs.end(),
+                        [&](const auto& own) { return own.parameters[1] >= graph.arcs()[arc].piece().domain.second; })
+        ->is_reversed;
   };
   std::vector<std::size_t> result;
   std::vector<char> is_visited(graph.elements().size(), false);

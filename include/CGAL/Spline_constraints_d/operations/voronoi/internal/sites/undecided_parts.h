@@ -26,12 +26,14 @@ struct Element_range
   Range range;
 };
 
-// The part of a curve that a part of an element belongs to: of a normal cone, the end of one of the arcs there; of an isolated point, no curve.
+// The part of a curve that a part of an element belongs to: of a normal cone, the end of one of the arcs there; of an
+// isolated point, no curve.
 inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Element_range& part)
 {
   const Oriented_element& element = graph.elements()[part.element];
   if (!element.is_normal_cone)
-    return {graph.curve_of_arc(element.object), graph.curve_parameter(element.object, part.range.begin), graph.curve_parameter(element.object, part.range.end)};
+    return {graph.curve_of_arc(element.object), graph.curve_parameter(element.object, part.range.begin),
+            graph.curve_parameter(element.object, part.range.end)};
   const auto& ends = graph.vertices()[element.object].ends;
   if (ends.empty())
     return {std::numeric_limits<std::size_t>::max(), 0, 0};
@@ -39,7 +41,8 @@ inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Element_r
   return {graph.curve_of_arc(ends.front().arc), t, t};
 }
 
-// Those parts of curves, in order, where parts that meet are one. Of a graph that is not proved, where curves may overlap, all of each curve.
+// Those parts of curves, in order, where parts that meet are one. Of a graph that is not proved, where curves may
+// overlap, all of each curve.
 inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2& graph, std::vector<Element_range> ranges)
 {
   for (std::size_t f = 0; f < graph.elements().size() && !graph.is_proved(); ++f)
@@ -47,7 +50,9 @@ inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2& graph, 
   std::vector<Undecided_part_2> parts, result;
   for (const Element_range& range : ranges)
     parts.push_back(part_of_curve(graph, range));
-  std::sort(parts.begin(), parts.end(), [](const Undecided_part_2& a, const Undecided_part_2& b) { return std::tie(a.curve, a.from, a.to) < std::tie(b.curve, b.from, b.to); });
+  std::sort(parts.begin(), parts.end(), [](const Undecided_part_2& a, const Undecided_part_2& b) {
+    return std::tie(a.curve, a.from, a.to) < std::tie(b.curve, b.from, b.to);
+  });
   for (const Undecided_part_2& part : parts)
     if (!result.empty() && result.back().curve == part.curve && part.from <= result.back().to)
       result.back().to = (std::max)(result.back().to, part.to);

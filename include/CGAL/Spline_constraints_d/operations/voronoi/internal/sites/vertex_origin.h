@@ -17,12 +17,14 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The curve of the lowest index that ends or has a joint in a vertex, with its lowest parameter there; none for an isolated point.
+// The curve of the lowest index that ends or has a joint in a vertex, with its lowest parameter there; none for an
+// isolated point.
 inline std::optional<std::pair<std::size_t, double>> vertex_origin(const Site_graph_2& graph, std::size_t vertex)
 {
   std::optional<std::pair<std::size_t, double>> result;
   for (const Arc_end& end : graph.vertices()[vertex].ends) {
-    const std::pair<std::size_t, double> place{graph.curve_of_arc(end.arc), graph.curve_parameter(end.arc, end.parameter())};
+    const std::pair<std::size_t, double> place{graph.curve_of_arc(end.arc),
+                                               graph.curve_parameter(end.arc, end.parameter())};
     result = result ? (std::min)(*result, place) : place;
   }
   return result;
