@@ -41,7 +41,7 @@ struct Common_point
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 An intersection of two operands, each a point, a curve or a surface: parameters on both, within ranges that are proved
 to hold those of the common point, or of the common piece.
@@ -130,7 +130,7 @@ private:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 The answers of an operation that finds common points, and whether they are all.
 
@@ -176,7 +176,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of
 the second: on a ray, from its source on.

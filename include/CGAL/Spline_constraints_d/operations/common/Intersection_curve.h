@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A part of an intersection curve without seams inside of it.
 */
@@ -32,7 +32,7 @@ struct Intersection_arc
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A connected curve that two surfaces have in common.
 */

@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 What is known of an intersection of two operands.
 */
@@ -28,7 +28,7 @@ enum class Intersection_kind {
   UNDECIDED      ///< nothing is proved: there may be common points with these parameters
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDIntersections
 //! writes `transversal`, `tangent`, `end point`, `overlap` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Intersection_kind kind)
 {

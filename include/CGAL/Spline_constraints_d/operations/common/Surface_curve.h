@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A line in the domain of a surface, on which one of the parameters is constant.
 */
@@ -28,7 +28,7 @@ struct Constant_parameter
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A connected curve on a surface.
 */

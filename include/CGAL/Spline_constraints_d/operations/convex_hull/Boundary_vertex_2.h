@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDConvexHulls
 
 A vertex of a boundary that consists of arcs of curves and of segments between points of them, as those of a convex hull
 and of what is seen from a point.

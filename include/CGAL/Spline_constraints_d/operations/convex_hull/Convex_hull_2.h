@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDConvexHulls
 
 The convex hull of curves and points in the plane: its boundary, counterclockwise, of arcs of the curves and segments
 that touch them.

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDConvexHulls
 
 What a part of the boundary of a convex hull is.
 */
@@ -23,7 +23,7 @@ enum class Hull_edge_kind {
   UNDECIDED
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDConvexHulls
 //! writes `arc`, `segment` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Hull_edge_kind kind)
 {
@@ -32,7 +32,7 @@ inline std::ostream& operator<<(std::ostream& out, Hull_edge_kind kind)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDConvexHulls
 
 A part of the boundary of a convex hull, with the hull on its left.
 */

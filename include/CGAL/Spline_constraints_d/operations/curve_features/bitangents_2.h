@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A line that is tangent to two curves, or to one curve twice.
 */
@@ -48,7 +48,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 The bitangents of two curves or of one.
 */
@@ -252,7 +252,7 @@ private:
 } // namespace internal
 
 /*!
-\addtogroup PkgSplineConstraintsDOperations
+\addtogroup PkgSplineConstraintsDCurveFeatures
 @{
 */
 

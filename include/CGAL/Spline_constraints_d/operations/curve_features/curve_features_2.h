@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 What is proved of a point, or piece, where a quantity along a curve may have an extreme, or change its sign.
 */
@@ -43,7 +43,7 @@ enum class Curve_feature_kind {
   UNDECIDED     ///< nothing is proved; only when a limit ended the run
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDCurveFeatures
 //! writes `inflection`, `maximum`, `minimum`, `stationary`, `constant`, `singular`, `break` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Curve_feature_kind kind)
 {
@@ -53,7 +53,7 @@ inline std::ostream& operator<<(std::ostream& out, Curve_feature_kind kind)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A point of a planar curve with what is proved of it; or a piece of the curve, all of whose points are like that.
 */
@@ -97,7 +97,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 The features of a curve in the order of their parameters.
 */
@@ -349,7 +349,7 @@ inline std::vector<Sign_event> events_with_ends(const Sign_sequence& signs, cons
 } // namespace internal
 
 /*!
-\addtogroup PkgSplineConstraintsDOperations
+\addtogroup PkgSplineConstraintsDCurveFeatures
 @{
 */
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A point of an offset.
 */
@@ -33,7 +33,7 @@ struct Offset_sample_2
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A part of an offset without cusps, corners and gaps inside.
 */
@@ -44,7 +44,7 @@ struct Offset_arc_2
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 An offset as polylines.
 */
@@ -55,7 +55,7 @@ struct Offset_arcs_2
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 an offset, untrimmed, as polylines with so many points that it passes the middles of their chords at no more than a
 given distance; that on the other side of the curve is the offset with the negative distance.

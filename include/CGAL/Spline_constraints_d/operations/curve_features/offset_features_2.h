@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 /*!
-\addtogroup PkgSplineConstraintsDOperations
+\addtogroup PkgSplineConstraintsDCurveFeatures
 @{
 */
 

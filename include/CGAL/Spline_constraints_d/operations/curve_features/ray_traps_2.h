@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A closed path of a ray that is reflected once by each of some curves, one after the other.
 */
@@ -49,7 +49,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 The ray-traps of some curves.
 */
@@ -149,7 +149,7 @@ Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const S
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 all ray-traps of length \f$n \ge 2\f$: points \f$P_i = C_i(u_i)\f$, one on each curve, such that a ray from
 \f$P_{i-1}\f$ to \f$P_i\f$ is reflected there towards \f$P_{i+1}\f$, and after the last one towards the first. Curves do

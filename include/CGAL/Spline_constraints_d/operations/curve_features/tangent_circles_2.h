@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 Whether the open disk of a circle holds a point of the three curves that it touches.
 */
@@ -34,7 +34,7 @@ enum class Emptiness {
   UNDECIDED    ///< neither is proved
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDCurveFeatures
 //! writes `empty`, `not empty` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Emptiness emptiness)
 {
@@ -43,7 +43,7 @@ inline std::ostream& operator<<(std::ostream& out, Emptiness emptiness)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 A circle that is tangent to three curves.
 */
@@ -94,7 +94,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 The circles that are tangent to three curves.
 */
@@ -312,7 +312,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDCurveFeatures
 
 all circles that are tangent to three curves in the plane, wherever their centers are.
 

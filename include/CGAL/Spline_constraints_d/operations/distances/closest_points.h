@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 A point of each of two operands, known by ranges of their parameters, and their distance.
 
@@ -84,7 +84,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 The feet of the perpendiculars from a point: pairs of that point, which is operand 0, and a foot, operand 1.
 */
@@ -99,7 +99,7 @@ struct Projections
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 Where two operands are closest to each other: all pairs of points that may be, and the distance.
 */
@@ -147,7 +147,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 all feet of perpendiculars from a point \f$P\f$ to a curve or surface: \f$\langle C(u) - P, C'(u)\rangle = 0\f$, for a
 surface one equation for each of its two derivatives. Every foot is reported, near or far.
@@ -187,7 +187,7 @@ requires internal::Common::Spline_operands<Point, Object> &&
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 where two of {point, curve, surface} in the plane or in space are closest to each other: the pairs of parameters for
 which \f$|A - B|^2\f$ is least, and a certified enclosure of that number.
@@ -233,7 +233,7 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 two doubles between which the distance of two operands lies: `closest_points(a, b, options).distance_range()`.
 */

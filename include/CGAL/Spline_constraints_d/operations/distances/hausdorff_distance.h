@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 The Hausdorff distance of two curves, or a one-sided one, within certain bounds; and a point that is as far from the
 other curve as these say.
@@ -201,7 +201,7 @@ Hausdorff_distance_of<C1> hausdorff_distance(const C1& c1, const C2& c2, double 
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 the Hausdorff distance of two curves in the plane or in space, the largest distance of a point of one of them from the
 other one: \f$\max(h(C_1,C_2), h(C_2,C_1))\f$ with
@@ -232,7 +232,7 @@ auto hausdorff_distance(const C1& c1, const C2& c2, double tolerance = 1e-6)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 the largest distance of a point of the first curve from the second curve, \f$h(C_1,C_2)\f$; otherwise as
 `hausdorff_distance()`.

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 The distance of two regions of the plane, and where they are nearest to each other.
 
@@ -149,7 +149,7 @@ std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& 
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDDistances
 
 the distance of two regions, with all pairs of nearest points.
 

@@ -49,7 +49,7 @@ inline Intersection_kind intersection_kind(Solution_kind kind)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A common point, or piece, of several curves and surfaces in `d`-space: its coordinates, and the parameters on those
 operands that have some, within proved ranges.
@@ -122,7 +122,7 @@ public:
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 The intersections of curves and surfaces in `d`-space, those of one kind after another.
 */

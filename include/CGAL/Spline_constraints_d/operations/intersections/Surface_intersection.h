@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A point of a polyline along an intersection curve.
 */
@@ -40,7 +40,7 @@ struct Intersection_sample
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 All that two surfaces have in common: curves, whose number and connections are proved, singular points, single points,
 and what is undecided.
@@ -258,7 +258,7 @@ private:
   }
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDIntersections
 //! writes one line: the numbers of curves, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Surface_intersection<Kernel>& intersection)

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 A point that two surfaces have in common and that is not just one of many along a curve: where a curve ends, a singular
 point, or a single point. Its parameters lie in ranges that are proved to hold them.

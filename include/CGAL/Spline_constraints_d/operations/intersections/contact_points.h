@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 the points where two surfaces touch: \f$A(u,v) = B(s,t)\f$ with parallel normals, five equations
 \f[ A - B = 0, \qquad \langle A_u, B_s \times B_t\rangle = \langle A_v, B_s \times B_t\rangle = 0. \f]

@@ -150,7 +150,7 @@ inline Solved_part common_curves(Surface_equations surfaces, Equations_of_surfac
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all curves that two surfaces have in common, with proofs of their number and of how they are connected; with a plane as
 one of the surfaces, plane sections and contour lines of the other one.

@@ -32,7 +32,7 @@ Spline_constraints::Intersections<Kernel, d> intersections_of(const Patch_pair<d
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane
 for points and curves, in space also for a point or curve with a surface. Two surfaces have curves in common, see

@@ -228,7 +228,7 @@ concept Locus_operands = Locus_operand<First> &&(Locus_operand<Others>&&...) &&
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all intersections of two curves in the plane, or of a curve and a surface in space, or of a point with one of these, of
 which one at least is implicit or procedural.
@@ -269,7 +269,7 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all points that three operands have in common, such as three implicit surfaces in space.
 

@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 Whether the intersections of a collection of curves include those of each curve with itself.
 */
 enum class Self_intersections { EXCLUDED, INCLUDED };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 Two curves of a collection that meet, or may meet; or a curve and itself.
 */
@@ -44,7 +44,7 @@ struct Intersecting_pair
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 All intersections between the curves of one collection, or of two.
 */
@@ -133,7 +133,7 @@ auto patches_of(const Range& range)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all intersections between each two curves of a collection, such as the paths of a drawing; on request also those of each
 curve with itself, as pairs of a curve with itself.
@@ -161,7 +161,7 @@ auto pairwise_intersections(const Range& curves, const Solver_options& options =
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 all intersections between the curves of one collection and those of another one, as `pairwise_intersections()` of one
 collection.

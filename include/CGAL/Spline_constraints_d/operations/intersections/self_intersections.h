@@ -34,7 +34,7 @@ Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDIntersections
 
 where a curve meets itself: all pairs of parameters \f$u < v\f$ with \f$C(u) = C(v)\f$, in the plane or in space. Both
 operands of the answers are the curve; the parameter on operand 0 is the lower one.

@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDJoints
 /// @{
 
 //! curves of which ends that were nearly on others are on them, and what that took.

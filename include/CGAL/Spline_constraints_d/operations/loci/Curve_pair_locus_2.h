@@ -45,7 +45,7 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for
 example. They are solutions of equations in both parameters, with a proved topology.
@@ -256,7 +256,7 @@ private:
   }
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDLoci
 //! writes one line: the numbers of curves, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Curve_pair_locus_2<Kernel>& locus)

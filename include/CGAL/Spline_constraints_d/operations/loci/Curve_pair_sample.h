@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 A point that belongs to one point on each of two curves.
 */

@@ -31,7 +31,7 @@ inline Double_pair point_of_alpha_sector(double ratio, const Pair_of_points& pai
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 the \f$\alpha\f$-sector of two curves, untrimmed: all points \f$P\f$ on normals of both curves whose distances from the
 two points there have the ratio \f$\alpha : 1 - \alpha\f$,

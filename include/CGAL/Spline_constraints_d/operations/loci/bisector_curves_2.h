@@ -39,7 +39,7 @@ inline Double_pair center_of_tangent_circle(const Pair_of_points& pair)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 the bisector of two curves, untrimmed: all centers of circles that touch both of them, with the parameters of the points
 where they do. Other points of the curves may be nearer. The topology of the curves is proved.

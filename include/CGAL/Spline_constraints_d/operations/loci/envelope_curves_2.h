@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 which parallel tangents of two curves count.
 */
 enum class Tangent_directions {
@@ -22,7 +22,7 @@ enum class Tangent_directions {
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 the envelope of a curve that is moved along another one, untrimmed: all points \f$C_1(u) + C_2(v)\f$ with parallel
 tangents,

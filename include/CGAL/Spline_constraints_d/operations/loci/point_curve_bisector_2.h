@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 The bisector of a point and a planar curve: rational curves with exact coefficients.
 */
@@ -102,7 +102,7 @@ public:
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 the bisector of a point \f$Q\f$ and a curve, untrimmed: the centers of all circles through the point that touch the
 curve. It is a rational curve, of degree \f$3p-1\f$ for a polynomial one of degree \f$p\f$, and \f$4p-1\f$ for a

@@ -100,7 +100,7 @@ void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_m
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDLoci
 
 the bisector of a curve with itself, untrimmed: all centers of circles that touch it at two parameters \f$u < v\f$,
 which its medial axis is a part of. The topology of the curves is proved.

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDMinkowskiSums
 
 The Minkowski sum of two regions, or of a region and a curve: all sums of a point of one and a point of the other. A
 region, whose boundaries consist of arcs that are sums of points of two curves with the same direction.

@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDMinkowskiSums
 
 the Minkowski sum of two regions, \f$A \oplus B = \{a + b : a \in A,\ b \in B\}\f$; with a disk, all points that are not
 farther from \f$A\f$ than its radius.
@@ -49,7 +49,7 @@ Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Pl
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDMinkowskiSums
 
 the Minkowski sum of a region and a polygon.
 \throws Invalid_input when the polygon is empty or crosses itself, and as above.

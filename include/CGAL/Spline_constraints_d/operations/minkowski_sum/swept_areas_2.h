@@ -43,7 +43,7 @@ std::vector<Boundary_loop_2> both_sides(const Curve& curve)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDMinkowskiSums
 
 what a region covers when it is moved along a curve, without being turned: the Minkowski sum of both, \f$A \oplus C =
 \{a + C(u)\}\f$. Move the region first if one of its points is to follow the curve.
@@ -70,7 +70,7 @@ Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const 
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDMinkowskiSums
 
 what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where
 this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of

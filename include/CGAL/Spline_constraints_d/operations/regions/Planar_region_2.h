@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 A bounded region of the plane, of one or more parts, with or without holes, whose boundaries are made of B-spline
 curves.

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 writes a region: the number of its curves, and the curves in their order, as `operator<<` of curves does, one in a line;
 so nothing is rounded.
@@ -32,7 +32,7 @@ std::ostream& operator<<(std::ostream& out, const Planar_region_2<Kernel>& regio
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 reads a region that was written in this way: the same curves, with the same boundaries. It is proved again that these
 are closed and do not cross. If they do, or there is no valid region, the stream fails and the region remains as it was.

@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDRegions
 /// @{
 
 //! the region between curves; see the constructor of `Planar_region_2`.

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, from its point `chord` to the next one.
 The parameters there are those of the samples that the polyline was made of.
@@ -46,7 +46,7 @@ using Chord_traits_2 = CGAL::Arr_consolidated_curve_data_traits_2<Chord_segment_
 } // namespace Regions
 } // namespace internal
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDRegions
 //! an exact arrangement of chords; `edge->curve().data()` lists the labels of an edge, several where chords overlap.
 using Polyline_arrangement_2 = CGAL::Arrangement_2<internal::Regions::Chord_traits_2>;
 
@@ -88,7 +88,7 @@ Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polyline
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 the arrangement of polylines in the plane: of bisectors, envelopes, contour lines, and others that operations return.
 
@@ -110,7 +110,7 @@ Polyline_arrangement_2 to_arrangement(const std::vector<std::vector<Point>>& pol
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 The curves of solutions of an equation in two unknowns as an arrangement of chords.
 */
@@ -148,7 +148,7 @@ bool is_crossing_free(const Arrangement& arrangement, const std::vector<std::vec
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 the arrangement of all curves of solutions of an equation in two unknowns.
 

@@ -239,7 +239,7 @@ private:
 } // namespace Regions
 } // namespace internal
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDRegions
 //! what has polygons with holes within any distance: `Planar_region_2`, `Trimmed_offset_2`, `Minkowski_sum_2`.
 template <class Region>
 concept Approximable_region_2 = requires(const Region& region) {
@@ -248,7 +248,7 @@ concept Approximable_region_2 = requires(const Region& region) {
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 a region, an offset, a Minkowski sum or a swept area as general polygons with holes of CGAL, whose edges are segments
 and arcs of circles, for its Boolean operations and arrangements.

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDRegions
 
 a region as general polygons with holes of CGAL, one for each part, whose arcs are exactly those of the region: for its
 Boolean operations, and for arrangements.

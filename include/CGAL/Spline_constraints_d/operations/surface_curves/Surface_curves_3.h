@@ -37,7 +37,7 @@ struct Domain_joints
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 A point of a polyline along a curve on a surface.
 */
@@ -52,7 +52,7 @@ struct Surface_curve_sample
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 Curves on a surface: its silhouettes, for example. They are the solutions of equations whose first two unknowns are the
 parameters of the surface, with a proved topology.
@@ -275,7 +275,7 @@ private:
   }
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDSurfaceCurves
 //! writes one line: the numbers of curves, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Surface_curves_3<Kernel>& curves)

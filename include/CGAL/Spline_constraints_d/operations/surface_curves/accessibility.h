@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 The direction in which a straight tool stands on a surface.
 */
@@ -268,7 +268,7 @@ void add_check(Access_boundaries<Kernel>& boundaries, const Surface& surface)
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the curves on a surface between the places that a thin straight tool, as in 5-axis milling, can reach and those where a
 check surface is in its way: where the ray from \f$S(u,v)\f$ along the axis \f$O(u,v)\f$ of the tool touches the check

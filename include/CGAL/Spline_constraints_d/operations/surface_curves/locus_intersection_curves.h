@@ -158,7 +158,7 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 all curves that two surfaces have in common, of which one at least is procedural, such as `Offset_surface_3`: no closed
 curve is lost, however small, and nothing is joined by distance.

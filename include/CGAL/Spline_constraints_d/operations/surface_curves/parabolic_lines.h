@@ -28,7 +28,7 @@ inline Cell_functions<1> second_form_determinants(const Spline_patch<3>& surface
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the parabolic lines of a surface, where its Gaussian curvature is zero, with a proof of their number and of how they are
 connected: on regular surfaces they separate regions that are curved like an egg from those that are curved like a

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the sections of a surface with parallel planes, or its contour lines: where \f$\langle S, v\rangle\f$ has given values,
 with a proof of the number of curves and of how they are connected, for each value.

@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 all curves in which a surface meets itself: the pairs of parameters \f$(u,v) \neq (s,t)\f$ with \f$S(u,v) = S(s,t)\f$,
 with a proof of their number and of how they are connected. No closed curve is lost, however small, and nothing is

@@ -30,7 +30,7 @@ Surface_curves_3<Kernel> silhouettes(const Spline_patch<3>& surface, const std::
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the silhouettes of a surface seen from a point: where its tangent planes contain the eye, with a proof of the number of
 curves and of how they are connected. The surface is transparent: parts that others hide are found, too.
@@ -65,7 +65,7 @@ silhouettes(const Surface& surface, const CGAL::Point_3<internal::Surface_curves
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 the silhouettes of a surface in a parallel view: where a direction is tangent to it. Otherwise as seen from a point.
 \param surface,options as above.
 \param direction the direction in which the viewer looks, of any length.

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 An affine motion: at the time \f$t\f$ it takes the point \f$(x,y,z)\f$ to \f$C(t) + x\,a_0(t) + y\,a_1(t) +
 z\,a_2(t)\f$.
@@ -166,7 +166,7 @@ Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface,
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the silhouettes of the envelope of a moving surface, seen from points: where a moved surface and the envelope of all of
 them have the same tangent plane, which contains the eye. With a matrix \f$A(t)\f$, the columns of which are the axes,

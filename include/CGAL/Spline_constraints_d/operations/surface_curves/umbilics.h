@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 Umbilics of a surface.
 
@@ -175,7 +175,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDSurfaceCurves
 
 the umbilics of a surface, where its curvature is the same in all directions: points at which the lines of curvature are
 singular. A flat point is one, too.

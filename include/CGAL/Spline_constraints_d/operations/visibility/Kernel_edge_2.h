@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 What a part of the boundary of the kernel of a region is.
 */
@@ -26,7 +26,7 @@ enum class Kernel_edge_kind {
   UNDECIDED  ///< it is not decided what the boundary is between two points
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDVisibility
 //! writes `arc`, `segment` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Kernel_edge_kind kind)
 {
@@ -35,7 +35,7 @@ inline std::ostream& operator<<(std::ostream& out, Kernel_edge_kind kind)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 A part of the boundary of the kernel of a region, with the kernel on its left.
 */

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 The kernel of a region of the plane: the points from which all of the region is seen. It is convex: what is on the left
 of all tangents of the boundary. Its own boundary, counterclockwise, consists of arcs of the curves, where these turn

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 What a part of the boundary of all that is seen from a point is.
 */
@@ -23,7 +23,7 @@ enum class Visible_edge_kind {
   UNDECIDED  ///< it is not decided what is seen between two points of curves
 };
 
-//! \ingroup PkgSplineConstraintsDOperations
+//! \ingroup PkgSplineConstraintsDVisibility
 //! writes `arc`, `segment`, `open` or `undecided`.
 inline std::ostream& operator<<(std::ostream& out, Visible_edge_kind kind)
 {
@@ -32,7 +32,7 @@ inline std::ostream& operator<<(std::ostream& out, Visible_edge_kind kind)
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 A part of the boundary of all that is seen from a point, which is on its left.
 */

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVisibility
 
 What is seen from a point between curves in the plane: all points that a segment joins to the viewpoint without crossing
 a curve. Its boundary, counterclockwise, consists of arcs of curves, and of segments of rays.

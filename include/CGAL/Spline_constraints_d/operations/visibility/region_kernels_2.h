@@ -13,7 +13,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDVisibility
 /// @{
 
 /*!

@@ -15,7 +15,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDVisibility
 /// @{
 
 /*!

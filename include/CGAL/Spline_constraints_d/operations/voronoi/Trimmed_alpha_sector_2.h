@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 A trimmed \f$\alpha\f$-sector: all points whose distances from two curves or points, each from the nearest of its
 points, have the ratio \f$\alpha : 1 - \alpha\f$.

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 A trimmed bisector: all points that have the same distance from two curves or points, or the same least distance from
 two points of one curve.

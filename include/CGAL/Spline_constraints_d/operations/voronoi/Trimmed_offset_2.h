@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 A trimmed offset: the boundary of the set of all points at no more than a given distance from curves and points, or,
 within a region, at no less than that from its boundary.

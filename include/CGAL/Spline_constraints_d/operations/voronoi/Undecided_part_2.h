@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 a part of a curve beside which not everything could be decided: its index and the range of its parameter; a point of the
 curve, if both ends are equal.

@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 What cells of a Voronoi diagram belong to: a polynomial piece of a curve, without its ends, or a point: an end of such a
 piece, or an isolated one.
@@ -54,7 +54,7 @@ struct Voronoi_site_2
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 Parts of two curves with the same points, or two such parts of one curve. Only the first one is a site.
 */
@@ -66,7 +66,7 @@ struct Voronoi_coincidence_2
 };
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from
 two sites or more.

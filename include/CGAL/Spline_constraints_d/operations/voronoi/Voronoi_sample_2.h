@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 A point of an edge of a Voronoi diagram: the center of an empty disk that touches both sites.
 

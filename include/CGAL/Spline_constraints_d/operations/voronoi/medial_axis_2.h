@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the medial axis of a region: the centers of all disks inside that touch the boundary in two points or more, and the
 limits of these, which are centers of curvature and convex corners. With the radii of the disks it describes the region

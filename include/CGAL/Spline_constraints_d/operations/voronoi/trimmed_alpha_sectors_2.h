@@ -62,7 +62,7 @@ Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, c
 } // namespace Voronoi
 } // namespace internal
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDVoronoi
 /// @{
 
 /*!

@@ -40,7 +40,7 @@ Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
 } // namespace Voronoi
 } // namespace internal
 
-/// \addtogroup PkgSplineConstraintsDOperations
+/// \addtogroup PkgSplineConstraintsDVoronoi
 /// @{
 
 /*!

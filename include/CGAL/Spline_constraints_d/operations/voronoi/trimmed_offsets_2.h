@@ -21,7 +21,7 @@ template <SplineKernel Kernel>
 class Planar_region_2;
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the trimmed offset of curves and points in the plane: the boundary of the set of all points at no more than a distance
 from the nearest of them.
@@ -78,7 +78,7 @@ template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the trimmed offset of a region: the boundary of the region that has grown by a distance, or, if that is negative,
 shrunk. Corners become round on the side where they are reflex.

@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 The edges of a Voronoi diagram or a medial axis as an arrangement of chords, for point location, overlays and all else
 that CGAL does with arrangements.
@@ -260,7 +260,7 @@ void label_records(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_a
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 a Voronoi diagram or a medial axis as an arrangement of chords of its edges.
 
@@ -291,7 +291,7 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<K
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 a Voronoi diagram or a medial axis in a box, as an arrangement of chords of its edges and the sides of the box.
 
@@ -336,7 +336,7 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<K
 }
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the cell of a connected set of curves and points, `Voronoi_site_2::region`, as polygons with holes that are bounded by
 chords: the faces of the region, several if a box cuts it, without the edges within them.

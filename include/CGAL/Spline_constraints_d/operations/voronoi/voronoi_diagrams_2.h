@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the Voronoi diagram of curves and points in the plane: which of them is nearest, for each point of the plane. Its edges
 are trimmed bisectors; the part within a closed curve is the medial axis there.

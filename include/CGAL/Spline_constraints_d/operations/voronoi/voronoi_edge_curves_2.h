@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDOperations
+\ingroup PkgSplineConstraintsDVoronoi
 
 the rational curve that an edge between a point and a piece of a curve is a part of, with exact coefficients; see
 `point_curve_bisector()`. Its parameter is that of the given curve, and increases: it begins where the edge begins or
