@@ -32,10 +32,10 @@ int main()
   const auto diagram = SC::voronoi_diagram(curves, {Point(10, 7)});
   const auto result = SC::to_arrangement(diagram, 1e-3, box);
 
-  // Each vertex has the contacts of its disk.
+  // Each vertex has the footpoints of its disk.
   std::size_t branching = 0;
   for (auto vertex = result.arrangement.vertices_begin(); vertex != result.arrangement.vertices_end(); ++vertex)
-    branching += vertex->data() && diagram.vertices()[*vertex->data()].contacts.size() > 2;
+    branching += vertex->data() && diagram.vertices()[*vertex->data()].footpoints.size() > 2;
 
   // A face knows to which of the connected sets of curves and points all of it is nearest.
   constexpr std::array<const char*, 4> colors{"#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd"};

@@ -61,8 +61,8 @@ void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>&
     ASSERT_NE(vertex, diagram.vertices().end()) << point;
     EXPECT_TRUE(found.insert(static_cast<std::size_t>(vertex - diagram.vertices().begin())).second) << point;
     std::set<std::size_t> touched;
-    for (const auto& contact : vertex->contacts)
-      touched.insert(name(contact.site));
+    for (const auto& footpoint : vertex->footpoints)
+      touched.insert(name(footpoint.site));
     EXPECT_EQ(touched.size(), vertex->edges.size()) << point;
     EXPECT_TRUE(std::includes(sites.begin(), sites.end(), touched.begin(), touched.end())) << point;
   }

@@ -252,8 +252,8 @@ std::vector<Vertex_key> vertex_keys(const Diagram& diagram, double scale)
   std::vector<Vertex_key> result;
   for (const auto& vertex : diagram.vertices()) {
     std::vector<std::size_t> sites;
-    for (const auto& contact : vertex.contacts)
-      sites.push_back(contact.site);
+    for (const auto& footpoint : vertex.footpoints)
+      sites.push_back(footpoint.site);
     std::sort(sites.begin(), sites.end());
     result.emplace_back(sites, vertex.is_at_infinity, vertex.is_at_infinity ? 0 : vertex.radius / scale);
   }

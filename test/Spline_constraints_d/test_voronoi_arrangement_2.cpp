@@ -106,7 +106,7 @@ regions_at(const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::A
   return face ? (*face)->data() : std::vector<std::size_t>();
 }
 
-// The disk around the only vertex, (2, 1), touches all three points: they are contacts, each in the angle between two
+// The disk around the only vertex, (2, 1), touches all three points: they are footpoints, each in the angle between two
 // edges. In a box the cells are faces, and point location finds the nearest point.
 TEST(VoronoiArrangement, NearestPointByPointLocation)
 {
@@ -122,12 +122,12 @@ TEST(VoronoiArrangement, NearestPointByPointLocation)
       ++vertices;
       const auto& vertex = diagram.vertices()[*v->data()];
       EXPECT_TRUE(vertex.is_resolved);
-      ASSERT_EQ(vertex.contacts.size(), 3U);
+      ASSERT_EQ(vertex.footpoints.size(), 3U);
       for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_TRUE(std::isnan(vertex.contacts[i].parameter));
+        EXPECT_TRUE(std::isnan(vertex.footpoints[i].parameter));
         for (const std::size_t edge : {vertex.edges[i], vertex.edges[(i + 1) % 3]}) {
           const auto& sites = diagram.edges()[edge].sites;
-          EXPECT_TRUE(vertex.contacts[i].site == sites[0] || vertex.contacts[i].site == sites[1]);
+          EXPECT_TRUE(vertex.footpoints[i].site == sites[0] || vertex.footpoints[i].site == sites[1]);
         }
       }
     }
@@ -173,7 +173,7 @@ void expect_chord_of_samples(const Voronoi_arrangement::Arrangement::Halfedge& e
   EXPECT_TRUE(chord.has_on(edge.target()->point()));
 }
 
-// On the left of each halfedge there is the site that it knows, the disk of each vertex touches its contacts, and
+// On the left of each halfedge there is the site that it knows, the disk of each vertex touches its footpoints, and
 // labels of edges lead to disks that touch both sites.
 TEST(VoronoiArrangement, RecordsKnowTheirSites)
 {
@@ -182,11 +182,11 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
   const auto diagram = SC::voronoi_diagram(curves, {P(5, 1)});
   ASSERT_TRUE(diagram.is_complete());
   for (const auto& vertex : diagram.vertices()) {
-    EXPECT_EQ(vertex.contacts.size(), vertex.edges.size());
-    for (const auto& contact : vertex.contacts)
+    EXPECT_EQ(vertex.footpoints.size(), vertex.edges.size());
+    for (const auto& footpoint : vertex.footpoints)
       if (!vertex.is_at_infinity) {
-        const auto& site = diagram.sites()[contact.site];
-        const P touched = site.is_point ? site.point : curves[site.curve](contact.parameter);
+        const auto& site = diagram.sites()[footpoint.site];
+        const P touched = site.is_point ? site.point : curves[site.curve](footpoint.parameter);
         EXPECT_NEAR(std::sqrt(CGAL::squared_distance(vertex.point, touched)), vertex.radius, 1e-9);
       }
   }

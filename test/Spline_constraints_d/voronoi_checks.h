@@ -109,10 +109,10 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram
     EXPECT_TRUE(box.xmin() <= x && x <= box.xmax() && box.ymin() <= y && y <= box.ymax() &&
                 vertex.radius_bounds[0] <= vertex.radius && vertex.radius <= vertex.radius_bounds[1])
         << "vertex at " << vertex.point;
-    for (const auto& contact : vertex.contacts)
-      if (!diagram.sites()[contact.site].is_point) {
-        EXPECT_LE(contact.parameter_bounds[0], contact.parameter);
-        EXPECT_LE(contact.parameter, contact.parameter_bounds[1]);
+    for (const auto& footpoint : vertex.footpoints)
+      if (!diagram.sites()[footpoint.site].is_point) {
+        EXPECT_LE(footpoint.parameter_bounds[0], footpoint.parameter);
+        EXPECT_LE(footpoint.parameter, footpoint.parameter_bounds[1]);
       }
   }
 }
