@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Spline_constraints_d authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Install rules: afterwards find_package(Spline_constraints_d) gives the target CGAL::Spline_constraints_d.
+# Install rules: afterwards find_package(Spline_constraints_d) gives the targets CGAL::Spline_constraints_d and
+# CGAL::Spline_constraints_d_compiled.
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_DATADIR}/cmake/Spline_constraints_d)
@@ -12,10 +13,13 @@ configure_package_config_file(
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(
   ${CMAKE_CURRENT_BINARY_DIR}/Spline_constraints_dConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion
-  ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion)
 
-install(TARGETS Spline_constraints_d EXPORT Spline_constraints_d_targets)
+set(installed_targets Spline_constraints_d)
+if(SPLINE_CONSTRAINTS_COMPILED_LIBRARY)
+  list(APPEND installed_targets Spline_constraints_d_compiled)
+endif()
+install(TARGETS ${installed_targets} EXPORT Spline_constraints_d_targets)
 install(EXPORT Spline_constraints_d_targets NAMESPACE CGAL:: DESTINATION ${config_dir})
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/Spline_constraints_dConfig.cmake

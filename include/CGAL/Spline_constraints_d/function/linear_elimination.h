@@ -49,7 +49,8 @@ Hyperplane_expression<d> normal_line(const Spline_map<1, d>& curve, const Unknow
   return {std::move(direction), std::move(offset)};
 }
 
-//! the points at equal distance from two points, \f$2\langle b - a, p\rangle = \|b\|^2 - \|a\|^2\f$ (seed 000, equation
+//! the points at equal distance from two points, \f$2\langle b - a, p\rangle = \|b\|^2 - \|a\|^2\f$
+//! (\cgalCite{ek-gcs-01}, equation
 //! 12).
 template <int d>
 Hyperplane_expression<d> equidistant_hyperplane(const Vector_expression<d>& a, const Vector_expression<d>& b)

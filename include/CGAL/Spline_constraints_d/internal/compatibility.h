@@ -23,6 +23,13 @@
 #error "Spline_constraints_d needs double arithmetic without excess precision: on x87, -msse2 -mfpmath=sse."
 #endif
 
+// Functions that the compiled library has are inline where it is not used.
+#ifdef CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY
+#define CGAL_SPLINE_CONSTRAINTS_INLINE
+#else
+#define CGAL_SPLINE_CONSTRAINTS_INLINE inline
+#endif
+
 #if CGAL_VERSION_NR < 1050511000
 #error "Spline_constraints_d needs CGAL 5.5.1 or newer."
 #endif

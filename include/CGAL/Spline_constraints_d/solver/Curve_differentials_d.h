@@ -332,8 +332,8 @@ chosen parameter is stationary.
 \throws Invalid_input when the number of equalities or ranges is another one, there is no such parameter, or a range
 lies on both sides of a break.
 
-Complexity: \f$n + 1\f$ evaluations of the equations and an elimination. Source: seed 001, equations 9-17 and 34-37, for
-any number of unknowns.
+Complexity: \f$n + 1\f$ evaluations of the equations and an elimination. Source: \cgalCite{kes-gcps-05}, equations 9-17
+and 34-37, for any number of unknowns.
 */
 template <SplineNumberType NT>
 std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_system_d& system,

@@ -8,7 +8,10 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+#endif
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>
@@ -26,9 +29,9 @@ Finds all solutions of a system of at least as many spline equations as unknowns
 
 
 The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a
-proof that a box around it holds exactly one (seed 000, Algorithm 2.1, with the tests of the traits). What can be
-neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is undecided
-unless a limit is reached.
+proof that a box around it holds exactly one (\cgalCite{ek-gcs-01}, Algorithm 2.1, with the tests of the traits). What
+can be neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is
+undecided unless a limit is reached.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`.
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all
@@ -69,6 +72,7 @@ template <SolverVisitor Visitor>
 typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
 Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system, Visitor& visitor) const
 {
+  internal::check_definitions<Traits, Concurrency_tag>();
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +

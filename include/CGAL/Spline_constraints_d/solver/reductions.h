@@ -34,9 +34,9 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-The projected polyhedron of Sherbrooke and Patrikalakis (seed 002): seen along one axis, the graph of each equality lies
-in the convex hull of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that hull misses
-zero there is no solution.
+The projected polyhedron of Sherbrooke and Patrikalakis (\cgalCite{p-cgl-03}): seen along one axis, the graph of each
+equality lies in the convex hull of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that
+hull misses zero there is no solution.
 
 About two passes over the coefficients. For a sum of terms on disjoint unknowns the hull is that of the expanded tensor.
 

@@ -71,7 +71,8 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-The normal-cone test of Elber and Kim (seed 000, Theorem 1), decided by the dual hyperplanes of Hanniel and Elber.
+The normal-cone test of Elber and Kim (\cgalCite{ek-gcs-01}, Theorem 1), decided by the dual hyperplanes of Hanniel and
+Elber.
 
 Each equality gets a cone \f$(v_i, \alpha_i)\f$ around all its gradients: \f$v_i\f$ is the mean direction of the
 gradient's control vectors, \f$\alpha_i\f$ the largest angle to one of them (for a sum of terms: the ball around the sum

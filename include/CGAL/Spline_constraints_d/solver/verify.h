@@ -6,69 +6,19 @@
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/verification/univariate_verification.h>
-#include <CGAL/Spline_constraints_d/solver/internal/verification/verification.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
+#endif
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace verification {
-
-/*
-Proves that all points of a segment are solutions, and satisfy the inequalities or are limits of points that do. Between
-breaks an equality is a polynomial along the segment, of at most the sum of its degrees: it is zero when it has one zero
-more than that.
-*/
-inline bool is_segment_of_solutions(const Constraint_system_d& system,
-                                    const std::vector<std::vector<Exact_rational>>& ends)
-{
-  const std::size_t n = ends[0].size();
-  const auto box_between = [&](const Exact_rational& t0, const Exact_rational& t1) {
-    Box result;
-    for (std::size_t j = 0; j < n; ++j) {
-      const Exact_rational step = ends[1][j] - ends[0][j], x0 = ends[0][j] + t0 * step, x1 = ends[0][j] + t1 * step;
-      result.push_back({(std::min)(x0, x1), (std::max)(x0, x1)});
-    }
-    return result;
-  };
-  std::vector<Exact_rational> cuts{Exact_rational(0), Exact_rational(1)};
-  int degree = 0;
-  for (const Spline_function& function : system.equalities())
-    for (const Spline_term& term : function.terms()) {
-      degree = (std::max)(degree, std::accumulate(term.degrees.begin(), term.degrees.end(), 0));
-      for (std::size_t j = 0; j < term.variables.size(); ++j) {
-        const Exact_rational &begin = ends[0][term.variables[j]], &end = ends[1][term.variables[j]];
-        for (const Exact_rational& at : term.breaks[j])
-          if ((begin < at && at < end) || (end < at && at < begin))
-            cuts.push_back(Exact_rational((at - begin) / (end - begin)));
-      }
-    }
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    for (int k = 1; k <= degree + 1; ++k) {
-      const Exact_rational t = cuts[i] + (cuts[i + 1] - cuts[i]) * Exact_rational(k) / Exact_rational(degree + 2);
-      if (!satisfies_equalities(system, box_between(t, t)))
-        return false;
-    }
-  constexpr int parts = 16;
-  for (int k = 0; k < parts; ++k)
-    if (!is_admissible(
-            system,
-            box_between(Exact_rational(k) / Exact_rational(parts), Exact_rational(k + 1) / Exact_rational(parts)),
-            true))
-      return false;
-  return true;
-}
-
-} // namespace verification
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -131,7 +81,7 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
     for (const auto& [lower, upper] : solution.box())
       if (!std::isfinite(lower) || !std::isfinite(upper))
         return false;
-  internal::verification::Box box;
+  std::vector<std::pair<Exact_rational, Exact_rational>> box;
   for (const auto& [lower, upper] : solution.exact_box()) {
     if (upper < lower)
       return false;
@@ -139,17 +89,7 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   }
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;
-  bool is_proved = false;
-  switch (solution.kind()) {
-  case Solution_kind::CERTIFIED: is_proved = internal::verification::has_one_solution(system, box); break;
-  case Solution_kind::CLUSTER: is_proved = internal::verification::has_solution(system, box); break;
-  case Solution_kind::CONTINUUM:
-    is_proved = !solution.ends().empty() && internal::verification::is_segment_of_solutions(system, solution.ends());
-    break;
-  case Solution_kind::UNDECIDED: break;
-  }
-  return is_proved ||
-      (box.size() == 1 && internal::verification::univariate::Proof(system, box[0]).succeeds(solution.kind()));
+  return internal::verification::is_proved(system, solution.kind(), box, solution.ends());
 }
 
 } // namespace Spline_constraints

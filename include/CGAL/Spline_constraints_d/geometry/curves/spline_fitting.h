@@ -328,8 +328,8 @@ is larger only if \f$2^{15}\f$ points are not enough.
 Complexity: for each round of splitting, a banded linear system with as many unknowns as pieces; rounds are at most
 logarithmic in the number of pieces as long as these are of similar length.
 
-Source: seed 000, section 2.3; the parameter is not one of the unknowns but the arc length, so that no choice fails
-where it is stationary.
+Source: \cgalCite{ek-gcs-01}, section 2.3; the parameter is not one of the unknowns but the arc length, so that no
+choice fails where it is stationary.
 */
 template <class Polyline>
   requires std::is_invocable_v<const Polyline&, double>

@@ -196,7 +196,7 @@ one sign, the boxes of two implicit surfaces have no more than a face in common,
 Complexity: that of `solve_curves()`; of splines with many pieces only those whose bounds meet are looked at. The
 implicit equation of a surface, if it is needed, costs the exact solution of 35 linear equations at most.
 
-Source: seed 002.
+Source: \cgalCite{p-cgl-03}.
 */
 template <class A, class B>
 requires internal::Intersections::Surface_pair<A, B>

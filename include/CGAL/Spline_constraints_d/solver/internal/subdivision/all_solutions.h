@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_ALL_SOLUTIONS_H
 
 #include <CGAL/Spline_constraints_d/solver/internal/certification/common_components.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Subdivision_walk.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Univariate_solver.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/clusters.h>
@@ -65,13 +66,18 @@ private:
   }
 };
 
+template <class Traits>
+struct Definitions_of_solvers
+{};
+
 template <class Traits, class Concurrency_tag>
 class All_solutions;
 
 // All solutions of a system, in no order. With one unknown the default traits have a path of their own.
 template <class Traits, class Concurrency_tag>
-std::vector<Solution_d<typename Number_traits<typename Traits::Number_type>::Coordinate>>
-all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
+std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions(const Constraint_system_d& system,
+                                                             const Solver_options& options, Run_control& control,
+                                                             Summary& summary)
 {
   if constexpr (std::same_as<Traits, Certified_solver_traits>)
     if (system.dimension() == 1)

@@ -402,6 +402,11 @@ Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> el
   return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs));
 }
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>,
+                                                                const std::string&);
+#endif
+
 } // namespace Voronoi
 } // namespace internal
 } // namespace Spline_constraints

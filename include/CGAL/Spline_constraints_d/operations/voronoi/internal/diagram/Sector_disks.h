@@ -203,6 +203,12 @@ Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared
   return Sector_disks(std::move(graph), std::move(scaled), fine_level, elements, std::move(envelope_arcs));
 }
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
+                                                                std::shared_ptr<const Scaled_sites>,
+                                                                const std::vector<std::size_t>&);
+#endif
+
 } // namespace Voronoi
 } // namespace internal
 } // namespace Spline_constraints

@@ -161,6 +161,12 @@ Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exa
   return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
 }
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
+                                                                  const Exact_rational&,
+                                                                  const std::vector<std::size_t>&, bool);
+#endif
+
 } // namespace Voronoi
 } // namespace internal
 } // namespace Spline_constraints

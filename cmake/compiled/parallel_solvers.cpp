@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The default solvers on all cores.
+#include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+
+namespace CGAL::Spline_constraints::internal {
+
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Certified_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(, Certified_solver_traits, CGAL::Parallel_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(, Certified_solver_traits, CGAL::Parallel_tag)
+
+} // namespace CGAL::Spline_constraints::internal

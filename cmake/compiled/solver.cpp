@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The default solver of points.
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+
+namespace CGAL::Spline_constraints::internal {
+
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(, Certified_solver_traits, CGAL::Sequential_tag)
+
+} // namespace CGAL::Spline_constraints::internal

@@ -1,0 +1,34 @@
+# Copyright (c) 2026 The Spline_constraints_d authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# CGAL::Spline_constraints_d_compiled: all that needs no type of the user, and the default solvers, compiled once. A
+# program that links it includes the same headers, which leave these definitions out then. Static, unless
+# BUILD_SHARED_LIBS is on. With SPLINE_CONSTRAINTS_COMPILED_LIBRARY it is installed, too; without, it is built when a
+# target of the project needs it.
+set(only_on_request "")
+if(NOT SPLINE_CONSTRAINTS_COMPILED_LIBRARY)
+  set(only_on_request EXCLUDE_FROM_ALL)
+endif()
+file(GLOB compiled_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/compiled/*.cpp)
+list(FILTER compiled_sources EXCLUDE REGEX "/parallel_[a-z_]+\\.cpp$")
+
+add_library(Spline_constraints_d_compiled ${only_on_request} ${compiled_sources})
+add_library(CGAL::Spline_constraints_d_compiled ALIAS Spline_constraints_d_compiled)
+target_link_libraries(Spline_constraints_d_compiled
+  PUBLIC Spline_constraints_d
+  PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:spline_constraints_warnings>>)
+target_compile_definitions(Spline_constraints_d_compiled
+  INTERFACE CGAL_SPLINE_CONSTRAINTS_COMPILED
+  PRIVATE CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
+set_target_properties(Spline_constraints_d_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
+
+# What runs on all cores is compiled where there is TBB, also for programs that do not link TBB themselves.
+find_package(TBB QUIET CONFIG)
+if(TBB_FOUND)
+  file(GLOB parallel_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/compiled/parallel_*.cpp)
+  target_sources(Spline_constraints_d_compiled PRIVATE ${parallel_sources})
+  set_source_files_properties(${parallel_sources} TARGET_DIRECTORY Spline_constraints_d_compiled
+    PROPERTIES COMPILE_DEFINITIONS CGAL_LINKED_WITH_TBB)
+  target_link_libraries(Spline_constraints_d_compiled PRIVATE TBB::tbb)
+  target_compile_definitions(Spline_constraints_d_compiled INTERFACE CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB)
+endif()

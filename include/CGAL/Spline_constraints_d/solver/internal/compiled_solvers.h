@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_COMPILED_SOLVERS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_COMPILED_SOLVERS_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Newton_result.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_search.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/solver_traits.h>
+
+#include <CGAL/tags.h>
+
+#include <concepts>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+template <class Traits>
+using Coordinate_of = typename Number_traits<typename Traits::Number_type>::Coordinate;
+
+// All solutions of a system, in no order; defined in subdivision/all_solutions.h.
+template <class Traits, class Concurrency_tag>
+std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions(const Constraint_system_d& system,
+                                                             const Solver_options& options, Run_control& control,
+                                                             Summary& summary);
+
+// All curves of solutions of a system; defined in curves/all_curves.h.
+template <class Traits, class Concurrency_tag>
+Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
+                                const Curve_search& search);
+
+// Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
+Newton_result improved_point(const Constraint_system_d& system, std::vector<double> start,
+                             const Newton_options& options);
+
+// Finds the point of a piece of a curve with the same parameter as a point near it; points_on_pieces() is defined in
+// curves/Curve_points.h.
+using Point_on_piece = std::function<std::vector<double>(const Curve_piece& piece, const std::vector<double>& near)>;
+Point_on_piece points_on_pieces(const Constraint_system_d& system);
+
+namespace verification {
+
+// Whether an answer in a box, or between two ends of a segment, is proved; defined in verification/proof_of_answer.h.
+bool is_proved(const Constraint_system_d& system, Solution_kind kind,
+               const std::vector<std::pair<Exact_rational, Exact_rational>>& box,
+               const std::vector<std::vector<Exact_rational>>& ends);
+
+} // namespace verification
+
+// Complete where solver/own_traits.h is included.
+template <class Traits>
+struct Definitions_of_solvers;
+
+// Fails to compile where neither the compiled library nor the program has the solvers of some traits.
+template <class Traits, class Concurrency_tag>
+constexpr void check_definitions()
+{
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+  constexpr bool is_default = std::same_as<Traits, Certified_solver_traits>;
+  constexpr bool is_compiled = std::same_as<Concurrency_tag, CGAL::Sequential_tag>
+      ? is_default || std::same_as<Traits, Fast_solver_traits> || std::same_as<Traits, Interval_solver_traits> ||
+          std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>
+      : is_default;
+  if constexpr (!is_compiled)
+    static_assert(sizeof(Definitions_of_solvers<Traits>) > 0,
+                  "include <CGAL/Spline_constraints_d/solver/own_traits.h> for traits that the library does not have");
+#endif
+}
+
+// The solvers that the compiled library has.
+#define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, TRAITS, TAG)                                                  \
+  EXTERN template std::vector<Solution_d<Coordinate_of<TRAITS>>> all_solutions<TRAITS, TAG>(                           \
+      const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
+#define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, TRAITS, TAG)                                                  \
+  EXTERN template Curve_solution_set_d all_curves<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,      \
+                                                               Run_control&, const Curve_search&);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Certified_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Fast_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Interval_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Multiprecision_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Exact_solver_traits, CGAL::Sequential_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(extern, Certified_solver_traits, CGAL::Sequential_tag)
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Certified_solver_traits, CGAL::Parallel_tag)
+CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(extern, Certified_solver_traits, CGAL::Parallel_tag)
+#endif
+#endif
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_COMPILED_SOLVERS_H
