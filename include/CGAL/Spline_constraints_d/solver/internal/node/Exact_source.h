@@ -29,8 +29,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The functions of a system as integer polynomials, one set per cell of the grid of their breaks, and what the solver
-asks of them exactly: the Bernstein coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding
+The functions of a system as integer polynomials, one set per cell of the grid of their breaks, and what the solver asks
+of them exactly: the Bernstein coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding
 happens once, at the end.
 
 Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. On request

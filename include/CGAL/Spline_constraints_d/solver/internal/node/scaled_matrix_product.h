@@ -19,9 +19,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The product of a matrix (row-major), whose columns act on functions times 2^-scale, with an integer matrix, which when it
-is empty stands for the identity. The rows are multiplied by powers of two, which makes them integers. Nothing unless all
-numbers are finite.
+The product of a matrix (row-major), whose columns act on functions times 2^-scale, with an integer matrix, which when
+it is empty stands for the identity. The rows are multiplied by powers of two, which makes them integers. Nothing unless
+all numbers are finite.
 */
 inline std::optional<std::vector<Short_integer>>
 scaled_matrix_product(const double* matrix, const std::vector<long>& scale, const std::vector<Short_integer>& integers)
