@@ -48,16 +48,19 @@ void enclose_small_tensor(Node_arrays& node, const Block& block, const Node_arra
                *last_abscissas = greville;
   for (int j = 0; j < axes - 1; ++j)
     last_abscissas += block.degrees[j] + 1;
+  const double* coefficients = node.coefficients + block.offset;
+  double *block_slopes = node.block_slopes.data(), *rest_lower = node.block_rest_lower.data(),
+         *rest_upper = node.block_rest_upper.data();   // not looked up in the loop, which is faster
   for_each_place(functions, [&](auto type, std::size_t m) {
     using Number = decltype(type);
-    const double* data = node.coefficients + block.offset + m;
+    const double* data = coefficients + m;
     Number slopes[axes], least(HUGE_VAL), most(-HUGE_VAL);
     sum_slopes<axes>(shape, data, scales, slopes);
     const Last_axis<last_degree, Number> last(slopes[axes - 1], last_abscissas, block.degrees.back(), functions);
     bound_rest<axes>(shape, data, greville, slopes, last, Number(0), least, most);
-    unroll<axes>([&](auto j) { store(node.block_slopes.data() + j * functions + m, slopes[j]); });
-    store(node.block_rest_lower.data() + m, least);
-    store(node.block_rest_upper.data() + m, most);
+    unroll<axes>([&](auto j) { store(block_slopes + j * functions + m, slopes[j]); });
+    store(rest_lower + m, least);
+    store(rest_upper + m, most);
   });
   node.add_enclosure(block);
 }
