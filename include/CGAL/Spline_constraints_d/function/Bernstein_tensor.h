@@ -7,6 +7,8 @@
 #include <CGAL/Spline_constraints_d/function/bernstein_conversion.h>
 #include <CGAL/Spline_constraints_d/function/bernstein_kernels.h>
 #include <CGAL/Spline_constraints_d/function/bernstein_product.h>
+#include <CGAL/Spline_constraints_d/function/internal/axis_embedding.h>
+#include <CGAL/Spline_constraints_d/function/internal/tensor_layers.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -204,21 +206,12 @@ public:
   Bernstein_tensor derivative(int axis) const
   {
     CGAL_precondition(is_axis(axis));
-    const int d = m_degrees[axis];
-    if (d == 0)
+    if (m_degrees[axis] == 0)
       return Bernstein_tensor(Unchecked(), m_degrees, std::vector<NT>(m_coefficients.size(), NT(0)));
-    const internal::Axis_view view = internal::axis_view(m_degrees, axis);
-    std::vector<NT> differences;
-    differences.reserve(view.outer * d * view.inner);
-    const NT factor(d);
-    for (std::size_t o = 0; o < view.outer; ++o) {
-      const NT* line = m_coefficients.data() + o * (d + 1) * view.inner;
-      for (std::size_t i = 0; i < d * view.inner; ++i)
-        differences.push_back(factor * NT(line[i + view.inner] - line[i]));
-    }
     std::vector<int> degrees = m_degrees;
     --degrees[axis];
-    return Bernstein_tensor(Unchecked(), std::move(degrees), std::move(differences));
+    return Bernstein_tensor(Unchecked(), std::move(degrees),
+                            internal::scaled_differences(m_coefficients, internal::axis_view(m_degrees, axis)));
   }
 
   /*!
@@ -305,7 +298,11 @@ public:
   Bernstein_tensor face(int axis, int side) const
   {
     CGAL_precondition(is_axis(axis) && (side == 0 || side == 1));
-    return slice(axis, side == 0 ? 0 : m_degrees[axis]);
+    std::vector<int> degrees = m_degrees;
+    degrees.erase(degrees.begin() + axis);
+    return Bernstein_tensor(Unchecked(), std::move(degrees),
+                            internal::layer_of_tensor(m_coefficients, internal::axis_view(m_degrees, axis),
+                                                      side == 0 ? 0 : m_degrees[axis]));
   }
 
   /*!
@@ -316,28 +313,8 @@ public:
   Bernstein_tensor embedded(int dimension, const std::vector<int>& axes) const
   {
     check_dimension(dimension);
-    internal::check_count(axes.size(), m_degrees.size(), "Bernstein_tensor: axes to embed into");
-    std::vector<int> degrees(dimension, -1);
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      if (axes[i] < 0 || axes[i] >= dimension || degrees[axes[i]] >= 0)
-        throw Invalid_input("Bernstein_tensor: axis " + std::to_string(axes[i]) + " to embed into (entry " +
-                            std::to_string(i) + ") is out of range or repeated");
-      degrees[axes[i]] = m_degrees[i];
-    }
-    std::replace(degrees.begin(), degrees.end(), -1, 0);
-    if (std::is_sorted(axes.begin(), axes.end()))
-      return Bernstein_tensor(Unchecked(), std::move(degrees), m_coefficients);
-
-    // The order of the axes changes: walk the result in memory order and follow the index in the source.
-    const std::vector<std::size_t> strides = internal::tensor_strides(m_degrees);
-    std::vector<NT> coefficients;
-    coefficients.reserve(m_coefficients.size());
-    internal::for_each_index(degrees, [&](const std::vector<int>& index) {
-      std::size_t source = 0;
-      for (std::size_t i = 0; i < axes.size(); ++i)
-        source += strides[i] * static_cast<std::size_t>(index[axes[i]]);
-      coefficients.push_back(m_coefficients[source]);
-    });
+    std::vector<int> degrees = internal::embedded_degrees(m_degrees, dimension, axes);
+    std::vector<NT> coefficients = internal::embedded_coefficients(m_coefficients, m_degrees, degrees, axes);
     return Bernstein_tensor(Unchecked(), std::move(degrees), std::move(coefficients));
   }
 
@@ -490,21 +467,6 @@ private:
     for (std::size_t i = 0; i < m_coefficients.size(); ++i)
       combination(m_coefficients[i], other.m_coefficients[i]);
     return *this;
-  }
-
-  // The tensor of the coefficients with index k on an axis.
-  Bernstein_tensor slice(int axis, int k) const
-  {
-    const internal::Axis_view view = internal::axis_view(m_degrees, axis);
-    std::vector<NT> coefficients;
-    coefficients.reserve(view.outer * view.inner);
-    for (std::size_t o = 0; o < view.outer; ++o) {
-      const auto begin = m_coefficients.begin() + (o * (view.degree + 1) + k) * view.inner;
-      coefficients.insert(coefficients.end(), begin, begin + view.inner);
-    }
-    std::vector<int> degrees = m_degrees;
-    degrees.erase(degrees.begin() + axis);
-    return Bernstein_tensor(Unchecked(), std::move(degrees), std::move(coefficients));
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
+#include <CGAL/Spline_constraints_d/function/internal/common_knots.h>
 #include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
@@ -283,13 +284,10 @@ public:
                           " is not within the domain");
     std::vector<Axis> axes = m_axes;
     axes.erase(axes.begin() + axis);
-    if (own.is_clamped() && (u == own.begin() || u == own.end())) {   // there, control points are values
-      std::vector<int> first(m_axes.size(), 0), extents = internal::extents(m_axes), face = extents;
-      first[axis] = u == own.begin() ? 0 : extents[axis];
-      face[axis] = 0;
+    if (own.is_clamped() && (u == own.begin() || u == own.end()))   // there, control points are values
       return Bspline_function(Unchecked(), std::move(axes),
-                              internal::tensor_block(*m_coefficients, extents, first, face));
-    }
+                              internal::tensor_range(*m_coefficients, internal::extents(m_axes), axis,
+                                                     u == own.begin() ? 0 : own.size() - 1, 1));
     const std::size_t span = internal::span_of(own, u);
     internal::Band_matrix<NT> matrix = internal::band_matrix(own);
     matrix.add_row(span - own.degree, internal::derivative_weights(own, span, u, 0));
@@ -345,10 +343,10 @@ public:
   //! product of two splines on the same domain; degrees add up. \throws Invalid_input when the domains differ.
   friend Bspline_function operator*(const Bspline_function& a, const Bspline_function& b)
   {
-    check_domains(a, b);
-    if (b.m_coefficients.size() == 1 && a.is_clamped())
+    internal::check_same_domain(a.m_axes, b.m_axes);
+    if (b.m_coefficients.size() == 1 && internal::are_clamped(a.m_axes))
       return a * b.m_coefficients[0];
-    if (a.m_coefficients.size() == 1 && b.is_clamped())
+    if (a.m_coefficients.size() == 1 && internal::are_clamped(b.m_axes))
       return b * a.m_coefficients[0];
     std::vector<int> degrees = a.degrees();
     for (std::size_t j = 0; j < degrees.size(); ++j)
@@ -374,11 +372,12 @@ public:
   //! `NT` is exact.
   friend bool operator==(const Bspline_function& a, const Bspline_function& b)
   {
-    if (!have_same_domain(a, b))
+    if (!internal::have_same_domain(a.m_axes, b.m_axes))
       return false;
-    if (a.m_axes == b.m_axes && a.is_clamped())
+    if (a.m_axes == b.m_axes && internal::are_clamped(a.m_axes))
       return a.m_coefficients == b.m_coefficients;
-    const std::vector<Breaks> breaks = common_breaks(a, b, highest_degrees(a, b));
+    const std::vector<Breaks> breaks =
+        internal::common_break_grid(a.m_axes, b.m_axes, internal::highest_degrees(a.m_axes, b.m_axes));
     return a.pieces_on(breaks) == b.pieces_on(breaks);
   }
 
@@ -397,24 +396,13 @@ private:
   // With the knots and control points of an axis that the function depends on between two parameters.
   Bspline_function with_spans(int axis, const NT& begin, const NT& end) const
   {
-    const Axis& own = at(axis);
-    const std::vector<NT>& knots = *own.knots;
-    const auto degree = static_cast<std::size_t>(own.degree), before = internal::span_of(own, begin) - degree;
-    // the span ends there
-    const auto last = static_cast<std::size_t>(
-        std::lower_bound(knots.begin() + static_cast<std::ptrdiff_t>(before + degree + 1), knots.end(), end) -
-        knots.begin());
-    const std::size_t count = last - before;   // of control points
-    if (count == own.size())
+    const auto [first, count] = internal::points_between(at(axis), begin, end);
+    if (count == at(axis).size())
       return *this;
     std::vector<Axis> axes = m_axes;
-    const auto first = knots.begin() + static_cast<std::ptrdiff_t>(before);
-    axes[axis].knots = std::vector<NT>(first, first + static_cast<std::ptrdiff_t>(count + degree + 1));
-    std::vector<int> firsts(m_axes.size(), 0), extents = internal::extents(m_axes), part = extents;
-    firsts[axis] = static_cast<int>(before);
-    part[axis] = static_cast<int>(count) - 1;
+    axes[axis] = internal::part_of_axis(at(axis), first, count);
     return Bspline_function(Unchecked(), std::move(axes),
-                            internal::tensor_block(*m_coefficients, extents, firsts, part));
+                            internal::tensor_range(*m_coefficients, internal::extents(m_axes), axis, first, count));
   }
 
   Bspline_function refined_to(int axis, Axis finer) const
@@ -451,50 +439,14 @@ private:
     return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients));
   }
 
-  static bool have_same_domain(const Bspline_function& a, const Bspline_function& b)
-  {
-    return std::equal(a.m_axes.begin(), a.m_axes.end(), b.m_axes.begin(), b.m_axes.end(),
-                      [](const Axis& x, const Axis& y) { return x.begin() == y.begin() && x.end() == y.end(); });
-  }
-
-  static void check_domains(const Bspline_function& a, const Bspline_function& b)
-  {
-    internal::check_count(b.m_axes.size(), a.m_axes.size(), "Bspline_function: dimension of the second operand");
-    for (int j = 0; j < a.dimension(); ++j)
-      if (a.domain(j) != b.domain(j))
-        throw Invalid_input("Bspline_function: the operands have different domains on axis " + std::to_string(j));
-  }
-
-  static std::vector<int> highest_degrees(const Bspline_function& a, const Bspline_function& b)
-  {
-    check_domains(a, b);
-    std::vector<int> degrees = a.degrees();
-    for (std::size_t j = 0; j < degrees.size(); ++j)
-      degrees[j] = (std::max)(degrees[j], b.m_axes[j].degree);
-    return degrees;
-  }
-
-  static std::vector<Breaks> common_breaks(const Bspline_function& a, const Bspline_function& b,
-                                           const std::vector<int>& degrees)
-  {
-    std::vector<Breaks> result;
-    for (std::size_t j = 0; j < degrees.size(); ++j)
-      result.push_back(internal::common_breaks(degrees[j], a.m_axes[j], b.m_axes[j]));
-    return result;
-  }
-
-  bool is_clamped() const
-  {
-    return std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& axis) { return axis.is_clamped(); });
-  }
-
   // On the same knots, control points are combined.
   template <class Operation>
   static Bspline_function combined_linearly(const Bspline_function& a, const Bspline_function& b,
                                             const Operation& operation)
   {
-    const std::vector<int> degrees = highest_degrees(a, b);
-    if (!(a.m_axes == b.m_axes && a.is_clamped()))
+    internal::check_same_domain(a.m_axes, b.m_axes);
+    const std::vector<int> degrees = internal::highest_degrees(a.m_axes, b.m_axes);
+    if (!(a.m_axes == b.m_axes && internal::are_clamped(a.m_axes)))
       return combined(a, b, degrees, operation);
     std::vector<NT> coefficients;
     for (std::size_t k = 0; k < a.m_coefficients.size(); ++k)
@@ -506,7 +458,7 @@ private:
   static Bspline_function combined(const Bspline_function& a, const Bspline_function& b,
                                    const std::vector<int>& degrees, const Operation& operation)
   {
-    const std::vector<Breaks> breaks = common_breaks(a, b, degrees);
+    const std::vector<Breaks> breaks = internal::common_break_grid(a.m_axes, b.m_axes, degrees);
     std::vector<Bernstein_tensor<NT>> pieces = a.pieces_on(breaks);
     const std::vector<Bernstein_tensor<NT>> others = b.pieces_on(breaks);
     for (std::size_t c = 0; c < pieces.size(); ++c)

@@ -5,6 +5,10 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_POWER_POLYNOMIAL_H
 
 #include <CGAL/Spline_constraints_d/function/Monomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/Expansion_budget.h>
+#include <CGAL/Spline_constraints_d/function/internal/Polynomial_terms.h>
+#include <CGAL/Spline_constraints_d/function/internal/expansion_limits.h>
+#include <CGAL/Spline_constraints_d/function/internal/product_of_polynomials.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -13,52 +17,16 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <locale>
 #include <map>
 #include <ostream>
 #include <span>
-#include <sstream>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-namespace internal {
-
-/*
-How much work expansions may still cost, in units of about one small product of two terms. Exact arithmetic on data from
-outside needs such a limit: `((x+y)^99)^99` is short to write.
-*/
-class Expansion_budget
-{
-  double m_left;
-
-public:
-  explicit Expansion_budget(double amount) : m_left(amount) {}
-
-  void spend(double amount)
-  {
-    m_left -= amount;
-    if (m_left < 0)
-      throw Invalid_input("Power_polynomial: the expression takes too much work to expand");
-  }
-};
-
-// The size of a coefficient in machine words, numerator and denominator together.
-inline double size_in_words(const Exact_rational& value)
-{
-  return static_cast<double>(bit_length(numerator_of(value)) + bit_length(denominator_of(value))) / 64;
-}
-
-// The work of an operation on coefficients of these sizes (in words), as schoolbook arithmetic costs it.
-inline double arithmetic_work(double words_a, double words_b) { return 1 + words_a * words_b / 64; }
-
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
@@ -79,16 +47,16 @@ class Power_polynomial
 {
 public:
   //! the terms: no coefficient is zero. The order is that of `Monomial`.
-  using Terms = std::map<Monomial, Exact_rational>;
+  using Terms = internal::Polynomial_terms;
 
   //! most terms a polynomial may have.
-  static constexpr std::size_t maximal_number_of_terms = std::size_t(1) << 20;
+  static constexpr std::size_t maximal_number_of_terms = internal::maximal_number_of_terms;
 
   //! largest total degree a polynomial may have.
-  static constexpr int maximal_degree = 10000;
+  static constexpr int maximal_degree = internal::maximal_degree;
 
   //! most bits that the numerator, and the denominator, of a coefficient may have.
-  static constexpr long maximal_coefficient_bits = 1L << 16;
+  static constexpr long maximal_coefficient_bits = internal::maximal_coefficient_bits;
 
 private:
   Terms m_terms;
@@ -188,16 +156,7 @@ public:
   }
 
   //! the largest exponent of every unknown that occurs.
-  std::map<int, int> degrees() const
-  {
-    std::map<int, int> result;
-    for (const auto& [monomial, coefficient] : m_terms)
-      for (const auto& [variable, exponent] : monomial.powers) {
-        int& largest = result[variable];
-        largest = (std::max)(largest, exponent);
-      }
-    return result;
-  }
+  std::map<int, int> degrees() const { return internal::degrees_of(m_terms); }
 
   //! sum; costs time proportional to the shorter operand (times a logarithm) when the longer one is a temporary or the
   //! left one.
@@ -265,7 +224,10 @@ public:
 #ifndef DOXYGEN_RUNNING
   // The same with the numbers of a ring that rationals convert to.
   template <class NT>
-  NT value(std::span<const NT> point) const;
+  NT value(std::span<const NT> point) const
+  {
+    return internal::value_of(m_terms, point);
+  }
 #endif
 
   //! the polynomial with an unknown replaced by a polynomial.
@@ -273,13 +235,13 @@ public:
 
   //! the formula with the given names of the unknowns, for example `-1/2 + 3*x^2*y - y`; it can be read back exactly.
   //! \throws Invalid_input when there are too few names.
-  std::string to_string(std::span<const std::string> names) const;
+  std::string to_string(std::span<const std::string> names) const { return internal::formula_of(m_terms, names); }
 
   //! the formula with the names `x0`, `x1`, ...
   std::string to_string() const
   {
     std::vector<std::string> names;
-    for (int v = 0, end = m_terms.empty() ? 0 : 1 + largest_variable(); v < end; ++v)
+    for (int v = 0, end = m_terms.empty() ? 0 : 1 + internal::largest_variable(m_terms); v < end; ++v)
       names.push_back(std::string("x").append(std::to_string(v)));   // g++ 12 warns of "x" + string
     return to_string(names);
   }
@@ -301,20 +263,147 @@ private:
   void add_term(const Monomial& monomial, const Exact_rational& coefficient, internal::Expansion_budget& budget);
   Power_polynomial times_term(const Monomial& monomial, const Exact_rational& coefficient,
                               internal::Expansion_budget& budget) const;
+};
 
-  int largest_variable() const
-  {
-    int result = -1;
-    for (const auto& [monomial, coefficient] : m_terms)
-      if (!monomial.powers.empty())
-        result = (std::max)(result, monomial.powers.back().first);
+inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rational& coefficient,
+                                       internal::Expansion_budget& budget)
+{
+  if (CGAL::is_zero(coefficient))
+    return;
+  const auto [position, is_new] = m_terms.try_emplace(monomial, coefficient);
+  if (!is_new) {
+    position->second += coefficient;
+    if (CGAL::is_zero(position->second)) {
+      m_terms.erase(position);
+      budget.spend(1);
+      return;
+    }
+  }
+  const double words = internal::size_in_words(position->second);
+  // 4: the tree's node
+  budget.spend(4 + internal::arithmetic_work(words, words) + static_cast<double>(monomial.powers.size()) / 2);
+  if (words > maximal_coefficient_bits / 64)
+    internal::check_coefficient(position->second);
+  internal::check_number_of_terms(m_terms.size());
+}
+
+inline Power_polynomial& Power_polynomial::add(Power_polynomial other, internal::Expansion_budget& budget)
+{
+  if (m_terms.size() < other.m_terms.size())
+    m_terms.swap(other.m_terms);
+  for (const auto& [monomial, coefficient] : other.m_terms)
+    add_term(monomial, coefficient, budget);
+  return *this;
+}
+
+inline void Power_polynomial::negate(internal::Expansion_budget& budget)
+{
+  budget.spend(static_cast<double>(m_terms.size()));
+  for (auto& [monomial, coefficient] : m_terms)
+    coefficient = -coefficient;
+}
+
+inline Power_polynomial& Power_polynomial::divide(const Power_polynomial& divisor, internal::Expansion_budget& budget)
+{
+  if (!divisor.is_constant())
+    throw Invalid_input("Power_polynomial: division by a polynomial that is not a constant");
+  if (divisor.is_zero())
+    throw Invalid_input("Power_polynomial: division by zero");
+  *this = times_term(Monomial(), Exact_rational(Exact_rational(1) / divisor.constant_term()), budget);
+  return *this;
+}
+
+inline Power_polynomial Power_polynomial::times_term(const Monomial& monomial, const Exact_rational& coefficient,
+                                                     internal::Expansion_budget& budget) const
+{
+  const long long degree = monomial.total_degree();
+  const double words = internal::size_in_words(coefficient);
+  Power_polynomial result;
+  for (const auto& [own_monomial, own_coefficient] : m_terms) {
+    internal::check_degree(degree + own_monomial.total_degree());
+    budget.spend(internal::arithmetic_work(words, internal::size_in_words(own_coefficient)));
+    result.add_term(own_monomial * monomial, Exact_rational(own_coefficient * coefficient), budget);
+  }
+  return result;
+}
+
+inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, const Power_polynomial& b,
+                                                  internal::Expansion_budget& budget)
+{
+  if (a.is_zero() || b.is_zero())
+    return Power_polynomial();
+  if (a.m_terms.size() == 1)
+    return b.times_term(a.m_terms.begin()->first, a.m_terms.begin()->second, budget);
+  if (b.m_terms.size() == 1)
+    return a.times_term(b.m_terms.begin()->first, b.m_terms.begin()->second, budget);
+  internal::check_degree(static_cast<long long>(a.total_degree()) + b.total_degree());
+  Power_polynomial result;
+  internal::visit_product(a.m_terms, b.m_terms, budget,
+                          [&](const Monomial& monomial, const Exact_rational& coefficient) {
+                            result.add_term(monomial, coefficient, budget);
+                          });
+  return result;
+}
+
+inline Power_polynomial Power_polynomial::power(const Power_polynomial& base, int exponent,
+                                                internal::Expansion_budget& budget)
+{
+  if (exponent < 0)
+    throw Invalid_input("Power_polynomial: negative exponent " + std::to_string(exponent));
+  if (exponent == 0)
+    return Power_polynomial(1);
+  internal::check_degree(static_cast<long long>(base.total_degree()) * exponent);
+  Power_polynomial result;
+  if (base.m_terms.size() <= 1) {
+    for (const auto& [monomial, coefficient] : base.m_terms) {
+      Monomial raised = monomial;
+      for (auto& power_of_unknown : raised.powers)
+        power_of_unknown.second *= exponent;
+      result.add_term(raised, internal::power_of_number(coefficient, exponent), budget);
+    }
     return result;
   }
-};
+  bool has_result = false;
+  for (Power_polynomial square = base;; square = product(square, square, budget)) {
+    if (exponent & 1) {
+      result = has_result ? product(result, square, budget) : square;
+      has_result = true;
+    }
+    exponent >>= 1;
+    if (exponent == 0)
+      return result;
+  }
+}
+
+inline Power_polynomial Power_polynomial::derivative(int variable) const
+{
+  internal::Expansion_budget budget = default_budget();
+  Power_polynomial result;
+  for (const auto& [monomial, coefficient] : m_terms)
+    if (const int exponent = monomial.exponent(variable); exponent > 0)
+      result.add_term(monomial.with_exponent(variable, exponent - 1),
+                      Exact_rational(coefficient * Exact_rational(exponent)), budget);
+  return result;
+}
+
+inline Power_polynomial Power_polynomial::substituted(int variable, const Power_polynomial& replacement) const
+{
+  internal::Expansion_budget budget = default_budget();
+  std::map<int, Power_polynomial> by_exponent;
+  for (const auto& [monomial, coefficient] : m_terms)
+    by_exponent[monomial.exponent(variable)].add_term(monomial.with_exponent(variable, 0), coefficient, budget);
+  // Horner's scheme over the exponents that occur.
+  Power_polynomial result;
+  int exponent = by_exponent.empty() ? 0 : by_exponent.rbegin()->first;
+  for (auto summand = by_exponent.rbegin(); summand != by_exponent.rend(); ++summand) {
+    result = product(result, power(replacement, exponent - summand->first, budget), budget);
+    result.add(std::move(summand->second), budget);
+    exponent = summand->first;
+  }
+  return product(result, power(replacement, exponent, budget), budget);
+}
 
 } // namespace Spline_constraints
 } // namespace CGAL
-
-#include <CGAL/Spline_constraints_d/function/internal/Power_polynomial_impl.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_POWER_POLYNOMIAL_H

@@ -135,6 +135,24 @@ std::size_t span_of(const Knot_axis<NT>& axis, const NT& u)
   return static_cast<std::size_t>(after - axis.knots.begin()) - 1;
 }
 
+// The control points that the function depends on between two parameters: the first, and how many.
+template <class NT>
+std::pair<std::size_t, std::size_t> points_between(const Knot_axis<NT>& axis, const NT& begin, const NT& end)
+{
+  const auto degree = static_cast<std::size_t>(axis.degree), first = span_of(axis, begin) - degree;
+  const auto after = std::lower_bound(axis.knots.begin() + static_cast<std::ptrdiff_t>(first + degree + 1),
+                                      axis.knots.end(), end);
+  return {first, static_cast<std::size_t>(after - axis.knots.begin()) - first};   // the last span ends there
+}
+
+// The axis of some of the control points.
+template <class NT>
+Knot_axis<NT> part_of_axis(const Knot_axis<NT>& axis, std::size_t first_point, std::size_t count)
+{
+  const auto first = axis.knots.begin() + static_cast<std::ptrdiff_t>(first_point);
+  return {axis.degree, std::vector<NT>(first, first + static_cast<std::ptrdiff_t>(count + axis.degree + 1))};
+}
+
 // Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span, with one
 // argument more at a time: after d of them they are complete.
 template <class NT>

@@ -201,6 +201,17 @@ std::vector<NT> tensor_block(const std::vector<NT>& data, const std::vector<int>
   return result;
 }
 
+// All entries with some of the indices on one axis.
+template <class NT>
+std::vector<NT> tensor_range(const std::vector<NT>& data, const std::vector<int>& all, int axis, std::size_t first,
+                             std::size_t count)
+{
+  std::vector<int> lower(all.size(), 0), degrees = all;
+  lower[axis] = static_cast<int>(first);
+  degrees[axis] = static_cast<int>(count) - 1;
+  return tensor_block(data, all, lower, degrees);
+}
+
 template <class NT>
 void place_tensor_block(std::vector<NT>& data, const std::vector<int>& all, const std::vector<int>& lower,
                         const std::vector<NT>& block, const std::vector<int>& degrees)

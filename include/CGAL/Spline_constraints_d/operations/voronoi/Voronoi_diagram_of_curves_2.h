@@ -6,15 +6,18 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_coincidence_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_sample_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_site_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Edge_samples.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Vertex_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/cell_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/parameter_bounds.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/voronoi_sites.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/check_magnitude.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/components_of_vertices.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/vertex_origin.h>
 
 #include <CGAL/Bbox_2.h>
 
@@ -32,38 +35,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDVoronoi
-
-What cells of a Voronoi diagram belong to: a polynomial piece of a curve, without its ends, or a point: an end of such a
-piece, or an isolated one.
-*/
-template <SplineKernel Kernel>
-struct Voronoi_site_2
-{
-  bool is_point;                             ///< whether it is a point
-  typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
-  /// the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
-  std::size_t curve;
-  /// the piece begins and ends with these parameters of the curve; a point has twice its own one
-  std::array<double, 2> parameters;
-  /// the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to
-  /// that
-  std::size_t region;
-};
-
-/*!
-\ingroup PkgSplineConstraintsDVoronoi
-
-Parts of two curves with the same points, or two such parts of one curve. Only the first one is a site.
-*/
-struct Voronoi_coincidence_2
-{
-  std::array<std::size_t, 2> curves;                      ///< the indices of the curves, the lower one first
-  std::array<std::array<double, 2>, 2> parameters;        ///< of each curve, where the part begins and ends
-  bool is_reversed;                                       ///< whether the second part begins where the first one ends
-};
 
 /*!
 \ingroup PkgSplineConstraintsDVoronoi
@@ -338,19 +309,7 @@ private:
   {
     if (m_sites[site].is_point)
       return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-    const internal::Common::Site_arc_2& arc = m_graph->arcs()[site];
-    const auto& [first, last] = arc.piece().domain;
-    const auto enclosed = [](const Exact_rational& x) {
-      return internal::Common::interval_of<internal::Common::Interval>(x);
-    };
-    const internal::Common::Interval error = enclosed(arc.error()), begin = enclosed(first),
-                                     result = begin +
-        (enclosed(last) - begin) *
-            (internal::Common::interval_of<internal::Common::Interval>(range) +
-             internal::Common::Interval(-error.sup(), error.sup()));
-    return ends(error.sup() > 0
-                    ? result
-                    : internal::Voronoi::common_part(result, internal::Voronoi::hull(begin, enclosed(last))));
+    return internal::Voronoi::parameter_bounds(m_graph->arcs()[site], range);
   }
 
   // The disk in the end of an edge is that of the vertex, which may be known better.
@@ -382,24 +341,7 @@ private:
   void make_sites()
   {
     const std::vector<std::size_t> regions = internal::Voronoi::components_of_vertices(*m_graph);
-    for (std::size_t i = 0; i < m_graph->arcs().size(); ++i) {
-      const auto& [begin, end] = m_graph->arcs()[i].piece().domain;
-      m_sites.push_back({false,
-                         internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)),
-                         m_graph->curve_of_arc(i),
-                         {to_nearest_double(begin), to_nearest_double(end)},
-                         regions[m_graph->vertex_of({i, false})]});
-    }
-    for (std::size_t v = 0; v < regions.size(); ++v) {
-      const auto& vertex = m_graph->vertices()[v];
-      const auto [curve, parameter] =
-          internal::Voronoi::vertex_origin(*m_graph, v).value_or(std::pair(internal::Voronoi::Disk_diagram::none, 0.));
-      m_sites.push_back({true,
-                         internal::kernel_object<Kernel, Point>(vertex.exact_point),
-                         curve,
-                         {parameter, parameter},
-                         regions[v]});
-    }
+    m_sites = internal::Voronoi::voronoi_sites<Kernel>(*m_graph, regions);
     m_number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
   }
 

@@ -6,14 +6,15 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_chain_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_contacts_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_polygon_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_supports_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-
-#include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -52,19 +53,14 @@ class Hull_boundary_2
   // Parameters where pieces are cut.
   using Cuts = std::map<std::size_t, std::set<Exact_rational>>;
 
-  // Of lines through one point, the second one not before the first one counterclockwise.
-  using Normals = std::array<Exact_pair, 2>;
-
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
   // of all pieces; in each round where they overlap, all must be halved
   std::size_t m_halvings_left = 0;
   std::map<Exact_pair, Boundary_vertex_2> m_points;       // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
-  std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
-  std::vector<Interval_pair> m_boxes;                  // of its vertices
-  std::vector<std::vector<std::size_t>> m_beyond;      // the pieces on the right of the edge from each vertex
-  std::map<Exact_pair, Normals> m_supports;            // normals of lines through vertices with all on the other side
+  Hull_polygon_2 m_polygon;
+  Hull_supports_2 m_supports;
   std::map<std::array<Exact_pair, 2>, Edges> m_parts;  // of the boundary, between supported vertices
   Edges m_edges;
 
@@ -79,13 +75,13 @@ public:
     m_halvings_left = 1000 + 300 * m_pieces.size();
     do {
       make_polygon();
-      drop_pieces_in_polygon();
-      find_supports();
+      m_pieces = m_polygon.pieces_outside(std::move(m_pieces));
+      m_supports.add(m_polygon, m_pieces);
     } while (make_edges());
   }
 
   const Edges& edges() const { return m_edges; }
-  const std::vector<Exact_pair>& polygon() const { return m_polygon; }
+  const std::vector<Exact_pair>& polygon() const { return m_polygon.vertices(); }
   const Summary& work() const { return m_contacts.work(); }
 
 private:
@@ -104,128 +100,17 @@ private:
       m_pieces.push_back(std::move(piece));
   }
 
-  const Exact_pair& vertex(std::size_t i) const { return m_polygon[i % m_polygon.size()]; }
-
   void make_polygon()
   {
-    using Point = Exact_kernel::Point_2;
-    std::vector<Point> points, hull;
+    std::vector<Exact_kernel::Point_2> points;
     for (const auto& [point, place] : m_points)
       if (m_covered.count(point) == 0)
         points.emplace_back(point[0], point[1]);
-    CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
-    m_polygon.clear();
-    m_boxes.clear();
+    m_polygon = Hull_polygon_2(points);
     std::map<Exact_pair, Boundary_vertex_2> vertices;
-    for (const Point& p : hull) {
-      m_polygon.push_back({p.x(), p.y()});
-      m_boxes.push_back(enclosed(m_polygon.back()));
-      vertices.insert(*m_points.find(m_polygon.back()));
-    }
+    for (const Exact_pair& vertex : m_polygon.vertices())
+      vertices.insert(*m_points.find(vertex));
     m_points = std::move(vertices);
-  }
-
-  // Whether a piece has control points on the right of an edge of the polygon; intervals decide that nearly always.
-  bool is_beyond(std::size_t edge, const Hull_piece_2& piece) const
-  {
-    const Interval_pair &p = m_boxes[edge], &q = m_boxes[(edge + 1) % m_boxes.size()];
-    for (std::size_t i = 0; i < piece.points().size(); ++i) {
-      const Interval turn = (q[0] - p[0]) * (piece.boxes()[i][1] - p[1]) - (q[1] - p[1]) * (piece.boxes()[i][0] - p[0]);
-      if (turn.sup() < 0 || (turn.inf() <= 0 && is_beyond(edge, piece.points()[i])))
-        return true;
-    }
-    return false;
-  }
-
-  // Whether a point is on the right of an edge; or next to it on the same line, where the polygon is a segment or a
-  // point.
-  bool is_beyond(std::size_t edge, const Exact_pair& point) const
-  {
-    const Exact_pair side = exact_difference(vertex(edge + 1), vertex(edge)),
-                     arm = exact_difference(point, vertex(edge));
-    const int turn = sign_of(exact_cross(side, arm));
-    if (turn != 0 || m_polygon.size() > 2)
-      return turn < 0;
-    const Exact_rational along = exact_dot(side, arm);
-    return m_polygon.size() == 1 ? point != vertex(0) : along < 0 || along > exact_dot(side, side);
-  }
-
-  void drop_pieces_in_polygon()
-  {
-    std::vector<Hull_piece_2> rest;
-    m_beyond.assign(m_polygon.size(), {});
-    for (Hull_piece_2& piece : m_pieces) {
-      bool is_inside = true;
-      for (std::size_t edge = 0; edge < m_polygon.size(); ++edge)
-        if (is_beyond(edge, piece)) {
-          m_beyond[edge].push_back(rest.size());
-          is_inside = false;
-        }
-      if (!is_inside)
-        rest.push_back(std::move(piece));
-    }
-    m_pieces = std::move(rest);
-  }
-
-  // All normals between two that are found are as good; the first and the last one are kept.
-  void find_supports()
-  {
-    for (std::size_t i = 0; i < m_polygon.size(); ++i)
-      for (const Exact_pair& normal : possible_normals(i))
-        if (is_support(i, normal)) {
-          auto& [first, last] = m_supports.try_emplace(vertex(i), Normals{normal, normal}).first->second;
-          if (exact_cross(normal, first) > 0)
-            first = normal;
-          if (exact_cross(last, normal) > 0)
-            last = normal;
-        }
-  }
-
-  // Normals of the tangents of pieces at a vertex, and two between those of its edges: one is good at flat vertices,
-  // and the other one at acute ones.
-  std::vector<Exact_pair> possible_normals(std::size_t i) const
-  {
-    const Exact_pair &point = vertex(i), before = exact_difference(point, vertex(i + m_polygon.size() - 1)),
-                     after = exact_difference(vertex(i + 1), point);
-    std::vector<Exact_pair> result;
-    for (std::size_t k : pieces_beside(i)) {
-      const std::vector<Exact_pair>& points = m_pieces[k].points();
-      for (const auto& [end, next] :
-           {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
-        if (end == point) {
-          result.push_back(normal_on_the_right(exact_difference(next, point)));
-          result.push_back(normal_on_the_right(exact_difference(point, next)));
-        }
-    }
-    const Exact_pair along = sum(scaled(before), scaled(after)),
-                     outward = exact_difference(scaled(before), scaled(after));
-    result.push_back(normal_on_the_right(along));
-    result.push_back(outward);
-    return result;
-  }
-
-  // The pieces beyond the two edges of a vertex: no others are above it in a direction in which it is the highest one
-  // of the polygon.
-  std::vector<std::size_t> pieces_beside(std::size_t i) const
-  {
-    std::vector<std::size_t> result = m_beyond[i];
-    const std::vector<std::size_t>& before = m_beyond[(i + m_polygon.size() - 1) % m_polygon.size()];
-    result.insert(result.end(), before.begin(), before.end());
-    return result;
-  }
-
-  bool is_support(std::size_t i, const Exact_pair& normal) const
-  {
-    const std::vector<std::size_t> pieces = pieces_beside(i);
-    if (normal == Exact_pair{0, 0})
-      return pieces.empty();
-    const auto is_not_above = [&](const Exact_pair& point) {
-      return exact_dot(exact_difference(point, vertex(i)), normal) <= 0;
-    };
-    return is_not_above(vertex(i + 1)) && is_not_above(vertex(i + m_polygon.size() - 1)) &&
-        std::all_of(pieces.begin(), pieces.end(), [&](std::size_t k) {
-             return std::all_of(m_pieces[k].points().begin(), m_pieces[k].points().end(), is_not_above);
-           });
   }
 
   // The edges between supported vertices; false when they are final, true when pieces were halved or dropped.
@@ -236,7 +121,7 @@ private:
     Cuts cuts;
     const std::size_t covered = m_covered.size();
     for (const Part& part : parts()) {
-      const std::array<Exact_pair, 2> ends{vertex(part.first), vertex(part.last)};
+      const std::array<Exact_pair, 2> ends{m_polygon.vertex(part.first), m_polygon.vertex(part.last)};
       auto known = m_parts.find(ends);
       if (known == m_parts.end())
         if (std::optional<Edges> edges = edges_of(part))
@@ -273,7 +158,7 @@ private:
   {
     std::vector<std::size_t> supported;
     for (std::size_t i = 0; i < m_polygon.size(); ++i)
-      if (m_supports.count(vertex(i)) > 0)
+      if (m_supports.hold(m_polygon.vertex(i)))
         supported.push_back(i);
     if (supported.empty())
       supported.push_back(0);
@@ -282,7 +167,7 @@ private:
       Part part{supported[i], i + 1 < supported.size() ? supported[i + 1] : supported[0] + m_polygon.size(), {}};
       std::set<std::size_t> pieces;
       for (std::size_t edge = part.first; edge < part.last; ++edge)
-        pieces.insert(m_beyond[edge % m_polygon.size()].begin(), m_beyond[edge % m_polygon.size()].end());
+        pieces.insert(m_polygon.beyond(edge).begin(), m_polygon.beyond(edge).end());
       part.pieces.assign(pieces.begin(), pieces.end());
       result.push_back(std::move(part));
     }
@@ -292,7 +177,7 @@ private:
   void append_segments(const Part& part, Hull_edge_kind kind, Edges& edges) const
   {
     for (std::size_t i = part.first; i < part.last; ++i)
-      edges.push_back({kind, m_points.at(vertex(i)), m_points.at(vertex(i + 1))});
+      edges.push_back({kind, m_points.at(m_polygon.vertex(i)), m_points.at(m_polygon.vertex(i + 1))});
   }
 
   std::optional<Edges> edges_of(const Part& part)
@@ -303,14 +188,14 @@ private:
       return result;
     }
     std::vector<std::size_t> rest = part.pieces;
-    const Hull_chain first = chain_from(vertex(part.first), rest);
-    if (rest.empty() && !first.empty() && first.back().end() == vertex(part.last)) {
+    const Hull_chain first = chain_from(m_polygon.vertex(part.first), rest);
+    if (rest.empty() && !first.empty() && first.back().end() == m_polygon.vertex(part.last)) {
       if (!is_convex(first) || !has_vertices(part, first, {}))
         return std::nullopt;
       append_arcs(first, result);
       return result;
     }
-    const Hull_chain second = reversed(chain_from(vertex(part.last), rest));
+    const Hull_chain second = reversed(chain_from(m_polygon.vertex(part.last), rest));
     if (!rest.empty() || !is_convex(first) || !is_convex(second) || !has_vertices(part, first, second) ||
         !are_in_order(part, first, second))
       return std::nullopt;
@@ -338,7 +223,7 @@ private:
   bool has_vertices(const Part& part, const Hull_chain& first, const Hull_chain& second) const
   {
     for (std::size_t i = part.first + 1; i < part.last; ++i)
-      if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)))
+      if (!has_end(first, m_polygon.vertex(i)) && !has_end(second, m_polygon.vertex(i)))
         return false;
     return true;
   }
@@ -347,16 +232,18 @@ private:
   // between the two supporting ones: then there is exactly one at which the higher chain changes.
   bool are_in_order(const Part& part, const Hull_chain& first, const Hull_chain& second) const
   {
-    const Exact_pair &before = m_supports.at(vertex(part.first))[1], &after = m_supports.at(vertex(part.last))[0];
-    const std::vector<Exact_pair> a = points_of(first, vertex(part.first)), b = points_of(second, vertex(part.last));
+    const Exact_pair &before = m_supports.normals(m_polygon.vertex(part.first))[1],
+                     &after = m_supports.normals(m_polygon.vertex(part.last))[0];
+    const std::vector<Exact_pair> a = points_of(first, m_polygon.vertex(part.first)),
+                                  b = points_of(second, m_polygon.vertex(part.last));
     return exact_cross(before, after) > 0 && have_order(a, b, before) && have_order(a, b, after);
   }
 
   // Arcs up to the contact of the common tangent with the first chain, and from that with the second one on.
   std::optional<Edges> edges_with_segment(const Part& part, const Hull_chain& first, const Hull_chain& second)
   {
-    for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
-      for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
+    for (const Hull_contact_operand& a : operands(first, m_polygon.vertex(part.first)))
+      for (const Hull_contact_operand& b : operands(second, m_polygon.vertex(part.last)))
         if (const auto contacts = m_contacts.common_tangent(a, b)) {
           const Boundary_vertex_2 source =
               a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
@@ -432,11 +319,11 @@ private:
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       for (std::size_t k : part.pieces) {
         const Hull_piece_2& piece = m_pieces[k];
-        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() &&
-            vertex(i) != piece.end() &&
-            (m_contacts.has_point({piece}, vertex(i)) || is_between_chord_and({piece}, vertex(i)) ||
-             is_between_chord_and({piece.reversed()}, vertex(i))))
-          result |= m_covered.insert(vertex(i)).second;
+        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && m_polygon.vertex(i) != piece.begin() &&
+            m_polygon.vertex(i) != piece.end() &&
+            (m_contacts.has_point({piece}, m_polygon.vertex(i)) || is_between_chord_and({piece}, m_polygon.vertex(i)) ||
+             is_between_chord_and({piece.reversed()}, m_polygon.vertex(i))))
+          result |= m_covered.insert(m_polygon.vertex(i)).second;
       }
     return result;
   }
@@ -468,21 +355,22 @@ private:
   Hull_chain chain_above(const Part& part, std::size_t piece, const std::set<std::size_t>& dropped) const
   {
     std::size_t first = part.first, last = part.last;
-    while (first < last && is_beyond_only(piece, first + 1, last))
+    while (first < last && m_polygon.is_beyond_only(piece, first + 1, last))
       ++first;
-    while (first < last && is_beyond_only(piece, first, last - 1))
+    while (first < last && m_polygon.is_beyond_only(piece, first, last - 1))
       --last;
     Hull_chain result;
     for (std::size_t edge = first; edge < last; ++edge)
-      for (std::size_t k : m_beyond[edge % m_polygon.size()])
-        if (const Hull_piece_2 other = m_pieces[k].begin() == vertex(edge) ? m_pieces[k] : m_pieces[k].reversed();
-            k != piece && dropped.count(k) == 0 && other.begin() == vertex(edge) && other.end() == vertex(edge + 1) &&
-            is_beyond_only(k, edge, edge + 1)) {
+      for (std::size_t k : m_polygon.beyond(edge))
+        if (const Hull_piece_2 other =
+                m_pieces[k].begin() == m_polygon.vertex(edge) ? m_pieces[k] : m_pieces[k].reversed();
+            k != piece && dropped.count(k) == 0 && other.begin() == m_polygon.vertex(edge) &&
+            other.end() == m_polygon.vertex(edge + 1) && m_polygon.is_beyond_only(k, edge, edge + 1)) {
           result.push_back(other);
           break;
         }
-    return result.size() == last - first && is_beyond_only(piece, first, last) && is_convex(result) ? result
-                                                                                                    : Hull_chain();
+    const bool is_above = result.size() == last - first && m_polygon.is_beyond_only(piece, first, last);
+    return is_above && is_convex(result) ? result : Hull_chain();
   }
 
   // Ends are in the polygon, or points of a chain, or between it and its chord.
@@ -496,45 +384,37 @@ private:
     return is_behind(piece.begin()) && is_behind(piece.end());
   }
 
-  bool is_beyond_only(std::size_t piece, std::size_t first_edge, std::size_t last_edge) const
-  {
-    for (std::size_t edge = last_edge; edge < first_edge + m_polygon.size(); ++edge)
-      if (const auto& beyond = m_beyond[edge % m_polygon.size()];
-          std::find(beyond.begin(), beyond.end(), piece) != beyond.end())
-        return false;
-    return true;
-  }
-
   // Convex pieces, and vertices, between two chains that touch the segment that touches both of these.
   bool leave_out_what_touches_segment(const Part& part, std::set<std::size_t>& dropped)
   {
     std::vector<std::size_t> rest = part.pieces;
-    const Hull_chain first = chain_from(vertex(part.first), rest),
-                     second = reversed(chain_from(vertex(part.last), rest));
+    const Hull_chain first = chain_from(m_polygon.vertex(part.first), rest),
+                     second = reversed(chain_from(m_polygon.vertex(part.last), rest));
     if (!is_convex(first) || !is_convex(second))
       return false;
     bool result = false;
     for (std::size_t i : rest)
       for (const Hull_piece_2& piece : {m_pieces[i], m_pieces[i].reversed()})
-        if (is_convex({piece}) && is_beyond_only(i, part.first, part.last) && are_in_order(part, first, {piece}) &&
-            are_in_order(part, {piece}, second) && have_common_tangent(part, first, {&piece, {}}, second)) {
+        if (is_convex({piece}) && m_polygon.is_beyond_only(i, part.first, part.last) &&
+            are_in_order(part, first, {piece}) && are_in_order(part, {piece}, second) &&
+            have_common_tangent(part, first, {&piece, {}}, second)) {
           dropped.insert(i);
           m_covered.insert({piece.begin(), piece.end()});
           result = true;
         }
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       if (!first.empty() || !second.empty())
-        if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)) &&
-            have_common_tangent(part, first, {nullptr, vertex(i)}, second))
-          result |= m_covered.insert(vertex(i)).second;
+        if (!has_end(first, m_polygon.vertex(i)) && !has_end(second, m_polygon.vertex(i)) &&
+            have_common_tangent(part, first, {nullptr, m_polygon.vertex(i)}, second))
+          result |= m_covered.insert(m_polygon.vertex(i)).second;
     return result;
   }
 
   bool have_common_tangent(const Part& part, const Hull_chain& first, const Hull_contact_operand& between,
                            const Hull_chain& second)
   {
-    for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
-      for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
+    for (const Hull_contact_operand& a : operands(first, m_polygon.vertex(part.first)))
+      for (const Hull_contact_operand& b : operands(second, m_polygon.vertex(part.last)))
         if (m_contacts.have_common_tangent(a, between, b))
           return true;
     return false;

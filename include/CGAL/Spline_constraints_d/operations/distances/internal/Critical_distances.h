@@ -8,7 +8,9 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
-#include <CGAL/Spline_constraints_d/operations/distances/internal/Nearest_parts.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Pair_of_sites.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Site_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
@@ -16,9 +18,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,16 +28,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Distances {
-
-// Parameters of two operands where the derivatives of their distance are as a `Joint_rule` asks.
-struct Critical_distance
-{
-  Solution_kind kind;
-  std::array<std::vector<Parameter_range>, 2> ranges;
-  std::array<std::vector<Exact_rational>, 2> sample;   // in these ranges
-  Rational_interval squared_distance;
-  std::optional<Solution_d<double>> solution;
-};
 
 /*
 The critical points of the squared distance of two operands. For every pair of sites there is a system, whose unknowns
@@ -50,22 +40,11 @@ template <int d>
 class Critical_distances
 {
   using Site = Spline_site<d>;
+  using Pair_of_sites = internal::Distances::Pair_of_sites<d>;
   using Solution = Solution_d<double>;
   using Box = Solution::Exact_box;
 
   static constexpr int refinements = 128;   // of a solution that is not certified
-
-  struct Region
-  {
-    std::array<std::vector<Site>, 2> sites;
-    std::vector<Box> boxes;   // of all parameters, which together hold the pairs that are looked for
-  };
-
-  struct Pair_of_sites
-  {
-    const Site *a, *b;
-    const Region* region;
-  };
 
   struct Found
   {
@@ -76,9 +55,7 @@ class Critical_distances
   };
 
   std::array<Spline_patch<d>, 2> m_operands;
-  Joint_rule m_rule;
-  std::array<std::vector<std::vector<Axis_part>>, 2> m_parts;
-  std::vector<Region> m_regions;
+  Site_pairs<d> m_pairs;
   Subdivision_solver_d<Certified_solver_traits> m_solver;
   Exact_rational m_upper;   // no pair of closest points has a larger squared distance
   Exact_rational m_least;   // of the bounds of what was found
@@ -88,16 +65,15 @@ class Critical_distances
 public:
   Critical_distances(const Spline_patch<d>& a, const Spline_patch<d>& b, const Joint_rule& rule,
                      const Solver_options& options)
-    : m_operands{a, b}, m_rule(rule), m_parts{parts_of_axes(a, rule), parts_of_axes(b, rule)}, m_solver(options),
+    : m_operands{a, b}, m_pairs(m_operands, rule), m_solver(options),
       m_upper(squared_distance_of<d>(a(a.middle()), b(b.middle())))
   {}
 
   // All of them, by increasing distance.
   std::vector<Critical_distance> all()
   {
-    m_regions = {
-        {{sites_of(m_operands[0], m_parts[0], m_rule), sites_of(m_operands[1], m_parts[1], m_rule)}, {whole_domain()}}};
-    for (const Pair_of_sites& sites : pairs_of_sites())
+    m_pairs.find_all();
+    for (const Pair_of_sites& sites : m_pairs.pairs())
       find_critical_distances(sites);
     for (Found& found : m_found)
       enclose(found);
@@ -107,8 +83,8 @@ public:
   // Those that may be the least distance.
   std::vector<Critical_distance> nearest()
   {
-    find_regions();
-    for (const Pair_of_sites& sites : pairs_of_sites())
+    m_pairs.find_nearest(m_upper);
+    for (const Pair_of_sites& sites : m_pairs.pairs())
       if (!is_too_far(squared_norm(sites.a->bounds() - sites.b->bounds())))
         find_critical_distances(sites);
     drop_those_too_far();
@@ -132,94 +108,6 @@ private:
   void drop_those_too_far()
   {
     std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); });
-  }
-
-  Box whole_domain() const
-  {
-    Box result;
-    for (const Spline_patch<d>& operand : m_operands)
-      for (int axis = 0; axis < operand.number_of_parameters(); ++axis)
-        result.push_back(operand.domain(axis));
-    return result;
-  }
-
-  // The joints of an operand, by its breaks. Both ends of a closed axis are the same.
-  Joints joints_of(std::size_t operand) const
-  {
-    Joints result;
-    for (int axis = 0; axis < m_operands[operand].number_of_parameters(); ++axis) {
-      const std::vector<Exact_rational> breaks = m_operands[operand].breaks(axis);
-      std::vector<bool>& is_joint = result.emplace_back(breaks.size(), false);
-      for (const Axis_part& part : m_parts[operand][axis])
-        if (part.range.first == part.range.second)
-          is_joint[static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), part.range.first) -
-                                            breaks.begin())] = true;
-      if (m_operands[operand].is_closed(axis))
-        is_joint.back() = is_joint.front();
-    }
-    return result;
-  }
-
-  // Cells that may hold nearest points are in one region if they are neighbours.
-  void find_regions()
-  {
-    const Nearest_parts<d> nearest(m_operands[0], m_operands[1], {joints_of(0), joints_of(1)}, m_upper);
-    if (std::isfinite(nearest.upper()))   // as squares of doubles need not be
-      m_upper = (std::min)(m_upper, to_rational(nearest.upper()));
-    const std::vector<Box> boxes = nearest.boxes();
-    for (const Box& hull : separate_hulls(nearest.boxes_of_cells())) {
-      Region& region = m_regions.emplace_back();
-      std::size_t next = 0;
-      for (const std::size_t operand : {0, 1}) {
-        std::vector<std::vector<Axis_part>> parts;
-        for (const std::vector<Axis_part>& all : m_parts[operand])
-          parts.push_back(parts_within(all, hull[next++]));
-        region.sites[operand] = sites_of(m_operands[operand], parts, m_rule);
-      }
-      std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(region.boxes),
-                   [&](const Box& box) { return meet(box, hull); });
-    }
-  }
-
-  static bool meet(const Box& a, const Box& b)
-  {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) {
-      return x.first <= y.second && y.first <= x.second;
-    });
-  }
-
-  // Whether a box may hold one of the pairs that are looked for, with the parameters of these sites: those of a piece
-  // are not at a joint where the derivative is not zero.
-  static bool may_be_in(const Box& box, const Pair_of_sites& sites)
-  {
-    Box ranges = sites.a->ranges();
-    const Box others = sites.b->ranges();
-    ranges.insert(ranges.end(), others.begin(), others.end());
-    return std::equal(
-        box.begin(), box.end(), ranges.begin(), [](const Parameter_range& x, const Parameter_range& range) {
-          return range.first == range.second ? x.first <= range.first && range.first <= x.second
-                                             : x.first < x.second && x.first < range.second && range.first < x.second;
-        });
-  }
-
-  // Those with few unknowns first: they make others too far.
-  std::vector<Pair_of_sites> pairs_of_sites() const
-  {
-    std::vector<Pair_of_sites> result;
-    for (const Region& region : m_regions)
-      for (const Site& a : region.sites[0])
-        for (const Site& b : region.sites[1]) {
-          const Pair_of_sites sites{&a, &b, &region};
-          if (std::any_of(region.boxes.begin(), region.boxes.end(),
-                          [&](const Box& box) { return may_be_in(box, sites); }))
-            result.push_back(sites);
-        }
-    const auto unknowns = [](const Pair_of_sites& sites) {
-      return sites.a->free_axes().size() + sites.b->free_axes().size();
-    };
-    std::stable_sort(result.begin(), result.end(),
-                     [&](const auto& x, const auto& y) { return unknowns(x) < unknowns(y); });
-    return result;
   }
 
   std::vector<Critical_distance> sorted()
@@ -272,7 +160,7 @@ private:
 
   void find_critical_distances(const Pair_of_sites& sites)
   {
-    const auto& [a, b, region] = sites;
+    const auto& [a, b, boxes] = sites;
     const std::vector<Unknown> u = unknowns_in(domain_of(*a, *b));
     const std::vector<Constraint> constraints = distance_constraints(*a, *b, u);
     if (u.empty()) {
@@ -285,24 +173,9 @@ private:
     const Solution_set_d<double> solutions = m_solver(make_system(constraints));
     m_summary += solutions.summary();
     for (const Solution& solution : solutions)
-      if (const Box box = with_fixed_parameters(sites, clipped(solution.exact_box(), domain_of(*a, *b)));
-          std::any_of(region->boxes.begin(), region->boxes.end(), [&](const Box& x) { return meet(x, box); }))
+      if (const Box box = sites.with_fixed_parameters(clipped(solution.exact_box(), domain_of(*a, *b)));
+          std::any_of(boxes->begin(), boxes->end(), [&](const Box& x) { return meet(x, box); }))
         add_solution(sites, constraints, solution);
-  }
-
-  // All parameters, where those that are free are in a box.
-  static Box with_fixed_parameters(const Pair_of_sites& sites, const Box& box)
-  {
-    Box result;
-    auto next = box.begin();
-    for (const Site* site : {sites.a, sites.b}) {
-      const Box ranges = site->ranges();
-      for (int axis = 0; axis < static_cast<int>(ranges.size()); ++axis)
-        result.push_back(std::find(site->free_axes().begin(), site->free_axes().end(), axis) != site->free_axes().end()
-                             ? *next++
-                             : ranges[axis]);
-    }
-    return result;
   }
 
   void add_solution(const Pair_of_sites& sites, const std::vector<Constraint>& constraints, const Solution& solution)
@@ -327,7 +200,7 @@ private:
         std::all_of(box.begin(), box.end(), [](const Parameter_range& x) { return x.first == x.second; });
     const std::vector<Exact_rational> sample = sample_of(solution, boxes.front());
     add(sites, solution.kind(), std::move(boxes), sample, is_exact, solution);
-    m_found.back().distance.ranges = ranges_of(sites, box);
+    m_found.back().distance.ranges = sites.ranges_of(box);
   }
 
   // Bounds of a distance that are close together.
@@ -336,7 +209,7 @@ private:
     if (found.is_exact)
       return;
     Rational_interval& range = found.distance.squared_distance;
-    range = hull_of(found.boxes, [&](const Box& part) { return range_on(found.sites, part); });
+    range = hull_of(found.boxes, [&](const Box& part) { return found.sites.range_on(part); });
     const Solution& solution = *found.distance.solution;
     if (range.lower == 0 && range.upper > 0 && is_crossing(found.sites, solution)) {
       range = Rational_interval(Exact_rational(0));
@@ -361,28 +234,21 @@ private:
     return constraint.relation != Relation::EQUAL || is_zero_everywhere(constraint.spline_function());
   }
 
-  static std::array<std::vector<Parameter_range>, 2> ranges_of(const Pair_of_sites& sites, const Box& box)
-  {
-    const Box all = with_fixed_parameters(sites, box);
-    const auto split = all.begin() + static_cast<std::ptrdiff_t>(sites.a->ranges().size());
-    return {std::vector<Parameter_range>(all.begin(), split), std::vector<Parameter_range>(split, all.end())};
-  }
-
   // What the boxes hold together, with the parameters of a point in the first one. Whether it is exact: the distance is
   // that of this point.
   void add(const Pair_of_sites& sites, Solution_kind kind, std::vector<Box> boxes,
            const std::vector<Exact_rational>& sample, bool is_exact, const std::optional<Solution>& solution)
   {
-    const Exact_rational at_point = squared_distance_at(sites, sample);
+    const Exact_rational at_point = sites.squared_distance_at(sample);
     Critical_distance result{kind,
-                             ranges_of(sites, boxes.front()),
+                             sites.ranges_of(boxes.front()),
                              {},
                              Rational_interval(is_exact ? at_point : Exact_rational(0), at_point),
                              solution};
     Box at_sample;
     for (const Exact_rational& x : sample)
       at_sample.emplace_back(x, x);
-    const auto points = ranges_of(sites, at_sample);
+    const auto points = sites.ranges_of(at_sample);
     for (const std::size_t operand : {0, 1})
       for (const Parameter_range& x : points[operand])
         result.sample[operand].push_back(x.first);
@@ -398,21 +264,6 @@ private:
     for (std::size_t i = 0; i < box.size(); ++i)
       result.push_back(ends.empty() ? middle_of(box[i]) : middle_of({ends[0][i], ends[1][i]}));
     return result;
-  }
-
-  static Exact_rational squared_distance_at(const Pair_of_sites& sites, const std::vector<Exact_rational>& point)
-  {
-    const std::span<const Exact_rational> parameters(point);
-    const auto split = static_cast<std::size_t>(sites.a->patch().number_of_parameters());
-    return squared_distance_of<d>(sites.a->patch()(parameters.first(split)),
-                                  sites.b->patch()(parameters.subspan(split)));
-  }
-
-  static Rational_interval range_on(const Pair_of_sites& sites, const Box& box)
-  {
-    const auto split = box.begin() + sites.a->patch().number_of_parameters();
-    return squared_distance_bounds<d>(sites.a->patch().part(Box(box.begin(), split)),
-                                      sites.b->patch().part(Box(split, box.end())));
   }
 
   template <class Range_on>
@@ -438,7 +289,7 @@ private:
     const auto is_farther = [](const Part& p, const Part& q) { return p.lower > q.lower; };
     std::vector<Part> parts;
     const auto push = [&](Box box) {
-      const Exact_rational lower = range_on(found.sites, box).lower;
+      const Exact_rational lower = found.sites.range_on(box).lower;
       parts.push_back({std::move(box), lower});
       std::push_heap(parts.begin(), parts.end(), is_farther);
     };
@@ -468,7 +319,7 @@ private:
   // A pair of points whose distance is an upper bound of the least one.
   void look_at(const Pair_of_sites& sites, const std::vector<Exact_rational>& parameters)
   {
-    m_upper = (std::min)(m_upper, squared_distance_at(sites, parameters));
+    m_upper = (std::min)(m_upper, sites.squared_distance_at(parameters));
   }
 
   static bool is_solution(const std::vector<Constraint>& constraints, const std::vector<Exact_rational>& point)
@@ -512,9 +363,9 @@ private:
     const bool may_be_zero = m_upper > 0 && std::any_of(m_found.begin(), m_found.end(), [](const Found& x) {
                                return x.distance.squared_distance.lower == 0;
                              });
-    for (const Pair_of_sites& sites : pairs_of_sites()) {
+    for (const Pair_of_sites& sites : m_pairs.pairs()) {
       const Site &a = *sites.a, &b = *sites.b;
-      if (!may_be_zero || a.free_axes().size() + b.free_axes().size() != d ||
+      if (!may_be_zero || sites.unknowns() != d ||
           squared_norm(a.bounds() - b.bounds()).lower > 0)
         continue;
       const Solution_set_d<double> solutions = common_points(a, b, domain_of(a, b));

@@ -12,7 +12,8 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_poles.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/equations_of_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Face_factor.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,8 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Face_factor.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
 #include <cstddef>
 #include <span>

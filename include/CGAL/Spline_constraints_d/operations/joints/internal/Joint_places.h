@@ -6,8 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/Joint_control_points.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/joints/internal/foot_on_curve.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Bbox_2.h>
@@ -44,7 +43,6 @@ class Joint_places
   using Curve = Bspline_curve_2<Kernel>;
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
 
-  static constexpr double rounding = 0x1p-48;   // of coordinates, relative
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   enum class State { WAITING, IN_PROGRESS, DONE };
@@ -234,7 +232,8 @@ private:
     while (result.back() != last) {
       const std::size_t i = following(side, result.back());
       const FT height = CGAL::determinant(direction, Vector(along[i] - joint)),
-               most = converted_number<FT>(rounding * (std::max)(magnitude(joint), magnitude(along[i])));
+               most = converted_number<FT>(rounding_of_coordinates *
+                                           (std::max)(magnitude_of(joint), magnitude_of(along[i])));
       if (height * height > most * most * direction.squared_length())
         break;
       result.push_back(i);
@@ -310,66 +309,6 @@ private:
         (are_same(one, other) || are_same(one.reversed(), other));
   }
 
-  // Of the point of a curve that is nearest to another one, rounded.
-  static FT nearest_parameter(const Curve& curve, const Point& point)
-  {
-    const auto [begin, end] = curve.domain();
-    std::optional<std::pair<FT, FT>> nearest;
-    for (const auto& pair : closest_points(point, curve)) {
-      const FT t = std::clamp(converted_number<FT>(pair.parameter(1)), begin, end);
-      if (const FT distance = CGAL::squared_distance(point, curve(t)); !nearest || distance < nearest->first)
-        nearest = {distance, t};
-    }
-    return nearest->second;
-  }
-
-  // Of the point that has the simplest parameter of those as near to the nearest one as that is to the given point, or
-  // as coordinates are rounded; none in the ends.
-  std::optional<FT> simplest_parameter(const Curve& curve, const Point& point, const FT& nearest) const
-  {
-    constexpr int most_halvings = 60;
-    const auto [begin, end] = curve.domain();
-    if (nearest == begin || nearest == end)
-      return std::nullopt;
-    const FT error = converted_number<FT>(0x1p-50 * CGAL::to_double(CGAL::abs(nearest)));
-    if (const FT t = simplest_number(FT(nearest - error), FT(nearest + error));
-        begin < t && t < end && curve(t) == point)
-      return t;
-    const Point foot = curve(nearest);
-    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(point, foot))),
-                 way = (std::min)(m_most_distance, (std::max)(distance, rounding * magnitude(curve))),
-                 speed = std::sqrt(CGAL::to_double(curve.tangent(nearest).squared_length()));
-    FT width = (std::min)(FT(nearest - begin), FT(end - nearest)) / 2;
-    if (speed > 0 && way / speed < CGAL::to_double(width))
-      width = converted_number<FT>(way / speed);
-    for (int i = 0; i < most_halvings && width > 0; ++i, width = width / 2) {
-      const FT t = simplest_number(FT(nearest - width), FT(nearest + width));
-      if (CGAL::to_double(CGAL::squared_distance(foot, curve(t))) <= way * way)
-        return t;
-    }
-    return nearest;
-  }
-
-  static FT simplest_number(const FT& lower, const FT& upper)
-  {
-    return converted_number<FT>(
-        simplest_rational_between(converted_number<Exact_rational>(lower), converted_number<Exact_rational>(upper)));
-  }
-
-  // The greatest absolute value of a coordinate.
-  static double magnitude(const Point& p)
-  {
-    return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y())));
-  }
-
-  static double magnitude(const Curve& curve)
-  {
-    double result = 0;
-    for (const Point& p : curve.control_points())
-      result = (std::max)(result, magnitude(p));
-    return result;
-  }
-
   // Moves a place onto the piece near it, after the ends of that, and aligns directions. Returns whether it has its
   // final point: not yet, where it is the begin of a circle of places of which each one depends on the next one.
   bool settle(std::size_t place)
@@ -408,7 +347,7 @@ private:
   void put_on(std::size_t place, const Curve& curve)
   {
     const FT nearest = nearest_parameter(curve, m_places[place].point);
-    const auto t = simplest_parameter(curve, m_places[place].point, nearest);
+    const auto t = simplest_parameter(curve, m_places[place].point, nearest, m_most_distance);
     if (!t) {
       ++left;
       return;

@@ -11,8 +11,11 @@
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_chains.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curves_on_face.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Found_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/United_curves.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
 
 #include <algorithm>

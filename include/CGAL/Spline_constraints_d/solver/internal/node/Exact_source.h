@@ -4,14 +4,21 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_EXACT_SOURCE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_EXACT_SOURCE_H
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Cell_grid.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Fixed_point_source.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Integer_term.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/scaled_matrix_product.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -21,30 +28,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A cell of the grid that the breaks of all splines cut the domain into: an index per unknown.
-using Cell = std::vector<int>;
-
 /*
-The functions of a system as integer polynomials, one set per cell, and what the solver asks of them exactly: the
-Bernstein coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding happens once, at the
-end.
+The functions of a system as integer polynomials, one set per cell of the grid of their breaks, and what the solver asks
+of them exactly: the Bernstein coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding
+happens once, at the end.
 
 Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. On request
 all of them are multiplied by a matrix, when every block of the layout holds them all. Not shared between threads: the
 scratch numbers live here.
 */
-class Exact_source
+class Exact_source : public Cell_grid
 {
-  struct Term
-  {
-    int function;
-    std::size_t block;
-    std::size_t member;                            // place of the function in the block
-    // per axis with breaks, of a cell of the system: of its piece; no axis: there is one piece
-    std::vector<std::vector<std::size_t>> offsets;
-    std::vector<std::vector<Short_integer>> pieces;  // padded to the degrees of the block
-  };
-
   // Where the part of a function in a block lies.
   struct Place
   {
@@ -52,8 +46,7 @@ class Exact_source
   };
 
   const System_layout& m_layout;
-  std::vector<std::vector<Exact_rational>> m_breaks;   // per unknown, empty where no spline has any
-  std::vector<Term> m_terms;
+  std::vector<Integer_term> m_terms;
   std::vector<Short_integer> m_denominators;           // per block: product over the axes of lcm_i C(d,i)
   std::vector<Short_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
   std::vector<Short_integer> m_values, m_work;
@@ -62,23 +55,22 @@ class Exact_source
   Short_integer m_horner, m_shifted;
   std::vector<std::vector<Place>> m_places;   // per function
   std::vector<long> m_exponents;              // per block, of an expansion
-  Cell m_cell;
   Fixed_point_source m_fixed_point;
   Cell m_home_cell;
   std::vector<double> m_home_lower, m_home_upper;
 
 public:
   Exact_source(const Constraint_system_d& system, const System_layout& layout)
-    : Exact_source(system, layout, collect_breaks(system, layout))
+    : Exact_source(system, layout, breaks_of_splines(system, layout))
   {}
 
   // With the cells of another source of the same system.
   Exact_source(const Constraint_system_d& system, const System_layout& layout,
                std::vector<std::vector<Exact_rational>> breaks)
-    : m_layout(layout), m_breaks(std::move(breaks)), m_fixed_point(layout)
+    : Cell_grid(std::move(breaks)), m_layout(layout), m_fixed_point(layout)
   {
     for (int f = 0; f < layout.functions; ++f)
-      add_function(function_of(system, f), f);
+      append_integer_terms(m_terms, function_of(system, f), f, layout, *this);
     m_places.resize(layout.functions);
     m_denominators.reserve(layout.blocks.size());
     for (std::size_t b = 0; b < layout.blocks.size(); ++b)
@@ -92,43 +84,6 @@ public:
     m_values.resize(layout.size);
   }
 
-  const std::vector<std::vector<Exact_rational>>& breaks() const { return m_breaks; }
-
-  // Breaks of all splines on an unknown, within its domain; empty when there are none.
-  const std::vector<Exact_rational>& breaks(int unknown) const { return m_breaks[unknown]; }
-
-  // Some unknown has a break inside its domain.
-  bool has_breaks() const
-  {
-    return std::any_of(m_breaks.begin(), m_breaks.end(), [](const auto& breaks) { return breaks.size() > 2; });
-  }
-
-  // The cell that holds a point; beyond the domain the nearest one.
-  template <class Coordinate>
-  const Cell& cell_of(std::span<const Coordinate> point)
-  {
-    m_cell.assign(m_layout.dimension, 0);
-    for (int v = 0; v < m_layout.dimension; ++v)
-      if (m_breaks[v].size() > 2) {
-        const auto next = std::upper_bound(m_breaks[v].begin() + 1, m_breaks[v].end() - 1, Exact_rational(point[v]));
-        m_cell[v] = static_cast<int>(next - m_breaks[v].begin()) - 1;
-      }
-    return m_cell;
-  }
-
-  // Calls visit(cell) for every cell that a box meets.
-  template <class Coordinate, class Visitor>
-  void visit_cells(std::span<const Coordinate> lower, std::span<const Coordinate> upper, const Visitor& visit)
-  {
-    const Cell first = cell_of(lower), last = cell_of(upper);
-    Cell cell = first;
-    for (int v = m_layout.dimension - 1; v >= 0;) {
-      visit(std::as_const(cell));
-      for (v = m_layout.dimension - 1; v >= 0 && ++cell[v] > last[v]; --v)
-        cell[v] = first[v];
-    }
-  }
-
   const System_layout& layout() const { return m_layout; }
 
   // The matrix that the functions are multiplied by, row-major; empty: none.
@@ -137,7 +92,13 @@ public:
 
   // Multiplies the functions by a matrix (row-major) whose columns act on the functions times 2^-scale. The rows are
   // multiplied by powers of two. Returns whether all numbers are finite.
-  bool multiply(const double* matrix, const std::vector<long>& scale);
+  bool multiply(const double* matrix, const std::vector<long>& scale)
+  {
+    std::optional<std::vector<Short_integer>> product = scaled_matrix_product(matrix, scale, m_matrix);
+    if (product)
+      m_matrix = *std::move(product);
+    return product.has_value();
+  }
 
   // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by
   // 2^-scale[f] such that the largest lies in [1/2, 1), and a bound on the rounding error per block and function.
@@ -203,18 +164,14 @@ private:
   void gather_constants();
   template <class Coordinate>
   bool has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
-  static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system,
-                                                                 const System_layout& layout);
-  void add_function(const Spline_function& function, int index);
-  static Short_integer common_binomial(int degree);
 
-  const std::vector<Short_integer>& piece(const Term& term, const Cell& cell) const
+  // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
+  static Short_integer common_binomial(int degree)
   {
-    std::size_t index = 0;
-    for (std::size_t j = 0; j < term.offsets.size(); ++j)
-      if (!term.offsets[j].empty())
-        index += term.offsets[j][cell[m_layout.blocks[term.block].axes[j]]];
-    return term.pieces[index];
+    Short_integer common(1);
+    for (int i = 2; i <= degree + 1; ++i)
+      common *= i / gcd(common, i);
+    return common / (degree + 1);
   }
 };
 
@@ -252,9 +209,9 @@ inline void Exact_source::load(const Cell& cell)
 {
   for (Short_integer& value : m_values)
     value = 0;
-  for (const Term& term : m_terms) {
+  for (const Integer_term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
-    const std::vector<Short_integer>& source = piece(term, cell);
+    const std::vector<Short_integer>& source = term.piece(cell, m_layout);
     const std::size_t members = block.functions.size();
     Short_integer* values = m_values.data() + block.offset;
     if (m_matrix.empty())
@@ -431,9 +388,9 @@ void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point,
   m_sums.resize(m_layout.functions);
   for (auto& sum : m_sums)
     sum.reset();
-  for (const Term& term : m_terms) {
+  for (const Integer_term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
-    const std::vector<Short_integer>& coefficients = piece(term, cell);
+    const std::vector<Short_integer>& coefficients = term.piece(cell, m_layout);
     const Short_integer* rest = coefficients.data();
     m_work.resize((std::max)(m_work.size(), block.points));
     std::size_t points = block.points;
@@ -460,7 +417,5 @@ void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point,
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
-
-#include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source_impl.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_EXACT_SOURCE_H

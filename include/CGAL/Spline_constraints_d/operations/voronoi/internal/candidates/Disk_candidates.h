@@ -152,7 +152,7 @@ public:
         open.pop();
         if (is_low(pool[i]) ||
             (!may_be_scaled(pool[i]) &&
-             (m_separate_faces.hold(m_curvature, part, middle, pool[i]) || m_hidden_arcs.hold(part, pool[i]))))
+             (m_separate_faces.hold(part, middle, pool[i]) || m_hidden_arcs.hold(part, pool[i]))))
           continue;
         if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates ||
             pool.size() > most_parts)

@@ -5,7 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_CANDIDATES_SEPARATE_FACES_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_candidate.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Element_ways.h>
 
 #include <array>
 #include <cstddef>
@@ -32,7 +34,6 @@ class Basic_separate_faces
   using Site_graph_2 = Basic_site_graph_2<Interval>;
   using Oriented_element = Basic_oriented_element<Interval>;
   using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
 
   const Site_graph_2& m_graph;
@@ -52,8 +53,7 @@ public:
 
   // Whether all disks that touch the part of an element, and pass through a candidate, have the chord on a side of the
   // arc where the element is not; with the middle of the part.
-  bool hold(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle,
-            const Disk_candidate& candidate) const
+  bool hold(const Element_part& part, const Element_part& middle, const Disk_candidate& candidate) const
   {
     const Oriented_element& element = m_graph.elements()[part.element];
     const std::size_t arc = candidate.index;
@@ -65,10 +65,10 @@ public:
       return !is_on_left;
     const Interval_pair direction =
         m_graph.arcs()[arc].has_singular_end() ? m_graph.arcs()[arc].direction_over(candidate.range) : candidate.jet[1];
-    if (turn_to_element(direction, curvature, part, middle, arc, candidate.range) != (is_on_left ? -1 : 1))
+    if (turn_to_element(direction, part, middle, arc, candidate.range) != (is_on_left ? -1 : 1))
       return false;
     const auto is_left_out = [&](bool end) {
-      return is_left_to_others(curvature, part, middle, {arc, end}, is_on_left != end);
+      return is_left_to_others(part, middle, {arc, end}, is_on_left != end);
     };
     return (candidate.range.begin > 0 || is_left_out(false)) && (candidate.range.end < 1 || is_left_out(true));
   }
@@ -82,8 +82,8 @@ private:
 
   // Whether the way from points of an arc to those of an element turns left from a vector, 1, or right, -1; by mean
   // values, as elements and arcs nearly have one direction.
-  int turn_to_element(const Interval_pair& vector, const Disk_curvature& curvature, const Element_part& part,
-                      const Element_part& middle, std::size_t arc, const Range& range) const
+  int turn_to_element(const Interval_pair& vector, const Element_part& part, const Element_part& middle,
+                      std::size_t arc, const Range& range) const
   {
     const Interval_pair normal = turned_left(vector);
     const double v = range.middle();
@@ -92,13 +92,13 @@ private:
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
                    shift_v = interval_of<Interval>(range) - Interval(v);
     return certain_sign(shift_u * dot(normal, part.jet.point_derivative) - shift_v * dot(normal, jet[1]) -
-                        dot(normal, curvature.way(middle, arc, {v, v}, jet_in_middle)));
+                        dot(normal, Basic_element_ways<Interval>(m_graph).to_arc(middle, arc, {v, v}, jet_in_middle)));
   }
 
   // Whether the chords to the end of an arc begin outside of the angle between this and the next arc around the vertex,
   // which comes counterclockwise, or clockwise; or on the side of the next one where the angle is.
-  bool is_left_to_others(const Disk_curvature& curvature, const Element_part& part, const Element_part& middle,
-                         const Arc_end& end, bool is_counterclockwise) const
+  bool is_left_to_others(const Element_part& part, const Element_part& middle, const Arc_end& end,
+                         bool is_counterclockwise) const
   {
     const Oriented_element& side = m_graph.elements()[2 * end.arc + (is_counterclockwise == end.is_end)];
     const Arc_end& next = m_graph.next_around_vertex(side, end);
@@ -111,7 +111,7 @@ private:
     // below 180 degrees: 1
     const int way = is_counterclockwise ? 1 : -1, angle = way * certain_sign(dot(turned_left(first), last));
     const auto turn = [&](const Interval_pair& vector) {
-      return way * turn_to_element(vector, curvature, part, middle, end.arc, {end.parameter(), end.parameter()});
+      return way * turn_to_element(vector, part, middle, end.arc, {end.parameter(), end.parameter()});
     };
     const int turn_from_next = turn(last);
     return turn_from_next < 0 || (angle > 0 && (turn_from_next > 0 || turn(first) < 0)) ||

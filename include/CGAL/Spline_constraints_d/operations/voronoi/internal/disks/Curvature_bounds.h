@@ -95,6 +95,22 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
   return result;
 }
 
+// What more is known where derivatives are those by v itself.
+template <Enclosing_number Interval>
+void add_by_tangent(Basic_curvature_bounds<Interval>& result, Basic_curvature_bounds<Interval> more,
+                    const Basic_site_arc_2<Interval>& y, const Range& range)
+{
+  if (y.has_singular_end()) {
+    more.factor = y.tangent_factor(range);
+    const bool is_divided = more.factor.inf() > 0;
+    more.dvv =
+        is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
+    more.dv = is_divided ? more.dv / more.factor : any_number<Interval>();
+    more.duv = is_divided ? more.duv / more.factor : any_number<Interval>();
+  }
+  result = common_part(result, more);
+}
+
 // Derivatives of an element beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u =
 // speed M; p = <M, Y - X>, and p_v / m.
 template <Enclosing_number Interval>

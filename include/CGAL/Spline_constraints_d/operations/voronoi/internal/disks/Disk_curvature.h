@@ -6,8 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Circle_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Common_vertex_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Normal_cone_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Element_ways.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Scaled_sites.h>
 
 #include <algorithm>
@@ -53,17 +54,15 @@ class Basic_disk_curvature
   using Element_jet = Basic_element_jet<Interval>;
   using Element_part = Basic_element_part<Interval>;
   using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
   using Circle_disks = Basic_circle_disks<Interval>;
+  using Common_vertex_disks = Basic_common_vertex_disks<Interval>;
+  using Element_ways = Basic_element_ways<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
   using Element_turn = Basic_element_turn<Interval>;
-  using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
   using Scaled_sites = Basic_scaled_sites<Interval>;
 
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
-  // the relative error of a difference of points that cannot be much smaller
-  static constexpr double accurate = 0x1p-46;
   static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
@@ -93,21 +92,6 @@ public:
     return {element, range, m_graph.element_jet(m_graph.elements()[element], range)};
   }
 
-  // From the element to an arc; also by way of their nearer ends, or of one that both have in common, which is as
-  // accurate as the ways are short.
-  Interval_pair way(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
-  {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    Interval_pair result = jet[0] - part.jet.point;
-    if (is_accurate(result) || (!element.is_normal_cone && element.object == arc))
-      return result;
-    for (const bool end : {false, true})
-      if (const Arc_end other{arc, end}; m_graph.is_exact(other))
-        if (const auto to_end = way_to_vertex(part, m_graph.vertex_of(other), end == (range.middle() > 0.5)))
-          result = common_part(result, *to_end + m_graph.arcs()[arc].way_from_end(end, range));
-    return result;
-  }
-
   // Over a part of an element and a range of an arc, with the enclosures of that.
   Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
@@ -117,6 +101,17 @@ public:
       return with_what_is_common(quotient(part, arc, range, jet).bounds(), part, arc, range, jet, part, jet);
     const double u = part.range.middle(), v = range.middle();
     return (*this)(part, arc, range, jet, this->part(part.element, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
+  }
+
+  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range) const
+  {
+    return (*this)(part, arc, range, m_graph.arcs()[arc].jet(range));
+  }
+
+  // The disks that pass through the end of an arc.
+  Curvature_bounds operator()(const Element_part& part, const Arc_end& end) const
+  {
+    return (*this)(part, end.arc, {end.parameter(), end.parameter()});
   }
 
   // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both
@@ -129,7 +124,7 @@ public:
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
     const auto way_of = [&](const Element_part& x, const Range& y, const Curve_jet& jet_of_y) {
-      return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point;
+      return is_small ? ways().to_arc(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point;
     };
     const Interval_pair whole_way = way_of(part, range, jet);
     const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle,
@@ -161,14 +156,14 @@ public:
     const auto through_vertex = [&](const Element_part& x, const Interval_pair& way) {
       return quotient(x.jet, way, zero, zero, Interval(1));
     };
-    const Interval_pair whole_way = way(part, vertex);
+    const Interval_pair whole_way = ways().to_vertex(part, vertex);
     Curvature_bounds result;
     if (element.is_normal_cone || part.range.is_number())
       result = through_vertex(part, whole_way).bounds();
     else {
       const double u = part.range.middle();
       const Element_part middle = this->part(part.element, {u, u});
-      const Curvature_bounds in_middle = through_vertex(middle, way(middle, vertex)).bounds();
+      const Curvature_bounds in_middle = through_vertex(middle, ways().to_vertex(middle, vertex)).bounds();
       result = through_vertex(part, whole_way)
                    .bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0),
                                   Element_turn::beside(part.jet, whole_way, zero));
@@ -219,6 +214,8 @@ public:
   }
 
 private:
+  Element_ways ways() const { return Element_ways(m_graph); }
+
   // What more is known of the disks through a vertex, which has no parameter, from those through the end of an arc.
   static void add_by_element(Curvature_bounds& result, const Curvature_bounds& more)
   {
@@ -261,11 +258,11 @@ private:
   {
     const Oriented_element& element = m_graph.elements()[part.element];
     if (!element.is_normal_cone && element.object == arc)
-      add_by_tangent(result, within_arc(part, arc, range), arc, range);
+      add_by_tangent(result, within_arc(part, arc, range), m_graph.arcs()[arc], range);
     else
       add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
     for (const bool is_end : {false, true})
-      at_common_vertex(result, part, element, {arc, is_end}, range);
+      Common_vertex_disks(m_graph).add(result, part, {arc, is_end}, range);
     if (element.is_normal_cone)
       for (const bool normal : {false, true})
         if (is_on_circle_through_normal_cone(m_graph, element, normal, arc))
@@ -302,24 +299,9 @@ private:
         add(*disks, *disk);
   }
 
-  // What more is known where derivatives are those by v itself.
-  void add_by_tangent(Curvature_bounds& result, Curvature_bounds more, std::size_t arc, const Range& range) const
-  {
-    const Site_arc_2& y = m_graph.arcs()[arc];
-    if (y.has_singular_end()) {
-      more.factor = y.tangent_factor(range);
-      const bool is_divided = more.factor.inf() > 0;
-      more.dvv =
-          is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
-      more.dv = is_divided ? more.dv / more.factor : any_number<Interval>();
-      more.duv = is_divided ? more.duv / more.factor : any_number<Interval>();
-    }
-    result = common_part(result, more);
-  }
-
   Curvature_quotient quotient(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
-    return quotient(part.jet, arc, range, jet, way(part, arc, range, jet));
+    return quotient(part.jet, arc, range, jet, ways().to_arc(part, arc, range, jet));
   }
 
   Curvature_quotient quotient(const Element_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet,
@@ -330,48 +312,6 @@ private:
       return quotient(x, way, jet[1], jet[2], Interval(1));
     const auto [tangent, change] = y.tangent_jet(range);
     return quotient(x, way, tangent, change, y.tangent_factor(range));
-  }
-
-  // From the element to a vertex.
-  Interval_pair way(const Element_part& part, std::size_t vertex) const
-  {
-    const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
-    const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact
-        ? way_to_vertex(part, vertex, true)
-        : std::nullopt;
-    return short_way ? common_part(result, *short_way) : result;
-  }
-
-  // From the element to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an
-  // end.
-  std::optional<Interval_pair> way_to_vertex(const Element_part& part, std::size_t vertex, bool is_any_vertex) const
-  {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    std::optional<Interval_pair> result;
-    const auto add = [&](std::size_t from, const Interval_pair& way) {
-      const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
-      result = result ? common_part(*result, whole) : whole;
-    };
-    const auto is_taken = [&](std::size_t from, bool is_near) {
-      return from == vertex ||
-          (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact);
-    };
-    if (element.is_normal_cone && is_taken(element.object, true))
-      add(element.object, {Interval(0), Interval(0)});
-    if (!element.is_normal_cone)
-      for (const bool own : {false, true})
-        if (const Arc_end end{element.object, own};
-            m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
-          add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[element.object].way_from_end(own, part.range));
-    return result;
-  }
-
-  // Whether a difference of coordinates is not much smaller than these.
-  static bool is_accurate(const Interval_pair& way)
-  {
-    const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
-    const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
-    return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
   // Whether disks that touch an element and an arc may be nearly those of the curvature of the element: on its own arc,
@@ -440,134 +380,6 @@ private:
     return k.bounds();
   }
 
-  // What more is known where the element begins or ends in the end of the arc.
-  void at_common_vertex(Curvature_bounds& result, const Element_part& part, const Oriented_element& element,
-                        const Arc_end& end, const Range& range) const
-  {
-    const std::size_t vertex = m_graph.vertex_of(end);
-    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
-    if (element.is_normal_cone) {
-      if (element.object == vertex)
-        at_normal_cone(result, part, element, end, range);
-      return;
-    }
-    for (const bool is_end : {false, true}) {
-      const Arc_end own{element.object, is_end};
-      if (m_graph.vertex_of(own) != vertex || own == end)
-        continue;
-      const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
-      const Smooth_continuation* next = m_graph.continuations(own).smooth_at(end);
-      if (next != nullptr && m_graph.is_regular(own) && m_graph.is_regular(end))
-        result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *next, to_vertex));
-      else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
-        result.value = common_part(result.value, across_nearly_smooth_joint(part, own, *nearly, range));
-      else if (own_to_vertex.width() == part.range.width() && to_vertex.width() == range.width())
-        at_corner(result, part, own, end, range);
-    }
-  }
-
-  // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
-  Interval across_smooth_joint(const Element_part& part, const Arc_end& own, const Range& own_range,
-                               const Smooth_continuation& continuation, const Range& range) const
-  {
-    return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio,
-                        Interval(0));
-  }
-
-  /*
-  The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2.
-  It is large only in a small neighbourhood of the vertex, where J is small.
-  */
-  Interval across_nearly_smooth_joint(const Element_part& part, const Arc_end& own,
-                                      const Nearly_smooth_continuation& continuation, const Range& range) const
-  {
-    const Interval scale(continuation.scale);
-    const double a = distance(own, part.range).inf();
-    const Interval distances = distance(continuation.end, range) / scale;
-    const double b = std::clamp(a, distances.inf(), distances.sup());   // where the term is greatest
-    const Interval jump = dot(part.jet.normal, continuation.jump);
-    const Interval term = a + b > 0 ? jump * Interval(0, (Interval(b) / CGAL::square(Interval(a) + Interval(b))).sup())
-                                    : number_of_sign(certain_sign(jump));
-    const Range own_range = united(part.range, {own.parameter(), own.parameter()}),
-                other_range = united(range, {continuation.end.parameter(), continuation.end.parameter()});
-    return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
-  }
-
-  Interval across_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other,
-                        const Range& range, const Interval& scale, const Interval& jump) const
-  {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
-    const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
-    const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
-    const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
-    return q.inf() > 0
-        ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q
-        : any_number<Interval>();
-  }
-
-  // A number of which only the sign is known, or not even that.
-  static Interval number_of_sign(int sign)
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return Interval(sign > 0 ? 0 : -infinity, sign < 0 ? 0 : infinity);
-  }
-
-  // From an end of an arc, of the parameters of a range.
-  static Interval distance(const Arc_end& end, const Range& range)
-  {
-    return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range);
-  }
-
-  // Below the half-plane of the normal, or perpendicular to the first or last normal of the normal cone.
-  void at_normal_cone(Curvature_bounds& result, const Element_part& part, const Oriented_element& element,
-                      const Arc_end& end, const Range& range) const
-  {
-    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
-    const Site_arc_2& arc = m_graph.arcs()[end.arc];
-    const Curve_jet y = arc.jet(to_vertex, 2);
-    // the outgoing mean derivative, up to a positive factor
-    const Interval_pair b =
-        Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);
-    if (dot(part.jet.normal, b).sup() < 0)
-      result.value = common_part(result.value, number_of_sign(-1));
-    if (!m_graph.is_regular(end))
-      return;
-    // The arc begins below the half-plane of the normal, if only by a small angle.
-    if (const Interval q = squared_norm(y[1]); q.inf() > 0)
-      result.value = common_part(
-          result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
-    for (const bool k : {false, true})
-      if (m_graph.is_perpendicular(element, k, end)) {
-        const Normal_cone_disks disks(m_graph, part, k, end, range);
-        Curvature_bounds more = disks.bounds();
-        const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
-        if (touches_vertex && disks.is_increasing())
-          more.dv = common_part(
-              more.dv,
-              end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min())
-                         : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
-        add_by_tangent(result, more, end.arc, range);
-      }
-  }
-
-  /*
-  p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex
-  corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
-  <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
-  */
-  void at_corner(Curvature_bounds& result, const Element_part& part, const Arc_end& own, const Arc_end& other,
-                 const Range& range) const
-  {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
-    const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1],
-                        b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
-    const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
-    if (!(nb.sup() < 0))
-      return;
-    const Interval s(part.range.width());
-    const Interval turn = Interval(2) * s * Interval((std::max)(e.sup(), 0.0)) * dot(b, d), square = squared_norm(d);
-    result.is_below_vertex = e.sup() <= 0 || nb.sup() * square.inf() <= (std::min)(turn.inf(), 0.0);
-  }
 };
 
 using Disk_curvature = Basic_disk_curvature<Interval>;

@@ -8,7 +8,10 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_slope.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Cluster_slopes.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Connected_maximum.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_cluster.h>
 
 #include <algorithm>
 #include <array>
@@ -35,53 +38,38 @@ class Basic_disk_clusters
   using Site_graph_2 = Basic_site_graph_2<Interval>;
   using Oriented_element = Basic_oriented_element<Interval>;
   using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Cluster_slopes = Basic_cluster_slopes<Interval>;
+  using Connected_maximum = Basic_connected_maximum<Interval>;
   using Corner_disks = Basic_corner_disks<Interval>;
   using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
 public:
-  // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
-  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };
-
-  struct Cluster
-  {
-    std::size_t arc;
-    Range range;
-    Curvature_bounds bounds{};
-    bool is_known = false;   // to have one maximum inside
-    bool is_too_low = false;
-    double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
-    Corner_of_disks corner{};
-    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
-    bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
-    bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
-  };
+  using Cluster = Basic_disk_cluster<Interval>;
+  using End_state = Cluster::End_state;
 
 private:
   static constexpr double most_reach = 64;   // of a cluster at a corner, in units of the length of the part
-  // between an end of the element and a part that is near it, in widths of the part
-  static constexpr double most_gap = 4;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
-  Disk_slopes& m_slopes;
   const Element_part& m_part;
   const Oriented_element& m_element;
-  double m_least;   // curvature of all maximal disks
+  Cluster_slopes m_cluster_slopes;
+  Connected_maximum m_maximum;
   std::vector<Cluster> m_clusters;
   bool m_are_known = true, m_is_one_part = false;   // the latter: all that is left is one range of one arc
 
 public:
   Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
                       const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
-    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_element(graph.elements()[part.element]),
-      m_least(least)
+    : m_graph(graph), m_curvature(curvature), m_part(part), m_element(graph.elements()[part.element]),
+      m_cluster_slopes(graph, curvature, slopes, part, least), m_maximum(graph, curvature, part, least)
   {
     collect(candidates);
     if (!(least > 0))
-      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_element(cluster); });
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return m_cluster_slopes.is_below_element(cluster); });
     merge_at_common_vertices();
     if (!m_element.is_normal_cone)
       for (const bool end : {false, true})
@@ -111,16 +99,6 @@ public:
   }
 
 private:
-  Curvature_bounds at(const Element_part& part, std::size_t arc, const Range& range) const
-  {
-    return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range));
-  }
-
-  Curvature_bounds at(const Element_part& part, const Arc_end& end) const
-  {
-    return at(part, end.arc, {end.parameter(), end.parameter()});
-  }
-
   // Neighbouring candidates form one cluster, as do all of a segment.
   void collect(const std::vector<Disk_candidate>& candidates)
   {
@@ -136,7 +114,7 @@ private:
     for (const Cluster& cluster : m_clusters)
       if (!merged.empty() && merged.back().arc == cluster.arc &&
           (cluster.range.begin <= merged.back().range.end ||
-           (are_connected(cluster.arc) && m_graph.arcs()[cluster.arc].is_straight()))) {
+           (m_maximum.are_connected(cluster.arc) && m_graph.arcs()[cluster.arc].is_straight()))) {
         merged.back().range.end = cluster.range.end;
         merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
       } else
@@ -145,16 +123,6 @@ private:
     m_is_one_part = m_clusters.size() == 1 &&
         std::all_of(candidates.begin(), candidates.end(),
                     [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
-  }
-
-  // Disks that touch the element in one point are nested, also when they are scaled, and a line or circle meets the
-  // boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its
-  // points through which there are disks of at least some positive curvature are connected.
-  bool are_connected(std::size_t arc) const
-  {
-    const Site_arc_2& y = m_graph.arcs()[arc];
-    return m_least > 0 && !y.turns_back() &&
-        (m_curvature.is_arc_scaled(arc) ? y.is_straight() : y.is_on_line_or_circle());
   }
 
   // Also finds out about maxima in the ends.
@@ -180,84 +148,30 @@ private:
       bool are_ends_known = true;
       for (const bool end : {false, true})
         if (cluster.touches(end)) {
-          const int sign = certain_sign(at(m_part, Arc_end{cluster.arc, end}).dv) * (end ? 1 : -1);
+          const int sign = certain_sign(m_curvature(m_part, Arc_end{cluster.arc, end}).dv) * (end ? 1 : -1);
           cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
           are_ends_known = are_ends_known && sign != 0;
         }
       if (are_ends_known)
         return true;
     }
-    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster) ||
-        has_one_maximum_on_flat_arc(cluster);
+    // The last only where there is nothing else: events are known better by smaller parts.
+    return m_cluster_slopes.has_known_slopes(cluster) || is_concave ||
+        (clusters_of(cluster.arc) == 1 && m_maximum.is_on_line_or_circle(cluster)) ||
+        (m_is_one_part && m_maximum.is_on_flat_arc(cluster));
   }
 
-  bool has_one_maximum_on_line_or_circle(Cluster& cluster) const
+  std::ptrdiff_t clusters_of(std::size_t arc) const
   {
-    const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(),
-                                       [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
-    return are_connected(cluster.arc) && is_only &&
-        has_one_connected_maximum(cluster, std::numeric_limits<double>::min(),
-                                  !m_graph.arcs()[cluster.arc].is_straight());
-  }
-
-  // Where there is nothing else: events are known better by smaller parts.
-  bool has_one_maximum_on_flat_arc(Cluster& cluster) const
-  {
-    return m_is_one_part && m_least > 0 && is_flat(cluster) && has_one_connected_maximum(cluster, m_least, false);
-  }
-
-  /*
-  Whether an arc has less curvature than all disks, on the side on which they touch the element. Where it goes away from
-  each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it
-  from inside when it is moved away from the chord between.
-  */
-  bool is_flat(const Cluster& cluster) const
-  {
-    const Site_arc_2& arc = m_graph.arcs()[cluster.arc];
-    if (m_curvature.is_arc_scaled(cluster.arc) || arc.has_singular_end())
-      return false;
-    const Basic_curve_jet<Interval> y = arc.jet(cluster.range, 2);
-    if (!turns_by_less_than_right_angle(y[1]))
-      return false;
-    const Interval square = squared_norm(y[1]), turn = dot(turned_left(y[1]), y[2]),
-                   least =
-                       Interval(m_least) / CGAL::sqrt(squared_norm(m_part.jet.normal)) * (square * CGAL::sqrt(square));
-    const int side = certain_sign(dot(turned_left(y[1]), m_part.jet.point - y[0]));
-    return (side < 0 || turn.sup() < least.inf()) && (side > 0 || -turn.inf() < least.inf());
-  }
-
-  // The points through which there are disks of more than some curvature are connected, and have one maximum. If a
-  // circle connects them, its rest may do so, too.
-  bool has_one_connected_maximum(Cluster& cluster, double least, bool is_round) const
-  {
-    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
-    int ends_among_them = 0;
-    for (const bool end : {false, true})
-      if (cluster.touches(end)) {
-        const Curvature_bounds k = at(m_part, Arc_end{cluster.arc, end});
-        if (k.value.sup() < m_least) {   // the maximum in the next arc may still matter
-          ends[end] = End_state::TOO_LOW;
-          continue;
-        }
-        if (!(k.value.inf() >= least))   // so that it is connected with the others
-          return false;
-        const int sign = certain_sign(k.dv) * (end ? 1 : -1);
-        ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
-        ++ends_among_them;
-      }
-    if (ends_among_them == 2 && is_round)
-      return false;
-    cluster.ends = ends;
-    cluster.least = least;
-    return true;
+    return std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == arc; });
   }
 
   // Whether one of several parts of an arc where the curvature is concave is lower than what is beyond one of its ends.
   bool rises_to_others(const Cluster& cluster) const
   {
-    if (std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) < 2)
+    if (clusters_of(cluster.arc) < 2)
       return false;
-    const auto slope_at = [&](double v) { return certain_sign(at(m_part, cluster.arc, {v, v}).dv); };
+    const auto slope_at = [&](double v) { return certain_sign(m_curvature(m_part, cluster.arc, {v, v}).dv); };
     return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) ||
         (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
   }
@@ -279,92 +193,6 @@ private:
       return std::nullopt;
     const int order = certain_sign(squared_norm(to_begin) - squared_norm(to_end));
     return order == 0 ? std::nullopt : std::optional(order > 0);
-  }
-
-  // Calls visit(slope, end of the element, range of the distance from that, end of the arc, range of the distance from
-  // that) for the ends that the part and a cluster reach, until that returns true.
-  template <class Visit>
-  bool is_any_end(const Cluster& cluster, const Visit& visit) const
-  {
-    const auto from = [](const Range& range, bool end) { return end ? Range{1 - range.end, 1 - range.begin} : range; };
-    for (const bool element_end : {false, true})
-      for (const bool end : {false, true}) {
-        const Range a = from(m_part.range, element_end);
-        if (!cluster.touches(end) || !is_decided_by_polynomials(a, element_end, {cluster.arc, end}))
-          continue;
-        const Disk_slope& slope = m_slopes(element_end, {cluster.arc, end});
-        if (visit(slope, element_end, a, end, from(cluster.range, end)) ||
-            (slope.has_powers() &&
-             visit(m_slopes(element_end, {cluster.arc, end}, false), element_end, a, end, from(cluster.range, end))))
-          return true;
-      }
-    return false;
-  }
-
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the element: where both join;
-  // where the derivative is zero, or the curvature or its derivative; on the circle of the element, in tangents of it;
-  // and near a tie.
-  bool is_decided_by_polynomials(const Range& distance, bool element_end, const Arc_end& end) const
-  {
-    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) ||
-        (!m_element.is_normal_cone && !m_graph.is_exact({m_element.object, element_end})))
-      return false;
-    const bool is_near = distance.begin <= most_gap * distance.width(),
-               is_flat = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end) ||
-        m_graph.arcs()[end.arc].is_curvature_zero(end.is_end);
-    const std::size_t vertex = m_graph.vertex_of(end);
-    if (m_element.is_normal_cone)
-      return is_near &&
-          (vertex == m_element.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) ||
-                   is_flat || m_graph.nearly_smooth_continuation(end).has_value()
-                                      : is_tie(element_end, end));
-    const Arc_end own{m_element.object, element_end};
-    if (own == end)
-      return is_near && (!m_graph.is_regular(end) || is_flat);
-    if (m_graph.continuations(own).hold(end))
-      return true;
-    if (m_graph.arcs()[m_element.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.element, vertex))
-      return true;
-    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(element_end, end));
-  }
-
-  // Whether the disk that touches the element in its end and passes through the end of an arc may be a half-plane, or
-  // touch the arc there.
-  bool is_tie(bool element_end, const Arc_end& end) const
-  {
-    const double u = element_end ? 1 : 0, v = end.parameter();
-    const Curvature_bounds k = at(m_curvature.part(m_part.element, {u, u}), end.arc, {v, v});
-    return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
-  }
-
-  bool has_known_slopes(Cluster& cluster) const
-  {
-    return is_any_end(
-        cluster, [&](const Disk_slope& slope, bool element_end, const Range& a, bool end, const Range& b) {
-          const Path_signs signs = slope.slopes(a, b, m_least);
-          if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
-            return false;
-          cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
-          cluster.least = m_least;
-          if (const double share = slope.share_of_largest(a); share > 0)
-            cluster.corner = {element_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
-          const auto state = [&](bool is_maximum, bool is_irrelevant) {
-            return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM;
-          };
-          cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE
-              ? End_state::UNKNOWN
-              : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
-          cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
-          return true;
-        });
-  }
-
-  // Whether all disks through a cluster are half-planes or larger.
-  bool is_below_element(const Cluster& cluster) const
-  {
-    return is_any_end(cluster, [](const Disk_slope& slope, bool, const Range& a, bool, const Range& b) {
-      return slope.is_value_negative(a, b);
-    });
   }
 
   // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
@@ -464,7 +292,8 @@ private:
       if (is_part(cluster))
         all = all ? Cluster{end.arc, united(all->range, cluster.range), hull(all->bounds, cluster.bounds)} : cluster;
     const double far = 1 - end.parameter();
-    if (all && all->touches(!end.is_end) && certain_sign(at(m_part, end.arc, {far, far}).dv) != (end.is_end ? 1 : -1))
+    if (all && all->touches(!end.is_end) &&
+        certain_sign(m_curvature(m_part, end.arc, {far, far}).dv) != (end.is_end ? 1 : -1))
       return std::nullopt;
     return all;
   }
@@ -490,7 +319,7 @@ private:
     if (are_known)
       return;
     all->range = united(all->range, {other.parameter(), other.parameter()});
-    if (!has_known_slopes(*all))
+    if (!m_cluster_slopes.has_known_slopes(*all))
       return;
     all->is_known = true;
     std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });

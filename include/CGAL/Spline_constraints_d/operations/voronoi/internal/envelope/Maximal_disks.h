@@ -8,15 +8,15 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Element_tangent.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_disk.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_half_plane.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_line.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_disk.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Envelope_arc.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Swept_envelope.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/common_disks.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -28,32 +28,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
-
-// The end of an envelope arc of disks in the corner of a pocket, and the curvature of the disk at the other end.
-struct Corner_end
-{
-  bool is_end;
-  Interval curvature;
-};
-
-// An envelope arc of an element whose maximal disks touch the same thing elsewhere, and what happens at its ends, where
-// the event is located by a range of the parameter.
-struct Envelope_arc
-{
-  Disk_footpoint footpoint;
-  Range range;
-  std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
-  // ranges of the element in order, and where the footpoint is
-  std::vector<std::pair<Range, Located_footpoint>> boxes{};
-  // where disks are in a pocket, which is smaller than doubles can tell
-  std::optional<Corner_end> corner{};
-  bool holds_events = false;                                // at its ends; they are not known any better
-
-  const Located_footpoint& located(double u) const
-  {
-    return std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; })->second;
-  }
-};
 
 /*
 The largest disks that touch an element and have no curve inside. Where u runs along the element their curvature is the
@@ -81,13 +55,9 @@ class Basic_maximal_disks
   using Disk_candidates = Basic_disk_candidates<Interval>;
   using Disk_footpoints = Basic_disk_footpoints<Interval>;
   using Maximal_disks = Basic_maximal_disks<Interval>;
-  using Common_disk = Basic_common_disk<Interval>;
-  using Common_half_plane = Basic_common_half_plane<Interval>;
-  using Common_line = Basic_common_line<Interval>;
   using Corner_pocket = Basic_corner_pocket<Interval>;
   using Corner_tip = Basic_corner_tip<Interval>;
   using Element_tangent = Basic_element_tangent<Interval>;
-  using Mirrored_disk = Basic_mirrored_disk<Interval>;
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
@@ -115,8 +85,7 @@ class Basic_maximal_disks
   Disk_candidates m_candidates;
   const Fine_level* m_fine_level;   // none on that level
   Disk_slopes* m_slopes = nullptr;   // of the element
-  std::vector<Envelope_arc> m_envelope_arcs;
-  std::optional<Range> m_unresolved;   // at the end of what has been swept
+  Swept_envelope m_swept;
   double m_size = 1;   // of the element: that of its arc, as a part of that of everything
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
@@ -142,8 +111,7 @@ public:
     m_size = m_graph.elements()[element].is_normal_cone
         ? 1
         : std::sqrt(m_tree.squared_size(m_graph.elements()[element].object) / m_tree.squared_size());
-    m_envelope_arcs.clear();
-    m_unresolved.reset();
+    m_swept = {};
     m_nodes = 0;
     m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
     m_most_bounds = m_candidates.number_of_bounds() + most_bounds;
@@ -160,9 +128,7 @@ public:
     if (range.begin < range.end)
       sweep(element, range, m_candidates.all());
     append_cusp(element, true);
-    if (m_unresolved && !m_envelope_arcs.empty())
-      m_envelope_arcs.back().events[1] = Disk_event::UNRESOLVED;
-    return std::move(m_envelope_arcs);
+    return m_swept.take();
   }
 
   // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been
@@ -174,10 +140,7 @@ public:
     m_most_nodes = nodes;
     m_most_bounds = bounds;
     sweep(element, range, std::move(candidates));
-    const auto is_resolved = [](const Envelope_arc& envelope_arc) {
-      return envelope_arc.events[0] != Disk_event::UNRESOLVED && envelope_arc.events[1] != Disk_event::UNRESOLVED;
-    };
-    return !m_unresolved && std::all_of(m_envelope_arcs.begin(), m_envelope_arcs.end(), is_resolved);
+    return m_swept.is_resolved();
   }
 
 private:
@@ -190,7 +153,7 @@ private:
   {
     const Cusp_side* cusp = cusp_at(element, end);
     if (cusp != nullptr && cusp->footpoint)
-      append(*cusp->footpoint, cusp->range);
+      m_swept.append(*cusp->footpoint, cusp->range);
     else if (cusp != nullptr)
       append_unresolved(cusp->range);
   }
@@ -203,7 +166,7 @@ private:
     const double least = m_candidates.prune(part, candidates, m_slopes->attained_curvature(range));
     const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
     if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
-      append({}, range);
+      m_swept.append({}, range);
       return;
     }
     if (!(least > 0) && m_curvature.scaled_sites() == nullptr)
@@ -247,13 +210,13 @@ private:
                                                   nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;
       m_fine_bounds += disks.m_candidates.number_of_bounds() + Fine_level::bounds_of_try;
-      if (!is_resolved && (!(range.width() < least_width) || disks.m_envelope_arcs.empty()))
+      if (!is_resolved && (!(range.width() < least_width) || disks.m_swept.arcs().empty()))
         return false;
-      if (const double begin = disks.m_envelope_arcs.front().range.begin; begin > range.begin)
+      if (const double begin = disks.m_swept.arcs().front().range.begin; begin > range.begin)
         append_unresolved({range.begin, begin});
-      append(disks.m_envelope_arcs);
-      if (disks.m_unresolved)
-        append_unresolved(*disks.m_unresolved);
+      m_swept.append(disks.m_swept.arcs());
+      if (disks.m_swept.unresolved())
+        append_unresolved(*disks.m_swept.unresolved());
       return true;
     }
     return false;
@@ -297,7 +260,7 @@ private:
             return (!branch.move || footpoints.is_move_at_end(branch, end)) &&
                 footpoints.are_equal_at_end(branches[0], branch, end);
           })) {
-        append(*footpoint, part.range);
+        m_swept.append(*footpoint, part.range);
         return true;
       }
     const auto sign_at = [&, &before = before, &after = after](double u) {
@@ -309,24 +272,10 @@ private:
     const Located_footpoint &at_begin = before.move && !after.move ? *last : *first,
                             &at_end = before.move ? *last : *first;
     const Interval_pair middle =
-        center(m_curvature.part(part.element, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
-    return is_disk_common(part, branches, middle) &&
+        enclosed_centers(m_graph, m_curvature, m_curvature.part(part.element, range_of_zero(part.range, sign_at, 1)),
+                         at_begin, at_end);
+    return is_disk_common(m_graph, m_curvature, part, branches, middle) &&
         append_change(part, true, sign_at, *first, *last, Disk_event::CROSSING);
-  }
-
-  // Whether a disk with its center in an enclosure touches a part and all footpoints: by the simplest rational numbers,
-  // by symmetry, or as a half-plane that touches copies, or has a rational border.
-  bool is_disk_common(const Element_part& part, const std::vector<Disk_branch>& branches,
-                      const Interval_pair& center) const
-  {
-    const Common_disk disk(m_graph, m_curvature, center, branches);
-    const auto touches = [&](const Disk_branch& branch) {
-      return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch);
-    };
-    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) ||
-        Mirrored_disk(m_graph, m_curvature, part, branches).touches_all() ||
-        Common_half_plane(m_graph, m_curvature, part).touches_all(branches) ||
-        Common_line(m_graph, m_curvature, part).touches_all(branches);
   }
 
   /*
@@ -361,7 +310,7 @@ private:
     if (far_sign > 0) {
       if (pocket->may_touch_far_end(pocket->footpoint()))
         return false;
-      append(pocket->footpoint(), part.range);
+      m_swept.append(pocket->footpoint(), part.range);
       return true;
     }
     const Range zero = range_of_zero(part.range, sign_at, sign_at(begin));
@@ -375,9 +324,9 @@ private:
                             &last = pocket->end() ? inside : other;
     if (pocket->may_touch_far_end(inside))
       return false;
-    append(first, {begin, event});
-    append_event(Disk_event::CROSSING, last, {event, end});
-    Envelope_arc& corner = pocket->end() ? m_envelope_arcs.back() : *(m_envelope_arcs.end() - 2);
+    m_swept.append(first, {begin, event});
+    m_swept.append_event(Disk_event::CROSSING, last, {event, end});
+    Envelope_arc& corner = pocket->end() ? m_swept.arcs().back() : *(m_swept.arcs().end() - 2);
     corner.corner = Corner_end{pocket->end(), in_doubles(curvature)};
     corner.holds_events = true;
     return true;
@@ -391,7 +340,7 @@ private:
       return false;
     const Corner_tip tip(m_graph, part);
     if (const auto only = tip.only_footpoint(candidates)) {
-      append(*only, part.range);
+      m_swept.append(*only, part.range);
       return true;
     }
     const auto footpoints = tip.vertex_and_arc(candidates);
@@ -399,24 +348,10 @@ private:
     return footpoints && append_change(part, true, sign_at, footpoints->vertex, footpoints->arc, Disk_event::JOINT);
   }
 
-  // About the centers of the disks over a part of an element, with one footpoint where it begins and another one where
-  // it ends; between, they may go a little farther than there.
-  Interval_pair center(const Element_part& part, const Located_footpoint& first, const Located_footpoint& last) const
-  {
-    const auto at = [&](double u, const Located_footpoint& footpoint) {
-      const Element_part point = m_curvature.part(part.element, {u, u});
-      const Interval k = largest_curvature(m_graph, m_curvature, point, footpoint).curvature;
-      return Interval_pair{point.jet.point[0] + point.jet.normal[0] / k, point.jet.point[1] + point.jet.normal[1] / k};
-    };
-    const Interval_pair ends = hull(at(part.range.begin, first), at(part.range.end, last));
-    const double way = (std::max)(ends[0].sup() - ends[0].inf(), ends[1].sup() - ends[1].inf());
-    return {ends[0] + Interval(-way, way), ends[1] + Interval(-way, way)};
-  }
-
   bool append_branch(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& branch)
   {
     if (!branch.move) {
-      append(branch, part.range);
+      m_swept.append(branch, part.range);
       return true;
     }
     const auto sign = [&](double u) { return footpoints.sign_of_move(branch, u); };
@@ -468,55 +403,20 @@ private:
       return false;
     const Located_footpoint &before = at_begin > 0 ? positive : negative, &after = at_end > 0 ? positive : negative;
     if (at_begin == at_end) {
-      append(before, range);
+      m_swept.append(before, range);
       return true;
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
     // smaller parts tell more
     if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.elements()[part.element]))
       return false;
-    append(before, {range.begin, zero.begin});
+    m_swept.append(before, {range.begin, zero.begin});
     if (between) {
-      append_event(event, *between, zero);
-      m_envelope_arcs.back().holds_events = true;
+      m_swept.append_event(event, *between, zero);
+      m_swept.arcs().back().holds_events = true;
     }
-    append_event(event, after, {zero.end, range.end});
+    m_swept.append_event(event, after, {zero.end, range.end});
     return true;
-  }
-
-  void append_event(Disk_event event, const Located_footpoint& after, const Range& range)
-  {
-    m_envelope_arcs.back().events[1] = event;
-    m_envelope_arcs.push_back({after.footpoint, range, {event, Disk_event::NONE}, {{range, after}}});
-  }
-
-  void append(const Located_footpoint& located, const Range& range)
-  {
-    if (!m_envelope_arcs.empty() && !m_unresolved && m_envelope_arcs.back().footpoint == located.footpoint) {
-      m_envelope_arcs.back().range.end = range.end;
-      m_envelope_arcs.back().boxes.emplace_back(range, located);
-      return;
-    }
-    // Two neighbouring ranges have different footpoints only if both have the same curvature between them, which is
-    // decided nowhere.
-    const Disk_event event = m_unresolved || !m_envelope_arcs.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
-    if (!m_envelope_arcs.empty())
-      m_envelope_arcs.back().events[1] = event;
-    m_envelope_arcs.push_back({located.footpoint, range, {event, Disk_event::NONE}, {{range, located}}});
-    m_unresolved.reset();
-  }
-
-  // Those of a range, of which the first one goes on with the last footpoint.
-  void append(const std::vector<Envelope_arc>& envelope_arcs)
-  {
-    const Envelope_arc& first = envelope_arcs.front();
-    for (const auto& [range, located] : first.boxes)
-      append(located, range);
-    m_envelope_arcs.back().events[1] = first.events[1];
-    if (first.corner)
-      m_envelope_arcs.back().corner = first.corner;
-    m_envelope_arcs.back().holds_events = m_envelope_arcs.back().holds_events || first.holds_events;
-    m_envelope_arcs.insert(m_envelope_arcs.end(), envelope_arcs.begin() + 1, envelope_arcs.end());
   }
 
   // The diagram is not complete then: less is done for the rest of the element, unless there are only some such places,
@@ -525,10 +425,7 @@ private:
   {
     if (range.width() > least_width || ++m_places > most_places)
       m_most_nodes = (std::min)(m_most_nodes, m_nodes + most_unproved_nodes);
-    if (m_unresolved)
-      m_unresolved->end = range.end;
-    else
-      m_unresolved = range;
+    m_swept.append_unresolved(range);
   }
 };
 

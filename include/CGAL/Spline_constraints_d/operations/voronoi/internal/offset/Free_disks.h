@@ -11,6 +11,8 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Covering_sites.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disk_reach.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disks_of_radius.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Element_offset.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Opposite_sites.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Rolling_disks.h>
@@ -23,7 +25,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -80,8 +81,7 @@ class Basic_free_disks
   Disk_slopes* m_slopes = nullptr;             // of the element
   Opposite_sites* m_opposite_sites = nullptr;
   Rolling_disks* m_rolling_disks = nullptr;    // none on the fine level
-  Exact_rational m_exact_radius;
-  Interval m_radius;
+  Basic_disks_of_radius<Interval> m_disks;
   Swept_ranges m_swept;
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
   // of parts for which the fine level is tried, as doubles have not decided smaller ones next to them
@@ -94,14 +94,14 @@ public:
   Basic_free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps,
                    const Exact_rational& radius, const Fine_level* fine_level = nullptr)
     : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps),
-      m_fine_level(fine_level), m_exact_radius(radius), m_radius(interval_of<Interval>(radius))
+      m_fine_level(fine_level), m_disks(graph, m_curvature, radius)
   {}
 
   Free_ranges operator()(std::size_t element) requires(is_in_doubles)
   {
     Disk_slopes slopes(m_graph, element);
-    Opposite_sites opposite_sites(m_graph, element, m_exact_radius);
-    Rolling_disks rolling_disks(m_graph, element, m_exact_radius);
+    Opposite_sites opposite_sites(m_graph, element, m_disks.exact_radius());
+    Rolling_disks rolling_disks(m_graph, element, m_disks.exact_radius());
     m_slopes = &slopes;
     m_opposite_sites = &opposite_sites;
     m_rolling_disks = &rolling_disks;
@@ -110,7 +110,7 @@ public:
     m_most_nodes = most_nodes;
     m_fine_nodes = 0;
     m_fine_width = 0;
-    const int sign = sign_in_own_circle(element);
+    const int sign = m_disks.sign_in_own_circle(element);
     if (sign < 0 && !opposite_sites.are_circles())
       sweep_between_cusps(element);
     Free_ranges result = m_swept.take();
@@ -150,7 +150,7 @@ private:
     double width = cusp ? cusp->range.width() : 0;
     const auto are_smaller = [&](const Range& range) {
       return cusp->footpoint->corner.least_curvature(end ? range.begin : range.end) >
-          wanted_curvature(m_curvature.part(element, range)).sup();
+          m_disks.curvature(m_curvature.part(element, range)).sup();
     };
     while (width > least_width && cusp->footpoint && !are_smaller(range_at(end, width)))
       width /= 2;
@@ -172,7 +172,7 @@ private:
       return;
     }
     const Element_part part = m_curvature.part(element, range);
-    const auto least = hold_nearest(part, candidates) ? std::nullopt : prune(part, candidates);
+    const auto least = m_disks.hold_nearest(part, candidates) ? std::nullopt : prune(part, candidates);
     if (!least) {
       m_swept.append_covered();
       return;
@@ -213,9 +213,10 @@ private:
   std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates) const
   {
     const double u = part.range.middle();
-    const Interval wanted = wanted_curvature(part);
+    const Interval wanted = m_disks.curvature(part);
     const auto least = m_candidates.prune(
-        part, candidates, {wanted_curvature(m_curvature.part(part.element, {u, u})), wanted_slope(part), wanted.inf()});
+        part, candidates,
+        {m_disks.curvature(m_curvature.part(part.element, {u, u})), m_disks.slope(part), wanted.inf()});
     return least && *least <= wanted.sup() ? least : std::nullopt;
   }
 
@@ -232,9 +233,9 @@ private:
   bool append_covered_exactly(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     if constexpr (is_in_doubles) {
-      const Covering_sites sites(m_graph, part.element, m_exact_radius, candidates);
+      const Covering_sites sites(m_graph, part.element, m_disks.exact_radius(), candidates);
       const bool is_covered = sites.cover(part.range) ||
-          sites.are_walls_around(Element_offset(m_graph, part.element, m_radius).point(part.range)) ||
+          sites.are_walls_around(Element_offset(m_graph, part.element, m_disks.radius()).point(part.range)) ||
           is_covered_behind_end(part, sites);
       if (is_covered)
         m_swept.append_undecided(part.range, true);
@@ -252,7 +253,7 @@ private:
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes ||
           candidates.size() > Fine_level::most_candidates)
         return false;
-      Basic_free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_exact_radius);
+      Basic_free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_disks.exact_radius());
       auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes,
                                  *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;
@@ -268,7 +269,7 @@ private:
   bool is_covered_behind_end(const Element_part& part, const Covering_sites& sites) const requires(is_in_doubles)
   {
     const auto holds_behind = [&](bool end, std::size_t vertex) {
-      return certain_sign(m_curvature(part, vertex).du - wanted_slope(part)) == (end ? -1 : 1) &&
+      return certain_sign(m_curvature(part, vertex).du - m_disks.slope(part)) == (end ? -1 : 1) &&
           sites.touches_at_end(end, vertex);
     };
     for (const bool end : {false, true})
@@ -279,27 +280,6 @@ private:
                         [&](std::size_t v) { return holds_behind(end, v); }))
           return true;
     return false;
-  }
-
-  // The curvature of the disks of the radius.
-  Interval wanted_curvature(const Element_part& part) const
-  {
-    return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius;
-  }
-
-  Interval wanted_slope(const Element_part& part) const
-  {
-    return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius);
-  }
-
-  // The sign of K - T if only the circle is known that an element is on the inner side of, by its exact radius; -1 for
-  // other elements.
-  int sign_in_own_circle(std::size_t element) const
-  {
-    if (!m_curvature.of_own_circle(m_curvature.part(element, {0.5, 0.5})))
-      return -1;
-    return sign_of(Exact_rational(m_exact_radius * m_exact_radius -
-                                  m_graph.arcs()[m_graph.elements()[element].object].circle()->second));
   }
 
   // Parts of arcs, and vertices.
@@ -332,21 +312,8 @@ private:
       m_swept.append_free(part.range);
       return true;
     }
-    return branches.size() == 1 && !branches[0].move && is_touched_once(part, branches[0]) &&
+    return branches.size() == 1 && !branches[0].move && m_disks.is_touched_once(part, branches[0]) &&
         append_monotone(part, branches[0]);
-  }
-
-  // Whether K - T, which belongs to a footpoint, has one zero at most: where K' - T' has a sign, or, where disks and
-  // elements are nearly parallel, by expansions of second order.
-  bool is_touched_once(const Element_part& part, const Located_footpoint& located) const
-  {
-    if (certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, located) - wanted_slope(part)) != 0)
-      return true;
-    const Disk_reach reach(m_graph, m_graph.elements()[part.element], m_radius, part.range);
-    const auto& [kind, index, side] = located.footpoint;
-    return kind == Disk_footpoint::Kind::VERTEX
-        ? reach.growth_where_vertex_is_touched(index) != 0
-        : kind == Disk_footpoint::Kind::ARC && reach.growth_where_arc_is_touched(index, located.range) != 0;
   }
 
   // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are
@@ -357,31 +324,16 @@ private:
     std::vector<Disk_candidate> others(candidates);
     if (!pocket || !pocket->take(others) || !pocket->has_growing_disks())
       return false;
-    const double wanted = wanted_curvature(part).inf();
+    const double wanted = m_disks.curvature(part).inf();
     if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) {
           return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted;
         }))
       return false;
     const auto sign_at = [&](double u) {
       return u == (pocket->end() ? 1 : 0) ? 1
-                                          : pocket->sign(u, wanted_curvature(m_curvature.part(part.element, {u, u})));
+                                          : pocket->sign(u, m_disks.curvature(m_curvature.part(part.element, {u, u})));
     };
     return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->footpoint(zero, wanted); });
-  }
-
-  // Whether the disks of a part hold points near the one that the smallest disk touches in the middle of what has been
-  // divided: before candidates are bounded.
-  bool hold_nearest(const Element_part& part, const std::vector<Disk_candidate>& candidates) const
-  {
-    const auto height = [](const Disk_candidate& c) {
-      return c.kind == Candidate_kind::ARC ? c.at_middle.inf() : -std::numeric_limits<double>::infinity();
-    };
-    const auto nearest =
-        std::max_element(candidates.begin(), candidates.end(),
-                         [&](const Disk_candidate& a, const Disk_candidate& b) { return height(a) < height(b); });
-    return nearest != candidates.end() && height(*nearest) > 0 &&
-        Disk_reach(m_graph, m_graph.elements()[part.element], m_radius, part.range)
-            .hold_point_near(nearest->index, nearest->range.middle());
   }
 
   // Decides a part by expansions of second order. Candidates that are not held are removed.
@@ -390,7 +342,7 @@ private:
     const Oriented_element& element = m_graph.elements()[part.element];
     if (candidates.empty())
       return false;
-    const Disk_reach reach(m_graph, element, m_radius, part.range);
+    const Disk_reach reach(m_graph, element, m_disks.radius(), part.range);
     std::erase_if(candidates, [&](const Disk_candidate& c) {
       return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO;
     });
@@ -421,7 +373,7 @@ private:
     if (part.range.width() > width_of_inner_ties)
       return false;
     const std::vector<Exact_rational> parameters =
-        Touching_disk::simple_parameters(m_graph, part, m_exact_radius, candidates);
+        Touching_disk::simple_parameters(m_graph, part, m_disks.exact_radius(), candidates);
     return std::any_of(parameters.begin(), parameters.end(),
                        [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
   }
@@ -429,7 +381,7 @@ private:
   bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates,
                        const Exact_rational& parameter)
   {
-    Touching_disk touching(m_graph, part.element, m_exact_radius, parameter);
+    Touching_disk touching(m_graph, part.element, m_disks.exact_radius(), parameter);
     const auto sides = touching.sides(part.range, candidates);
     if (!sides)
       return false;
@@ -450,17 +402,10 @@ private:
     return true;
   }
 
-  // The sign of K - T in a point, if K belongs to a footpoint.
-  int sign_at(std::size_t element, const Located_footpoint& located, double u) const
-  {
-    const Element_part point = m_curvature.part(element, {u, u});
-    return certain_sign(largest_curvature(m_graph, m_curvature, point, located).curvature - wanted_curvature(point));
-  }
-
   bool append_monotone(const Element_part& part, const Located_footpoint& located)
   {
     return append_change(
-        part.range, [&](double u) { return sign_at(part.element, located, u); },
+        part.range, [&](double u) { return m_disks.sign_at(part.element, located, u); },
         [&](const Range& zero) {
           return Located_footpoint{
               located.footpoint,

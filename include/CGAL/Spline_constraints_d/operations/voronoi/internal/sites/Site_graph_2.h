@@ -5,12 +5,14 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_GRAPH_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Continuation_finder.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Order_around_vertex.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/element_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/normals_between.h>
 
 #include <algorithm>
 #include <array>
@@ -160,9 +162,10 @@ public:
       m_elements.push_back({false, i, true});
     }
     m_continuations.resize(m_arcs.size());
+    const Order_around_vertex<Interval, Basic_site_graph_2> order(*this);
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-      const bool is_ordered = order_ends(m_vertices[v]);
-      m_is_proved = m_is_proved && is_ordered && is_order_proved(m_vertices[v]);
+      const bool is_ordered = order.sort(m_vertices[v].ends);
+      m_is_proved = m_is_proved && is_ordered && order.is_proved(m_vertices[v].ends);
       find_continuations(m_vertices[v]);
       connect_elements(v);
     }
@@ -394,111 +397,9 @@ private:
     return sign_of(exact_dot(direction(end), Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) > 0;
   }
 
-  // By directions, and by germs where these are equal. Returns whether there is one order.
-  bool order_ends(Vertex& vertex) const
-  {
-    const auto is_before = [&](const Arc_end& a, const Arc_end& b) {
-      const Exact_pair &p = direction(a), &q = direction(b);
-      if (half_of_directions(p) != half_of_directions(q))
-        return half_of_directions(p) < half_of_directions(q);
-      const int turn = sign_of(exact_cross(p, q));
-      return turn != 0 ? turn > 0 : is_germ_before(a, b);
-    };
-    std::stable_sort(vertex.ends.begin(), vertex.ends.end(), is_before);
-    return std::adjacent_find(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& a, const Arc_end& b) {
-             return !is_before(a, b);
-           }) == vertex.ends.end();
-  }
-
-  // Of arcs that leave a vertex in one direction. Others than pieces of one curve have no more coefficients in common
-  // than their degrees allow.
-  bool is_germ_before(const Arc_end& a, const Arc_end& b) const
-  {
-    if (!is_exact(a) || !is_exact(b))
-      return false;
-    const std::size_t order = static_cast<std::size_t>(m_arcs[a.arc].degree() * m_arcs[b.arc].degree()) + 1;
-    return Arc_germ(m_arcs[a.arc], a.is_end, order) < Arc_germ(m_arcs[b.arc], b.is_end, order);
-  }
-
-  // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less
-  // than 180 degrees, or that because one curve passes.
-  bool is_order_proved(const Vertex& vertex) const
-  {
-    for (std::size_t i = 0; i < vertex.ends.size(); ++i) {
-      const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + 1) % vertex.ends.size()];
-      if (is_exact(a) && is_exact(b))
-        continue;
-      const auto way = [&](const Arc_end& end) {
-        return Interval(end.is_end ? -1 : 1) * m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1];
-      };
-      const bool is_one_curve = sign_of(exact_cross(direction(a), direction(b))) == 0 && a.is_end != b.is_end &&
-          (a.is_end ? b.arc == a.arc + 1 : a.arc == b.arc + 1);
-      if (!is_one_curve && certain_sign(dot(turned_left(way(a)), way(b))) <= 0)
-        return false;
-    }
-    return true;
-  }
-
   void find_continuations(const Vertex& vertex)
   {
-    for (const Arc_end& a : vertex.ends)
-      for (const Arc_end& b : vertex.ends) {
-        const Exact_pair p = direction(a), q = direction(b);
-        if (sign_of(exact_dot(p, q)) >= 0)
-          continue;
-        const Exact_pair s = m_arcs[a.arc].derivative_at(a.is_end), t = m_arcs[b.arc].derivative_at(b.is_end);
-        const std::size_t k = CGAL::abs(s[0]) < CGAL::abs(s[1]);
-        const int turn = sign_of(exact_cross(p, q));
-        const bool has_ratio = sign_of(s[k]) != 0 && sign_of(t[k]) != 0;
-        if (!has_ratio && is_regular(a) && is_regular(b))
-          continue;
-        const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
-        if (turn == 0) {
-          const Smooth_continuation next{b,
-                                         !has_ratio                       ? any_number<Interval>()
-                                             : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio)
-                                                                          : ratio_of_speeds(a, b, k)};
-          const bool goes_on = goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a);
-          if (goes_on)
-            m_continuations[a.arc][a.is_end].only = next;
-          if (goes_on || (is_exact(a) && is_exact(b)))
-            m_continuations[a.arc][a.is_end].smooth.push_back(next);
-        } else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
-          m_continuations[a.arc][a.is_end].nearly_smooth =
-              nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
-      }
-  }
-
-  // Which of several opposite arcs goes on as another one: that next to it around the vertex; if there is one on each
-  // side, that of the same curve.
-  bool goes_on_as(const Vertex& vertex, const Arc_end& a, const Arc_end& b) const
-  {
-    const auto is_opposite = [&](const Arc_end& end) { return are_same_directions(direction(end), direction(b)); };
-    if (std::count_if(vertex.ends.begin(), vertex.ends.end(), is_opposite) == 1)
-      return true;
-    const Oriented_element left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
-    const Arc_end &next = next_around_vertex(left, a), &last = next_around_vertex(right, a);
-    return (b == next || b == last) &&
-        (!is_opposite(next) || !is_opposite(last) ||
-         (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
-  }
-
-  // Of absolute values.
-  Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
-  {
-    const auto speed = [&](const Arc_end& end) {
-      return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate]));
-    };
-    return speed(b) / speed(a);
-  }
-
-  // From the derivatives of both arcs.
-  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s,
-                                                               const Exact_pair& t, double scale, bool is_left_reflex)
-  {
-    const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
-    const auto jump = [&](std::size_t k) { return interval_of<Interval>(Exact_rational(away * t[k] - to_end * s[k])); };
-    return {b, scale, {jump(0), jump(1)}, is_left_reflex};
+    Continuation_finder<Interval, Basic_site_graph_2>(*this).append(vertex, m_continuations);
   }
 
   static bool is_left_of_way_to(const Oriented_element& element, const Arc_end& end)
@@ -526,22 +427,9 @@ private:
     }
     for (std::size_t i = 0; i < n; ++i) {
       const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + n - 1) % n];
-      const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])},
-                       to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
-      const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
       std::size_t last = arriving(a);
-      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) {
-        last = m_elements[last].next = add_normal_cone(v, n0, with_length_of(n0, n1));
-      };
-      // the last case: all arcs leave in one direction
-      if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {
-        if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
-          const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
-          turn(from, middle);
-          turn(middle, to);
-        } else
-          turn(from, to);
-      }
+      for (const auto& [first_normal, last_normal] : normals_between(direction(a), direction(b), n == 1, i == 0))
+        last = m_elements[last].next = add_normal_cone(v, first_normal, last_normal);
       m_elements[last].next = departing(b);
     }
   }
