@@ -129,16 +129,6 @@ private:
     return {range, {tensor(part.numerators()[0]), tensor(part.numerators()[1]), tensor(part.weight())}};
   }
 
-  static Homogeneous_piece reversed(Homogeneous_piece piece)
-  {
-    for (Tensor& tensor : piece.coordinates) {
-      std::vector<Exact_rational> coefficients = tensor.coefficients();
-      std::reverse(coefficients.begin(), coefficients.end());
-      tensor = Tensor(tensor.degrees(), std::move(coefficients));
-    }
-    return piece;
-  }
-
   static bool are_equal(const Homogeneous_piece& a, const Homogeneous_piece& b)
   {
     const auto& [x, y, w] = a.coordinates;
