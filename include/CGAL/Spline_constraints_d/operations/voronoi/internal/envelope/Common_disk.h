@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_branch.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Rational_disk.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 

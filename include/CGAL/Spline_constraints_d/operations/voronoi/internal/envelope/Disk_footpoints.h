@@ -9,7 +9,6 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/compared_points.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/exact_disk_curvatures.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/sign_by_tangent_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/touches_line.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/element_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/number_cycles.h>
 
 #include <algorithm>
 #include <array>
