@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/contact_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 
 #include <iostream>

@@ -63,7 +63,7 @@ public:
   friend Least_number operator/(Least_number x, const Least_number& y) { return x /= y; }
   friend Least_number hull(const Least_number& x, const Least_number& y)
   {
-    return {SC::internal::hull(x.m_x, y.m_x), 0};
+    return {SC::internal::Common::hull(x.m_x, y.m_x), 0};
   }
   friend Least_number common_part(const Least_number& x, const Least_number& y)
   {

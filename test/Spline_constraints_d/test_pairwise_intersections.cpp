@@ -4,7 +4,9 @@
 // Collections of curves: the answers of each pair alone, grids and chains with exact counts, splines of many pieces.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

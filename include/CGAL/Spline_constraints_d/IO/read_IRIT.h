@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Spline_net.h>
+#include <CGAL/Spline_constraints_d/IO/internal/Spline_net_parser.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
 
 #include <algorithm>
@@ -19,15 +20,12 @@ namespace Spline_constraints {
 namespace internal {
 
 // Blocks in brackets within each other; what is outside of them is a comment.
-class IRIT_parser
+class IRIT_parser : Spline_net_parser
 {
   static constexpr int maximal_depth = 200;
 
-  const Text_source& m_source;
-  Text_cursor m_cursor;
-
 public:
-  explicit IRIT_parser(const Text_source& source) : m_source(source), m_cursor(source) {}
+  explicit IRIT_parser(const Text_source& source) : Spline_net_parser(source) {}
 
   template <SplineKernel Kernel>
   Spline_file<Kernel> file()
@@ -78,12 +76,6 @@ private:
       m_cursor.fail(std::string("expected '") + c + "'", "[]");
   }
 
-  int integer(int lower, int upper, const std::string& what)
-  {
-    m_cursor.skip_blanks();
-    return m_cursor.integer(lower, upper, what);
-  }
-
   void fail_if_not_closed(std::size_t begin) const
   {
     if (m_cursor.is_at_end())
@@ -99,12 +91,7 @@ private:
     expect('[');
     const std::string kind = next_word();
     if (kind == "CURVE" || kind == "SURFACE") {
-      const Spline_net net = parse_net(kind == "CURVE" ? 1 : 2, depth);
-      try {
-        net.add_to(file, outer_name, m_source.place(begin));
-      } catch (const Invalid_input& error) {
-        m_cursor.fail_at(begin, error.what());
-      }
+      add(parse_net(kind == "CURVE" ? 1 : 2, depth), file, outer_name, begin);
       return;
     }
     if (kind == "TRIMSRF" || kind == "TRIVAR" || kind == "MULTIVAR" || kind == "MODEL")
@@ -147,23 +134,19 @@ private:
     const std::string form = next_word();
     if (form != "BSPLINE" && form != "BEZIER")
       m_cursor.fail_at(begin, "expected BSPLINE or BEZIER", "[]");
-    for (auto& axis : net.axes) {
-      m_cursor.skip_blanks();
-      axis.size = Spline_net::read_size(m_cursor);
-    }
-    for (auto& axis : net.axes) {
-      m_cursor.skip_blanks();
+    for (auto& axis : net.axes)
+      axis.size = parse_size();
+    for (auto& axis : net.axes)
       if (form == "BSPLINE")
-        axis.order = Spline_net::read_order(m_cursor, axis.size);
+        axis.order = parse_order(axis.size);
       else
         axis = bezier_axis(axis.size);
-    }
     parse_type_of_points(net);
     skip_attributes(depth);
     if (form == "BSPLINE")
       for (auto& axis : net.axes)
-        parse_knots(axis);
-    net.check_size(m_cursor);
+        parse_block_of_knots(axis);
+    check_size(net);
     for (std::size_t left = net.number_of_points(); left > 0; --left)
       net.points.push_back(parse_point(net));
     expect(']');
@@ -204,7 +187,7 @@ private:
   }
 
   template <class Axis>
-  void parse_knots(Axis& axis)
+  void parse_block_of_knots(Axis& axis)
   {
     expect('[');
     const std::size_t begin = m_cursor.position();
@@ -212,22 +195,15 @@ private:
     if (kind != "KV" && kind != "KVP")
       m_cursor.fail_at(begin, "expected KV or KVP", "[]");
     axis.is_periodic = kind == "KVP";
-    for (int left = axis.unwrapped_size() + axis.order; left > 0; --left) {
-      m_cursor.skip_blanks();
-      axis.knots.push_back(m_cursor.number("a knot"));
-    }
+    parse_knots(axis);
     expect(']');
   }
 
   // The weight is first in the file.
   std::vector<Exact_rational> parse_point(const Spline_net& net)
   {
-    std::vector<Exact_rational> point;
     expect('[');
-    for (int i = 0; i < net.dimension + (net.is_rational ? 1 : 0); ++i) {
-      m_cursor.skip_blanks();
-      point.push_back(m_cursor.number("a coordinate"));
-    }
+    std::vector<Exact_rational> point = parse_coordinates(net);
     expect(']');
     if (net.is_rational)
       std::rotate(point.begin(), point.begin() + 1, point.end());
@@ -266,8 +242,7 @@ Complexity: linear in the length of the file.
 template <SplineKernel Kernel>
 Spline_file<Kernel> read_IRIT(std::istream& in, const std::string& file_name)
 {
-  const internal::Text_source source = internal::Text_source::read(in, file_name);
-  return internal::IRIT_parser(source).template file<Kernel>();
+  return internal::IRIT_parser(internal::Text_source::read(in, file_name)).template file<Kernel>();
 }
 
 /*!
@@ -279,8 +254,7 @@ reads the file of the given path.
 template <SplineKernel Kernel>
 Spline_file<Kernel> read_IRIT(const std::string& path)
 {
-  const internal::Text_source source = internal::Text_source::read(path);
-  return internal::IRIT_parser(source).template file<Kernel>();
+  return internal::IRIT_parser(internal::Text_source::read(path)).template file<Kernel>();
 }
 
 } // namespace IO

@@ -6,25 +6,22 @@
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Spline_net.h>
+#include <CGAL/Spline_constraints_d/IO/internal/Spline_net_parser.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
 
+#include <cstddef>
 #include <istream>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
 // Numbers between blanks.
-class G2_parser
+class G2_parser : Spline_net_parser
 {
-  const Text_source& m_source;
-  Text_cursor m_cursor;
-
 public:
-  explicit G2_parser(const Text_source& source) : m_source(source), m_cursor(source) {}
+  explicit G2_parser(const Text_source& source) : Spline_net_parser(source) {}
 
   template <SplineKernel Kernel>
   Spline_file<Kernel> file()
@@ -32,29 +29,12 @@ public:
     Spline_file<Kernel> result;
     for (m_cursor.skip_blanks(); !m_cursor.is_at_end(); m_cursor.skip_blanks()) {
       const std::size_t begin = m_cursor.position();
-      const Spline_net net = parse_object();
-      try {
-        net.add_to(result, "", m_source.place(begin));
-      } catch (const Invalid_input& error) {
-        m_cursor.fail_at(begin, error.what());
-      }
+      add(parse_object(), result, "", begin);
     }
     return result;
   }
 
 private:
-  int integer(int lower, int upper, const std::string& what)
-  {
-    m_cursor.skip_blanks();
-    return m_cursor.integer(lower, upper, what);
-  }
-
-  Exact_rational number(const std::string& what)
-  {
-    m_cursor.skip_blanks();
-    return m_cursor.number(what);
-  }
-
   Spline_net parse_object()
   {
     const std::size_t begin = m_cursor.position();
@@ -70,20 +50,13 @@ private:
     net.is_rational = integer(0, 1, "whether there are weights") == 1;
     net.axes.resize(type == 100 ? 1 : 2);
     for (auto& axis : net.axes) {
-      m_cursor.skip_blanks();
-      axis.size = Spline_net::read_size(m_cursor);
-      m_cursor.skip_blanks();
-      axis.order = Spline_net::read_order(m_cursor, axis.size);
-      for (int i = 0; i < axis.size + axis.order; ++i)
-        axis.knots.push_back(number("a knot"));
+      axis.size = parse_size();
+      axis.order = parse_order(axis.size);
+      parse_knots(axis);
     }
-    m_cursor.skip_blanks();
-    net.check_size(m_cursor);
-    for (std::size_t left = net.number_of_points(); left > 0; --left) {
-      net.points.emplace_back();
-      for (int i = 0; i < net.dimension + (net.is_rational ? 1 : 0); ++i)
-        net.points.back().push_back(number("a coordinate"));
-    }
+    check_size(net);
+    for (std::size_t left = net.number_of_points(); left > 0; --left)
+      net.points.push_back(parse_coordinates(net));
     return net;
   }
 };
@@ -118,8 +91,7 @@ Complexity: linear in the length of the file.
 template <SplineKernel Kernel>
 Spline_file<Kernel> read_g2(std::istream& in, const std::string& file_name)
 {
-  const internal::Text_source source = internal::Text_source::read(in, file_name);
-  return internal::G2_parser(source).template file<Kernel>();
+  return internal::G2_parser(internal::Text_source::read(in, file_name)).template file<Kernel>();
 }
 
 /*!
@@ -131,8 +103,7 @@ reads the file of the given path.
 template <SplineKernel Kernel>
 Spline_file<Kernel> read_g2(const std::string& path)
 {
-  const internal::Text_source source = internal::Text_source::read(path);
-  return internal::G2_parser(source).template file<Kernel>();
+  return internal::G2_parser(internal::Text_source::read(path)).template file<Kernel>();
 }
 
 } // namespace IO

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/function/internal/Formula_expansion.h>
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
@@ -76,18 +77,8 @@ public:
 
 inline Power_polynomial polynomial_of_piece(const Spline_term& term, std::size_t cell)
 {
-  Power_polynomial result;
-  std::size_t next = 0;
-  for_each_index(term.degrees, [&](const std::vector<int>& powers) {
-    const Exact_rational& coefficient = term.pieces[cell][next++];
-    if (coefficient == Exact_rational(0))
-      return;
-    Monomial monomial;
-    for (std::size_t j = 0; j < powers.size(); ++j)
-      monomial = monomial.with_exponent(term.variables[j], powers[j]);
-    result += Power_polynomial(coefficient) * polynomial_of(monomial);
-  });
-  return result;
+  return polynomial_of_powers(term.degrees, term.pieces[cell],
+                              [&](std::size_t j) { return Power_polynomial::variable(term.variables[j]); });
 }
 
 // The spline of these unknowns with one polynomial for each cell.

@@ -5,14 +5,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_SPLINE_NET_H
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
-#include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,8 +21,6 @@ namespace internal {
 // a periodic axis the first points come again at the end.
 class Spline_net
 {
-  static constexpr int maximal_order = 100;
-
   struct Axis
   {
     int size = 0, order = 0;
@@ -41,31 +36,12 @@ public:
   int dimension = 0;
   bool is_rational = false;
 
-  // Sizes and orders are bounded by what can follow in the file.
-  static int read_size(Text_cursor& cursor)
-  {
-    const int most = static_cast<int>((std::min)(cursor.rest().size(), std::size_t(1) << 30));
-    return cursor.integer(1, (std::max)(most, 1), "a number of control points that fits the file");
-  }
-
-  static int read_order(Text_cursor& cursor, int size)
-  {
-    return cursor.integer(1, (std::min)(maximal_order, size), "the order");
-  }
-
   std::size_t number_of_points() const
   {
     std::size_t result = 1;
     for (const Axis& axis : axes)
       result *= static_cast<std::size_t>(axis.size);
     return result;
-  }
-
-  // So that periodic axes do not make a small file large.
-  void check_size(const Text_cursor& cursor) const
-  {
-    if (number_of_points() > cursor.rest().size())
-      cursor.fail("the file is too short for its control points,");
   }
 
   template <SplineKernel Kernel>

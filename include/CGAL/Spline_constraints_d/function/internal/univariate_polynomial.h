@@ -7,9 +7,9 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -19,12 +19,9 @@ namespace internal {
 // breaks.
 inline Power_polynomial univariate_polynomial(const Bspline_function<Exact_rational>& f)
 {
-  const std::vector<Exact_rational> powers =
-      Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
-  Power_polynomial result;
-  for (std::size_t k = powers.size(); k-- > 0;)
-    result = result * Power_polynomial::variable(0) + powers[k];
-  return result;
+  const Bernstein_tensor<Exact_rational> piece({f.degree(0)}, f.coefficients());
+  return polynomial_of_powers(piece.degrees(), piece.power_coefficients(),
+                              [](std::size_t) { return Power_polynomial::variable(0); });
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
 #include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
@@ -28,14 +29,8 @@ using Homogeneous_polynomials = std::vector<Power_polynomial>;
 
 inline Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& piece)
 {
-  Power_polynomial result;
-  const std::vector<Exact_rational> coefficients = piece.power_coefficients();
-  std::size_t k = 0;
-  for (int i = 0; i <= piece.degree(0); ++i)
-    for (int j = 0; j <= piece.degree(1); ++j)
-      result += Power_polynomial(coefficients[k++]) * pow(Power_polynomial::variable(0), i) *
-          pow(Power_polynomial::variable(1), j);
-  return result;
+  return polynomial_of_powers(piece.degrees(), piece.power_coefficients(),
+                              [](std::size_t axis) { return Power_polynomial::variable(static_cast<int>(axis)); });
 }
 
 inline Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, const std::vector<int>& degrees)

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 
 #include <utility>
 #include <vector>
@@ -54,11 +55,11 @@ auto contact_points(const A& a, const B& b, const Solver_options& options = {})
 {
   using Kernel = typename internal::Common::Intersection_operand<A>::Kernel;
   internal::Common::Budgeted_solver solve(options);
-  std::vector<Intersection<Kernel, 3>> result;
-  if (const auto pair = internal::Common::patch_pair(a, b))
-    for (internal::Common::Common_point& point : internal::Intersections::Contact_finder(*pair, solve)())
-      result.emplace_back(std::move(point), *pair);
-  return Spline_constraints::Intersections<Kernel, 3>(std::move(result), solve.total());
+  const auto pair = internal::Common::patch_pair(a, b);
+  if (!pair)
+    return Intersections<Kernel, 3>({}, Summary());
+  std::vector<internal::Common::Common_point> points = internal::Intersections::Contact_finder(*pair, solve)();
+  return internal::Intersections::intersections_at<Kernel, 3>(std::move(points), *pair, solve.total());
 }
 
 } // namespace Spline_constraints

@@ -7,7 +7,8 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_along_surfaces.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <utility>
@@ -15,21 +16,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Intersections {
-
-template <SplineKernel Kernel, int d>
-Spline_constraints::Intersections<Kernel, d> intersections_of(const Patch_pair<d>& pair, const Solver_options& options)
-{
-  Budgeted_solver solve(options);
-  std::vector<Intersection<Kernel, d>> result;
-  for (Common_point& point : common_points<d>(pair, solve))
-    result.emplace_back(std::move(point), pair);
-  return Spline_constraints::Intersections<Kernel, d>(std::move(result), solve.total());
-}
-
-} // namespace Intersections
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDIntersections
@@ -92,10 +78,12 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
   using Operand = internal::Common::Intersection_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  options.check();
+  internal::Common::Budgeted_solver solve(options);
   const auto pair = internal::Common::patch_pair(a, b);
-  return pair ? internal::Intersections::intersections_of<Kernel, d>(*pair, options)
-              : Spline_constraints::Intersections<Kernel, d>({}, Summary());
+  if (!pair)
+    return Intersections<Kernel, d>({}, Summary());
+  std::vector<internal::Common::Common_point> points = internal::Intersections::common_points<d>(*pair, solve);
+  return internal::Intersections::intersections_at<Kernel, d>(std::move(points), *pair, solve.total());
 }
 
 } // namespace Spline_constraints

@@ -4,16 +4,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_PAIRWISE_INTERSECTIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_PAIRWISE_INTERSECTIONS_H
 
-#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <ranges>
 #include <utility>
 #include <vector>
@@ -64,68 +62,33 @@ namespace Intersections {
 template <class Range>
 concept Range_of_curves = std::ranges::input_range<Range> && Parametric_curve<std::ranges::range_value_t<Range>>;
 
-// Which curves of one collection, or of two, may meet each other, and where they do.
-template <SplineKernel Kernel, int d>
-class Pairwise_intersector
-{
-  using Patches = std::vector<Spline_patch<d>>;
-
-  Solver_options m_options;
-
-public:
-  explicit Pairwise_intersector(const Solver_options& options) : m_options(options) { m_options.check(); }
-
-  template <class Concurrency_tag>
-  Pairwise_intersections<Kernel, d> within(const Patches& curves, Self_intersections self_intersections) const
-  {
-    std::vector<Index_pair> pairs = pairs_with_meeting_boxes(curves);
-    if (self_intersections == Self_intersections::INCLUDED) {
-      for (std::size_t i = 0; i < curves.size(); ++i)
-        pairs.emplace_back(i, i);
-      std::sort(pairs.begin(), pairs.end());
-    }
-    return intersected<Concurrency_tag>(pairs, [&](const Index_pair& pair) {
-      return pair.first == pair.second
-          ? self_intersections_of<Kernel, d>(curves[pair.first], m_options)
-          : intersections_of<Kernel, d>(Patch_pair<d>(curves[pair.first], curves[pair.second]), m_options);
-    });
-  }
-
-  template <class Concurrency_tag>
-  Pairwise_intersections<Kernel, d> between(const Patches& first, const Patches& second) const
-  {
-    return intersected<Concurrency_tag>(pairs_with_meeting_boxes(first, second), [&](const Index_pair& pair) {
-      return intersections_of<Kernel, d>(Patch_pair<d>(first[pair.first], second[pair.second]), m_options);
-    });
-  }
-
-private:
-  template <class Concurrency_tag, class Intersect>
-  static Pairwise_intersections<Kernel, d> intersected(const std::vector<Index_pair>& pairs, const Intersect& intersect)
-  {
-    std::vector<std::optional<Spline_constraints::Intersections<Kernel, d>>> answers(pairs.size());
-    parallel_for<Concurrency_tag>(pairs.size(), [&](std::size_t i, std::size_t) { answers[i] = intersect(pairs[i]); });
-    Pairwise_intersections<Kernel, d> result;
-    result.summary.is_complete = true;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      result.summary += answers[i]->summary();
-      if (!answers[i]->empty())
-        result.pairs.push_back({pairs[i].first, pairs[i].second, std::move(*answers[i])});
-    }
-    return result;
-  }
-};
-
 template <class Range>
-using Pairwise_intersector_of = Pairwise_intersector<typename std::ranges::range_value_t<Range>::Kernel,
-                                                     Spline_operand<std::ranges::range_value_t<Range>>::dimension>;
+using Operand_of_range = Spline_operand<std::ranges::range_value_t<Range>>;
 
 template <class Range>
 auto patches_of(const Range& range)
 {
-  std::vector<Spline_patch<Spline_operand<std::ranges::range_value_t<Range>>::dimension>> result;
+  std::vector<Spline_patch<Operand_of_range<Range>::dimension>> result;
   for (const auto& curve : range)
     result.emplace_back(curve);
+  return result;
+}
+
+// Those of the pairs that have any, in points of the kernel of the curves.
+template <SplineKernel Kernel, int d>
+Pairwise_intersections<Kernel, d> pairwise_intersections_at(std::vector<typename Pairwise_common_points<d>::Pair> pairs,
+                                                            const std::vector<Spline_patch<d>>& first,
+                                                            const std::vector<Spline_patch<d>>& second)
+{
+  Pairwise_intersections<Kernel, d> result;
+  result.summary.is_complete = true;
+  for (auto& pair : pairs) {
+    auto intersections = intersections_at<Kernel, d>(std::move(pair.points),
+                                                     Patch_pair<d>(first[pair.first], second[pair.second]), pair.work);
+    result.summary += intersections.summary();
+    if (!intersections.empty())
+      result.pairs.push_back({pair.first, pair.second, std::move(intersections)});
+  }
   return result;
 }
 
@@ -156,8 +119,14 @@ template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections:
 auto pairwise_intersections(const Range& curves, const Solver_options& options = {},
                             Self_intersections self_intersections = Self_intersections::EXCLUDED)
 {
-  return internal::Intersections::Pairwise_intersector_of<Range>(options).template within<Concurrency_tag>(
-      internal::Intersections::patches_of(curves), self_intersections);
+  using Operand = internal::Intersections::Operand_of_range<Range>;
+  constexpr int d = Operand::dimension;
+  const internal::Intersections::Pairwise_common_points<d> points(options);
+  const auto patches = internal::Intersections::patches_of(curves);
+  return internal::Intersections::pairwise_intersections_at<typename Operand::Kernel, d>(
+      self_intersections == Self_intersections::INCLUDED ? points.template among_and_within<Concurrency_tag>(patches)
+                                                         : points.template among<Concurrency_tag>(patches),
+      patches, patches);
 }
 
 /*!
@@ -178,8 +147,12 @@ template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections:
 requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
 auto pairwise_intersections(const Range& curves, const Other_range& others, const Solver_options& options = {})
 {
-  return internal::Intersections::Pairwise_intersector_of<Range>(options).template between<Concurrency_tag>(
-      internal::Intersections::patches_of(curves), internal::Intersections::patches_of(others));
+  using Operand = internal::Intersections::Operand_of_range<Range>;
+  constexpr int d = Operand::dimension;
+  const internal::Intersections::Pairwise_common_points<d> points(options);
+  const auto first = internal::Intersections::patches_of(curves), second = internal::Intersections::patches_of(others);
+  return internal::Intersections::pairwise_intersections_at<typename Operand::Kernel, d>(
+      points.template between<Concurrency_tag>(first, second), first, second);
 }
 
 } // namespace Spline_constraints

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <utility>
@@ -15,23 +16,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Intersections {
-
-template <SplineKernel Kernel, int d>
-Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_patch<d>& curve,
-                                                                   const Solver_options& options)
-{
-  Budgeted_solver solve(options);
-  const Patch_pair<d> operands(curve, curve);
-  std::vector<Intersection<Kernel, d>> result;
-  for (Common_point& point : Self_intersection_finder<d>(curve, solve)())
-    result.emplace_back(std::move(point), operands);
-  return Spline_constraints::Intersections<Kernel, d>(std::move(result), solve.total());
-}
-
-} // namespace Intersections
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDIntersections
@@ -67,9 +51,13 @@ template <internal::Common::Parametric_curve Curve>
 auto self_intersections(const Curve& curve, const Solver_options& options = {})
 {
   using Operand = internal::Common::Spline_operand<Curve>;
-  options.check();
-  return internal::Intersections::self_intersections_of<typename Operand::Kernel, Operand::dimension>(
-      Operand::patch(curve), options);
+  constexpr int d = Operand::dimension;
+  internal::Common::Budgeted_solver solve(options);
+  const internal::Common::Patch_pair<d> operands(Operand::patch(curve), Operand::patch(curve));
+  std::vector<internal::Common::Common_point> points =
+      internal::Intersections::Self_intersection_finder<d>(operands[0], solve)();
+  return internal::Intersections::intersections_at<typename Operand::Kernel, d>(std::move(points), operands,
+                                                                                solve.total());
 }
 
 } // namespace Spline_constraints

@@ -6,10 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Cell_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Equal_point_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/undecided_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <optional>
@@ -18,6 +18,20 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+namespace Surface_curves {
+
+// A box where nothing is proved.
+inline Curve_solution_set_d undecided_curves(Curve_vertex::Exact_box box, Undecided_reason reason)
+{
+  Summary summary;
+  summary.is_complete = false;
+  return Curve_solution_set_d({}, {}, {}, {}, {{{std::move(box)}, {}, reason}}, summary);
+}
+
+} // namespace Surface_curves
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
 

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Undecided_part_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Sector_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/arcs_of_chain.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <algorithm>
@@ -190,17 +191,13 @@ private:
 
   void append_chain(const internal::Voronoi::Free_chains::Chain& chain)
   {
-    std::vector<std::vector<Part>> arcs;
-    for (const std::size_t piece : chain.pieces)
-      for (const Part& part : m_disks.arcs(piece))
-        if (!arcs.empty() && goes_on(arcs.back().back(), part))
-          arcs.back().push_back(part);
-        else
-          arcs.push_back({part});
-    if (chain.is_closed && arcs.size() > 1 && goes_on(arcs.back().back(), arcs.front().front())) {
-      arcs.back().insert(arcs.back().end(), arcs.front().begin(), arcs.front().end());
-      arcs.erase(arcs.begin());
+    std::vector<Part> parts_of_chain;
+    for (const std::size_t piece : chain.pieces) {
+      const std::vector<Part> parts = m_disks.arcs(piece);
+      parts_of_chain.insert(parts_of_chain.end(), parts.begin(), parts.end());
     }
+    std::vector<std::vector<Part>> arcs = internal::Voronoi::arcs_of_chain(
+        parts_of_chain, chain.is_closed, [&](const Part& before, const Part& after) { return goes_on(before, after); });
     if (m_is_exchanged)
       reverse(arcs);
     Chain result{{}, chain.is_closed};

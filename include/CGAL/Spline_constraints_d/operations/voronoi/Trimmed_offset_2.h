@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Undecided_part_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Offset_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/arcs_of_chain.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/vertex_origin.h>
 
 #include <CGAL/Polygon_with_holes_2.h>
@@ -201,22 +202,14 @@ private:
     std::vector<std::size_t> pieces = chain.pieces;
     if (m_is_reversed)
       std::reverse(pieces.begin(), pieces.end());
-    if (chain.is_closed) {   // begin where an arc begins
-      std::size_t first = 0;
-      while (first < pieces.size() && goes_on(pieces[(first + pieces.size() - 1) % pieces.size()], pieces[first]))
-        ++first;
-      std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first % pieces.size()), pieces.end());
-    }
     Boundary boundary{{}, chain.is_closed, chain.is_hole, chain.outer};
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (i > 0 && goes_on(pieces[i - 1], pieces[i])) {
-        m_arcs.back().parameters[1] = arc_of(pieces[i]).parameters[1];
-        m_pieces_of_arc.back().push_back(pieces[i]);
-      } else {
-        boundary.arcs.push_back(m_arcs.size());
-        m_arcs.push_back(arc_of(pieces[i]));
-        m_pieces_of_arc.push_back({pieces[i]});
-      }
+    for (std::vector<std::size_t>& arc : internal::Voronoi::arcs_of_chain(
+             pieces, chain.is_closed, [&](std::size_t before, std::size_t after) { return goes_on(before, after); })) {
+      boundary.arcs.push_back(m_arcs.size());
+      m_arcs.push_back(arc_of(arc.front()));
+      m_arcs.back().parameters[1] = arc_of(arc.back()).parameters[1];
+      m_pieces_of_arc.push_back(std::move(arc));
+    }
     m_boundaries.push_back(std::move(boundary));
   }
 };

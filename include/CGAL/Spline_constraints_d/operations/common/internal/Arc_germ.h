@@ -174,10 +174,7 @@ private:
 
   Series series(const Bernstein_tensor<Exact_rational>& tensor, bool is_end) const
   {
-    Series coefficients = tensor.coefficients();
-    if (is_end)
-      std::reverse(coefficients.begin(), coefficients.end());
-    Series result = Bernstein_tensor<Exact_rational>(tensor.degrees(), std::move(coefficients)).power_coefficients();
+    Series result = (is_end ? reversed(tensor) : tensor).power_coefficients();
     result.resize(m_size, Exact_rational(0));
     return result;
   }

@@ -102,6 +102,22 @@ private:
   }
 };
 
+// The function of 1 - u.
+inline Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
+{
+  std::vector<Exact_rational> coefficients = tensor.coefficients();
+  std::reverse(coefficients.begin(), coefficients.end());
+  return {tensor.degrees(), std::move(coefficients)};
+}
+
+// From the end of its domain to the begin.
+inline Homogeneous_piece reversed(Homogeneous_piece piece)
+{
+  for (Bernstein_tensor<Exact_rational>& coordinate : piece.coordinates)
+    coordinate = reversed(coordinate);
+  return piece;
+}
+
 // Refuses a piece of a curve that is one point: it has no sides, and goes nowhere.
 inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates,
                               const Parameter_range& domain, std::size_t curve, const std::string& prefix)

@@ -307,13 +307,6 @@ public:
   }
 
 private:
-  static Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
-  {
-    std::vector<Exact_rational> coefficients = tensor.coefficients();
-    std::reverse(coefficients.begin(), coefficients.end());
-    return {tensor.degrees(), std::move(coefficients)};
-  }
-
   // Leibniz: (X w)^(k) = sum_i (k over i) X^(i) w^(k-i).
   void divide_by_weight(Curve_jet& jet, const Range& range, std::size_t order) const
   {

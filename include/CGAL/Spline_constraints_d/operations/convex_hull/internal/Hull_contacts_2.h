@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/critical_values.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -129,10 +129,10 @@ public:
   {
     if (!may_meet(first.boxes(), second.boxes()))
       return std::nullopt;
-    const auto common = intersections(exact_curve(first), exact_curve(second), m_options);
-    if (common.size() != 1 || common[0].kind() != Intersection_kind::OVERLAP)
+    const std::vector<Common_point> common = all_common_points(patch(first), patch(second));
+    if (common.size() != 1 || common[0].kind != Intersection_kind::OVERLAP)
       return std::nullopt;
-    return std::array<Parameter_range, 2>{common[0].parameter_range(0), common[0].parameter_range(1)};
+    return std::array<Parameter_range, 2>{common[0].parameters[0], common[0].parameters[1]};
   }
 
   // Whether a piece and a chain have one common point at most, or the piece is a part of one of those of the chain.
@@ -142,10 +142,10 @@ public:
     for (const Hull_piece_2& other : chain) {
       if (!may_meet(piece.boxes(), other.boxes()))
         continue;
-      const auto common = intersections(exact_curve(piece), exact_curve(other), m_options);
-      if (!common.is_complete())
+      const std::vector<Common_point> common = all_common_points(patch(piece), patch(other));
+      if (has_any(common, Intersection_kind::UNDECIDED))
         return false;
-      if (common.count(Intersection_kind::OVERLAP) > 0)
+      if (has_any(common, Intersection_kind::OVERLAP))
         return common.size() == 1 && has_point({other}, piece.begin()) && has_point({other}, piece.end());
       const bool is_joint_known =
           &other != &chain.front() && (other.begin() == piece.begin() || other.begin() == piece.end());
@@ -159,8 +159,8 @@ public:
     return std::any_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) {
       if (!may_meet({enclosed(point)}, piece.boxes()))
         return false;
-      const auto common = intersections(Exact_kernel::Point_2(point[0], point[1]), exact_curve(piece), m_options);
-      return common.is_complete() && !common.empty();
+      const std::vector<Common_point> common = all_common_points(Spline_patch<2>(point), patch(piece));
+      return !common.empty() && !has_any(common, Intersection_kind::UNDECIDED);
     });
   }
 
@@ -169,13 +169,24 @@ public:
     std::vector<Exact_kernel::Point_2> points;
     for (const auto& [x, y] : ends)
       points.emplace_back(x, y);
-    return std::all_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) {
-      const auto common = intersections(bezier_curve(points), exact_curve(piece), m_options);
-      return common.is_complete() && common.empty();
-    });
+    const Spline_patch<2> segment(bezier_curve(points));
+    return std::all_of(chain.begin(), chain.end(),
+                       [&](const Hull_piece_2& piece) { return all_common_points(segment, patch(piece)).empty(); });
   }
 
 private:
+  // The limits of the solver hold for each pair alone.
+  std::vector<Common_point> all_common_points(const Spline_patch<2>& first, const Spline_patch<2>& second) const
+  {
+    Budgeted_solver solve(m_options);
+    return common_points<2>(Patch_pair<2>(first, second), solve);
+  }
+
+  static bool has_any(const std::vector<Common_point>& points, Intersection_kind kind)
+  {
+    return std::any_of(points.begin(), points.end(), [=](const Common_point& point) { return point.kind == kind; });
+  }
+
   static bool is_proved(const Solution_d<double>& solution)
   {
     return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER;
@@ -196,6 +207,7 @@ private:
   {
     return Boundary_loop_2({piece.curve()}).curve();
   }
+  static Spline_patch<2> patch(const Hull_piece_2& piece) { return Spline_patch<2>(exact_curve(piece)); }
 
   // Of the points of an operand in a range.
   static Vector_bounds<2> bounds(const Hull_contact_operand& operand, const Parameter_range& range)

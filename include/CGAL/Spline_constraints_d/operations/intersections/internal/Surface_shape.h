@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SURFACE_SHAPE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SURFACE_SHAPE_H
 
+#include <CGAL/Spline_constraints_d/function/internal/Values_at_point.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>

@@ -9,7 +9,6 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlap_ends.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_on_implicit_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -274,30 +273,6 @@ common_points_of_curve_along_surface(const Patch_pair<3>& pair, const std::vecto
   std::sort(result.begin(), result.end(),
             [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
   return result;
-}
-
-// The common points of two operands. Where a curve and a surface take many nodes, the curve may run along the surface.
-template <int d>
-std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve)
-{
-  constexpr std::size_t many_nodes = 250;
-  if constexpr (d == 3)
-    if (pair.number_of_parameters() == 3) {
-      Budgeted_solver limited = solve.limited(many_nodes);
-      std::vector<Common_point> points = Intersection_finder<3>(pair, limited)();
-      solve.add_work_of(limited);
-      const bool is_complete = std::none_of(
-          points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });
-      if (is_complete)
-        return points;
-      if (auto others = common_points_of_curve_along_surface(pair, points, solve))
-        return std::move(*others);
-      if (auto others = Curve_on_implicit_surface(pair, solve)())
-        return std::move(*others);
-      if (!limited.has_reached_node_limit() || solve.has_reached_node_limit())
-        return points;
-    }
-  return Intersection_finder<d>(pair, solve)();
 }
 
 } // namespace Intersections

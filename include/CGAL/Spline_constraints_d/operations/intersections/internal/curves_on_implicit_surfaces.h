@@ -190,7 +190,8 @@ class Curve_on_implicit_surface
     Common_point point;
   };
 
-  struct Stretch
+  // Up to the next event, or to the end of the curve.
+  struct Arc_between_events
   {
     std::size_t next_event;
     bool is_on_surface;
@@ -214,8 +215,8 @@ public:
     if (!form || !form->holds(m_curve) || !is_regular(*form))
       return std::nullopt;
     const auto events = events_by_parameter();
-    const auto stretches = events ? stretches_between(*events) : std::nullopt;
-    return stretches ? std::optional(common_points(*events, *stretches)) : std::nullopt;
+    const auto arcs = events ? arcs_between(*events) : std::nullopt;
+    return arcs ? std::optional(common_points(*events, *arcs)) : std::nullopt;
   }
 
 private:
@@ -347,10 +348,10 @@ private:
     return of_surface;
   }
 
-  // The parts of the curve between events, if all are decided.
-  std::optional<std::vector<Stretch>> stretches_between(const std::vector<Event>& events) const
+  // If it is decided of each one whether it is on the surface.
+  std::optional<std::vector<Arc_between_events>> arcs_between(const std::vector<Event>& events) const
   {
-    std::vector<Stretch> result;
+    std::vector<Arc_between_events> result;
     const auto [begin, end] = m_curve.domain(0);
     for (std::size_t i = 0; i <= events.size(); ++i) {
       const Parameter_range range(i == 0 ? begin : events[i - 1].range.second,
@@ -371,18 +372,19 @@ private:
     return result;
   }
 
-  std::vector<Common_point> common_points(const std::vector<Event>& events, const std::vector<Stretch>& stretches) const
+  std::vector<Common_point> common_points(const std::vector<Event>& events,
+                                          const std::vector<Arc_between_events>& arcs) const
   {
     const auto [begin, end] = m_curve.domain(0);
     std::vector<Common_point> result;
     std::vector<bool> is_on_overlap(events.size(), false);
-    for (std::size_t k = 0; k < stretches.size();) {
-      if (!stretches[k++].is_on_surface)
+    for (std::size_t k = 0; k < arcs.size();) {
+      if (!arcs[k++].is_on_surface)
         continue;
-      const std::size_t first = stretches[k - 1].next_event;
-      while (k < stretches.size() && stretches[k].is_on_surface)
+      const std::size_t first = arcs[k - 1].next_event;
+      while (k < arcs.size() && arcs[k].is_on_surface)
         ++k;
-      const std::size_t last = stretches[k - 1].next_event;
+      const std::size_t last = arcs[k - 1].next_event;
       for (std::size_t i = first == 0 ? 0 : first - 1; i < events.size() && i <= last; ++i)
         is_on_overlap[i] = true;
       const Parameter_range range(first == 0 ? begin : events[first - 1].range.first,

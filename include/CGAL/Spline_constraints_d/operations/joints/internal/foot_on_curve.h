@@ -8,7 +8,8 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/number_utils.h>
@@ -47,8 +48,10 @@ typename Kernel::FT nearest_parameter(const Bspline_curve_2<Kernel>& curve, cons
   using FT = typename Kernel::FT;
   const auto [begin, end] = curve.domain();
   std::optional<std::pair<FT, FT>> nearest;
-  for (const auto& pair : closest_points(point, curve)) {
-    const FT t = std::clamp(converted_number<FT>(pair.parameter(1)), begin, end);
+  Critical_distances<2> distances(Spline_operand<typename Kernel::Point_2>::patch(point), Spline_patch<2>(curve),
+                                  least_distance, {});
+  for (const Critical_distance& found : distances.nearest()) {
+    const FT t = std::clamp(converted_number<FT>(to_nearest_double(found.sample[1][0])), begin, end);
     if (const FT distance = CGAL::squared_distance(point, curve(t)); !nearest || distance < nearest->first)
       nearest = {distance, t};
   }

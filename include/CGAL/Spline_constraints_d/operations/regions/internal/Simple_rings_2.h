@@ -7,8 +7,8 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/inner_roots.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -275,14 +275,14 @@ private:
   {
     bool have_common_parts = false;
     std::vector<Boundary_loop_2> loops;
-    std::vector<Bspline_curve_2<Exact_kernel>> curves;
+    std::vector<Spline_patch<2>> curves;
     for (const Ring& ring : m_rings) {
       loops.push_back(loop(ring));
-      curves.push_back(loops.back().curve());
+      curves.emplace_back(loops.back().curve());
     }
     std::map<std::size_t, std::vector<Exact_rational>> cuts;
-    for (const auto& pair : pairwise_intersections(curves, options, Self_intersections::INCLUDED).pairs)
-      for (const auto& meeting : pair.intersections) {
+    for (const auto& pair : Pairwise_common_points<2>(options).among_and_within<CGAL::Sequential_tag>(curves))
+      for (const Common_point& meeting : pair.points) {
         const std::array<const Boundary_loop_2*, 2> both{&loops[pair.first], &loops[pair.second]};
         const auto in_common_part = may_have_common_parts ? origins_in_common_part(meeting, both) : std::nullopt;
         have_common_parts = have_common_parts || in_common_part;
@@ -298,13 +298,12 @@ private:
   using Origin = std::pair<std::size_t, Exact_rational>;   // a curve and its parameter
 
   // On both curves, the ends of a common part, if these are rational, and of its pieces.
-  template <class Meeting>
-  static std::optional<std::vector<Origin>> origins_in_common_part(const Meeting& meeting,
+  static std::optional<std::vector<Origin>> origins_in_common_part(const Common_point& meeting,
                                                                    const std::array<const Boundary_loop_2*, 2>& loops)
   {
-    if (meeting.kind() != Intersection_kind::OVERLAP)
+    if (meeting.kind != Intersection_kind::OVERLAP)
       return std::nullopt;
-    const std::array<Parameter_range, 2> ranges{meeting.parameter_range(0), meeting.parameter_range(1)};
+    const Parameter_box& ranges = meeting.parameters;
     const auto end = [&](std::size_t k, bool is_last) {
       return loops[k]->at(is_last ? ranges[k].second : ranges[k].first);
     };
@@ -358,22 +357,21 @@ private:
   }
 
   // \throws Invalid_input when it is not proved to be one rational point.
-  template <class Meeting>
-  static std::vector<Origin> origins_of_common_point(const Meeting& meeting,
+  static std::vector<Origin> origins_of_common_point(const Common_point& meeting,
                                                      const std::array<const Boundary_loop_2*, 2>& loops)
   {
     std::array<Exact_rational, 2> parameters;
     for (std::size_t k = 0; k < 2; ++k)
-      parameters[k] = simplest_rational_between(meeting.parameter_range(k).first, meeting.parameter_range(k).second);
+      parameters[k] = simplest_rational_between(meeting.parameters[k].first, meeting.parameters[k].second);
     const auto origin = [&](std::size_t k) { return loops[k]->origin(parameters[k]); };
-    const bool is_one_point = meeting.kind() != Intersection_kind::OVERLAP &&
-        meeting.kind() != Intersection_kind::UNDECIDED && loops[0]->at(parameters[0]) == loops[1]->at(parameters[1]);
+    const bool is_one_point = meeting.kind != Intersection_kind::OVERLAP &&
+        meeting.kind != Intersection_kind::UNDECIDED && loops[0]->at(parameters[0]) == loops[1]->at(parameters[1]);
     if (is_one_point)
       return {origin(0), origin(1)};
     for (std::size_t k = 0; k < 2; ++k)
-      parameters[k] = middle_of(meeting.parameter_range(k));
+      parameters[k] = middle_of(meeting.parameters[k]);
     const auto what = [&]() -> std::string {
-      switch (meeting.kind()) {
+      switch (meeting.kind) {
       case Intersection_kind::TRANSVERSAL: return " cross";
       case Intersection_kind::OVERLAP: return " meet in a common part";
       case Intersection_kind::UNDECIDED: return " are not proved not to meet";

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_RATIONAL_COORDINATES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_RATIONAL_COORDINATES_H
 
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Piecewise_certification.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_refinement.h>
@@ -34,25 +35,6 @@ inline const std::vector<Exact_rational>& piece_at(const Spline_term& term, cons
   return term.pieces[cell];
 }
 
-// Adds a piece of a term, with some unknowns replaced by polynomials: `replacement(v)`.
-template <class Replacement>
-void add_piece(Power_polynomial& sum, const Spline_term& term, const std::vector<Exact_rational>& piece,
-               const Replacement& replacement)
-{
-  std::vector<int> k(term.degrees.size(), 0);
-  for (const Exact_rational& coefficient : piece) {
-    if (coefficient != Exact_rational(0)) {
-      Power_polynomial product(coefficient);
-      for (std::size_t j = 0; j < k.size(); ++j)
-        if (k[j] > 0)
-          product *= pow(replacement(term.variables[j]), k[j]);
-      sum += product;
-    }
-    for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
-      k[j] = 0;
-  }
-}
-
 // A spline without breaks as a polynomial in the unknowns that have no value, numbered in their order; nothing when it
 // has breaks.
 inline std::optional<Power_polynomial> restricted(const Spline_function& function, const Partial_point& values)
@@ -64,8 +46,10 @@ inline std::optional<Power_polynomial> restricted(const Spline_function& functio
   for (const Spline_term& term : function.terms()) {
     if (term.pieces.size() != 1)
       return std::nullopt;
-    add_piece(result, term, term.pieces[0],
-              [&](int v) { return values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]); });
+    result += polynomial_of_powers(term.degrees, term.pieces[0], [&](std::size_t j) {
+      const int v = term.variables[j];
+      return values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]);
+    });
   }
   return result;
 }
@@ -75,7 +59,8 @@ inline Power_polynomial polynomial_at(const Spline_function& function, const std
 {
   Power_polynomial result;
   for (const Spline_term& term : function.terms())
-    add_piece(result, term, piece_at(term, point), [](int v) { return Power_polynomial::variable(v); });
+    result += polynomial_of_powers(term.degrees, piece_at(term, point),
+                                   [&](std::size_t j) { return Power_polynomial::variable(term.variables[j]); });
   return result;
 }
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_DISK_SLOPE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_DISK_SLOPE_H
 
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Blown_up_polynomial.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
@@ -317,16 +319,9 @@ private:
                                            const Exact_rational& scale)
   {
     const auto polynomial = [&](const Bernstein_tensor<Exact_rational>& tensor) {
-      std::vector<Exact_rational> coefficients = tensor.coefficients();
-      if (end.is_end)
-        std::reverse(coefficients.begin(), coefficients.end());
-      const std::vector<Exact_rational> powers =
-          Bernstein_tensor<Exact_rational>(tensor.degrees(), std::move(coefficients)).power_coefficients();
-      const Power_polynomial t = Power_polynomial::variable(variable) * Power_polynomial(scale);
-      Power_polynomial result;
-      for (auto c = powers.rbegin(); c != powers.rend(); ++c)
-        result = result * t + Power_polynomial(*c);
-      return result;
+      return polynomial_of_powers(
+          tensor.degrees(), (end.is_end ? reversed(tensor) : tensor).power_coefficients(),
+          [&](std::size_t) { return Power_polynomial::variable(variable) * Power_polynomial(scale); });
     };
     const Exact_arc_2& arc = graph.arcs()[end.arc];
     const auto& [x, y, w] = arc.piece().coordinates;

@@ -7,6 +7,8 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_branch.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Rational_disk.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 
 #include <array>
@@ -68,11 +70,11 @@ public:
     if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
       return false;
     if (!element.is_normal_cone)
-      return touches_arc(m_graph.arcs()[element.object], part.range, *m_squared_radius);
+      return touches_arc(m_graph.arcs()[element.object], part.range, {m_center, *m_squared_radius});
     const auto turn = [&](double u) {
       return certain_sign(dot(turned_left(m_graph.element_jet(element, {u, u}).normal), away));
     };
-    return touches(m_graph.vertices()[element.object], *m_squared_radius) &&
+    return touches(m_graph.vertices()[element.object], {m_center, *m_squared_radius}) &&
         turn(part.range.begin) * turn(part.range.end) < 0;
   }
 
@@ -81,11 +83,11 @@ public:
   {
     if (!m_squared_radius)
       return false;
-    const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.footpoint);
+    const Rational_disk disk = scaled_disk(located.footpoint);
     if (located.footpoint.kind == Disk_footpoint::Kind::VERTEX)
-      return touches(m_graph.vertices()[located.footpoint.index], square);
+      return touches(m_graph.vertices()[located.footpoint.index], disk);
     return located.footpoint.kind == Disk_footpoint::Kind::ARC &&
-        touches_arc(m_graph.arcs()[located.footpoint.index], located.range, square);
+        touches_arc(m_graph.arcs()[located.footpoint.index], located.range, disk);
   }
 
   // Whether it touches an arc in its end: the center is on the perpendicular there.
@@ -94,49 +96,41 @@ public:
     if (!m_squared_radius || !m_graph.is_exact(end))
       return false;
     const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
-    return squared_distance_from(q) == *m_squared_radius * squared_factor(m_curvature, arc_of(end)) &&
+    return scaled_disk(arc_of(end)).touches(q) &&
         sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
   }
 
 private:
   static Disk_footpoint arc_of(const Arc_end& end) { return {Disk_footpoint::Kind::ARC, end.arc}; }
 
-  bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const
+  // The one that touches what a footpoint is on, if that is scaled.
+  Rational_disk scaled_disk(const Disk_footpoint& footpoint) const
   {
-    return vertex.is_exact && squared_distance_from(vertex.exact_point) == square;
+    return {m_center, Exact_rational(*m_squared_radius * squared_factor(m_curvature, footpoint))};
   }
 
-  Exact_rational squared_distance_from(const Exact_pair& p) const
+  static bool touches(const typename Site_graph_2::Vertex& vertex, const Rational_disk& disk)
   {
-    const Exact_pair d = exact_difference(m_center, p);
-    return exact_dot(d, d);
-  }
-
-  Exact_rational squared_distance_from_line(const Site_arc_2& arc) const
-  {
-    const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a);
-    const Exact_rational area = exact_cross(d, exact_difference(m_center, a));
-    return Exact_rational(area * area / exact_dot(d, d));
+    return vertex.is_exact && disk.touches(vertex.exact_point);
   }
 
   // Of the disk that touches the point in which a footpoint goes over from an arc to the next one.
   std::optional<Exact_rational> squared_radius_at_end(const Arc_end& end) const
   {
-    return m_graph.is_exact(end)
-        ? std::optional(
-              Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) /
-                             squared_factor(m_curvature, arc_of(end))))
-        : std::nullopt;
+    if (!m_graph.is_exact(end))
+      return std::nullopt;
+    const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
+    return Exact_rational(squared_distance_of<2>(m_center, q) / squared_factor(m_curvature, arc_of(end)));
   }
 
   // The squared radius of the disk that touches a footpoint, if it is known to be rational.
   std::optional<Exact_rational> squared_radius(const Disk_footpoint& footpoint) const
   {
     if (footpoint.kind == Disk_footpoint::Kind::VERTEX && m_graph.vertices()[footpoint.index].is_exact)
-      return Exact_rational(squared_distance_from(m_graph.vertices()[footpoint.index].exact_point) /
+      return Exact_rational(squared_distance_of<2>(m_center, m_graph.vertices()[footpoint.index].exact_point) /
                             squared_factor(m_curvature, footpoint));
     if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].is_straight())
-      return Exact_rational(squared_distance_from_line(m_graph.arcs()[footpoint.index]) /
+      return Exact_rational(squared_distance_from_line(m_center, m_graph.arcs()[footpoint.index]) /
                             squared_factor(m_curvature, footpoint));
     if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].circle())
       return squared_distance_from_circle(*m_graph.arcs()[footpoint.index].circle(),
@@ -148,33 +142,20 @@ private:
   std::optional<Exact_rational> squared_distance_from_circle(const std::pair<Exact_pair, Exact_rational>& circle,
                                                              const Exact_rational& squared_factor) const
   {
-    const Exact_rational square = squared_distance_from(circle.first);
+    const Exact_rational square = squared_distance_of<2>(m_center, circle.first);
     const auto product = rational_square_root(Exact_rational(square * circle.second));
     return product ? std::optional(Exact_rational((square + circle.second - 2 * *product) / squared_factor))
                    : std::nullopt;
   }
 
   // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
-  bool touches_arc(const Site_arc_2& arc, const Range& range, const Exact_rational& square) const
+  bool touches_arc(const Site_arc_2& arc, const Range& range, const Rational_disk& disk) const
   {
     const auto approach = [&](double v) {
       const Curve_jet y = arc.jet({v, v}, 1);
       return certain_sign(dot(m_enclosed_center - y[0], y[1]));
     };
-    return touches_line_or_circle(arc, square) && approach(range.begin) > 0 && approach(range.end) < 0;
-  }
-
-  // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 =
-  // 4 r^2 s^2.
-  bool touches_line_or_circle(const Site_arc_2& arc, const Exact_rational& squared_radius) const
-  {
-    if (arc.is_straight())
-      return squared_distance_from_line(arc) == squared_radius;
-    if (!arc.circle())
-      return false;
-    const auto& [center, square] = *arc.circle();
-    const Exact_rational rest = squared_distance_from(center) - square - squared_radius;
-    return rest * rest == 4 * square * squared_radius;
+    return disk.touches_line_or_circle(arc) && approach(range.begin) > 0 && approach(range.end) < 0;
   }
 };
 

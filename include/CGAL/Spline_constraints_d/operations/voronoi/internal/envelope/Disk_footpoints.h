@@ -8,7 +8,6 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_branch.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/compared_points.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/sign_by_tangent_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_branches.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Exact_end_disks.h>
 

@@ -230,10 +230,9 @@ private:
         certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
       return false;
     const Exact_rational u = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));
-    const Exact_pair way = exact_difference(disk.center, m_graph.exact_point_at(f, u)),
+    const Exact_pair point = m_graph.exact_point_at(f, u), way = exact_difference(disk.center, point),
                      normal = m_graph.exact_normal(f, u);
-    return way != disk.way && exact_dot(way, way) == exact_dot(disk.way, disk.way) && exact_cross(normal, way) == 0 &&
-        exact_dot(normal, way) > 0;
+    return way != disk.way && disk.touches(point) && exact_cross(normal, way) == 0 && exact_dot(normal, way) > 0;
   }
 
   // The piece that begins where another one ends in a second footpoint.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Rational_disk.h>
 
 #include <array>
 #include <optional>
@@ -17,9 +18,15 @@ namespace internal {
 namespace Voronoi {
 
 // A disk that touches an element in a point that is known exactly: its center, and the way there from that point.
-struct Exact_disk
+struct Exact_disk : Rational_disk
 {
-  Exact_pair center, way;
+  Exact_pair way;
+
+  Exact_disk(const Exact_pair& point, const Exact_pair& to_center)
+    : Rational_disk{{Exact_rational(point[0] + to_center[0]), Exact_rational(point[1] + to_center[1])},
+                    exact_dot(to_center, to_center)},
+      way(to_center)
+  {}
 };
 
 // Where a range of an element ends in which disks are free: where the element ends; where it ends and disks shrink to

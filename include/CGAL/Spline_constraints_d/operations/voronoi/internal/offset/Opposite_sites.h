@@ -395,8 +395,7 @@ private:
 
   Exact_disk disk_at(const Exact_rational& u, const Exact_pair& way) const
   {
-    const Exact_pair p = m_graph.exact_point_at(m_element, u);
-    return {{Exact_rational(p[0] + way[0]), Exact_rational(p[1] + way[1])}, way};
+    return Exact_disk(m_graph.exact_point_at(m_element, u), way);
   }
 
   Free_end end_at(const Exact_rational& u, const Exact_pair& way) const
@@ -409,12 +408,8 @@ private:
   // once only where it may.
   bool touches(const Exact_disk& disk, const Disk_footpoint& footpoint) const
   {
-    const auto is_on_circle = [&](const Exact_pair& y) {
-      const Exact_pair d = exact_difference(y, disk.center);
-      return exact_dot(d, d) == exact_dot(disk.way, disk.way);
-    };
     const auto is_touched = [&](std::size_t vertex) {
-      return m_graph.vertices()[vertex].is_exact && is_on_circle(m_graph.vertices()[vertex].exact_point);
+      return m_graph.vertices()[vertex].is_exact && disk.touches(m_graph.vertices()[vertex].exact_point);
     };
     if (footpoint.kind != Disk_footpoint::Kind::ARC)
       return footpoint.kind == Disk_footpoint::Kind::VERTEX && is_touched(footpoint.index);
@@ -424,7 +419,7 @@ private:
         }))
       return true;
     const Exact_rational foot = arc.is_segment() ? arc.parameter_of_foot(disk.center) : Exact_rational(-1);
-    return foot >= 0 && foot <= 1 && is_on_circle(arc.at(foot));
+    return foot >= 0 && foot <= 1 && disk.touches(arc.at(foot));
   }
 
   // A tie cuts off what is behind or before it. Where another end is as close as it is known, what is between is not

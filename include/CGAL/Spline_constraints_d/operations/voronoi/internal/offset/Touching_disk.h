@@ -174,12 +174,14 @@ private:
   bool touches(const Exact_pair& y)
   {
     const Exact_pair d = exact_difference(y, m_point);
-    const Exact_rational height = exact_dot(m_normal, d), dd = exact_dot(d, d), nn = exact_dot(m_normal, m_normal);
-    if (sign_of(height) <= 0 || dd * dd * nn != m_square * height * height)
+    const Exact_rational height = exact_dot(m_normal, d);
+    if (sign_of(height) <= 0)
       return false;
-    const Exact_rational scale = dd / (2 * height);
-    const Exact_pair way{Exact_rational(scale * m_normal[0]), Exact_rational(scale * m_normal[1])};
-    m_disk = Exact_disk{{Exact_rational(m_point[0] + way[0]), Exact_rational(m_point[1] + way[1])}, way};
+    const Exact_rational scale = exact_dot(d, d) / (2 * height);   // of the normal, as the way to the center
+    const Exact_disk disk(m_point, {Exact_rational(scale * m_normal[0]), Exact_rational(scale * m_normal[1])});
+    if (4 * disk.squared_radius != m_square)
+      return false;
+    m_disk = disk;
     return true;
   }
 

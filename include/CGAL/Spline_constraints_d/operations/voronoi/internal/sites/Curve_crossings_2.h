@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_CURVE_CROSSINGS_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Crossing_refinement.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Curve_overlaps_2.h>
@@ -47,6 +47,8 @@ public:
   };
 
 private:
+  using Pairs_of_curves = std::vector<Pairwise_common_points<2>::Pair>;
+
   static constexpr int least_gap = 1 << 12;   // between cuts and breaks, in units of their widths
 
   std::vector<std::optional<Exact_pair>> m_points;   // of the crossings, where they are known exactly
@@ -58,24 +60,24 @@ private:
   bool m_are_overlaps_proved = true, m_are_cut_everywhere = true, m_are_cut = true;
 
 public:
-  template <class Concurrency_tag, SplineKernel Kernel>
+  template <class Concurrency_tag>
   static Curve_crossings_2 of(const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points)
   {
     Curve_crossings_2 result(curves);
-    const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
+    const auto pairs = result.intersecting_pairs<Concurrency_tag>();
     result.add_overlaps(pairs);
     result.add_crossings(pairs);
-    result.add_points<Concurrency_tag, Kernel>(points);
+    result.add_points<Concurrency_tag>(points);
     result.close();
     return result;
   }
 
   // Only the overlaps, and their ends as cuts; the others only if curves touch.
-  template <class Concurrency_tag, SplineKernel Kernel>
+  template <class Concurrency_tag>
   static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves)
   {
     Curve_crossings_2 result(curves);
-    const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
+    const auto pairs = result.intersecting_pairs<Concurrency_tag>();
     result.add_overlaps(pairs);
     result.m_are_cut = result.have_footpoints(pairs);
     if (result.m_are_cut)
@@ -120,41 +122,36 @@ private:
       m_curves.push_back(curve.patch);
   }
 
-  template <class Concurrency_tag, SplineKernel Kernel>
-  std::vector<Intersecting_pair<Kernel, 2>> intersecting_pairs() const
+  template <class Concurrency_tag>
+  Pairs_of_curves intersecting_pairs() const
   {
-    return Pairwise_intersector<Kernel, 2>({})
-        .template within<Concurrency_tag>(m_curves, Self_intersections::INCLUDED)
-        .pairs;
+    return Pairwise_common_points<2>({}).among_and_within<Concurrency_tag>(m_curves);
   }
 
-  template <class Pairs>
-  void add_overlaps(const Pairs& pairs)
+  void add_overlaps(const Pairs_of_curves& pairs)
   {
     for (const auto& pair : pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::OVERLAP)
-          add_overlaps({pair.first, pair.second}, {intersection.parameter_range(0), intersection.parameter_range(1)});
+      for (const Common_point& intersection : pair.points)
+        if (intersection.kind == Intersection_kind::OVERLAP)
+          add_overlaps({pair.first, pair.second}, {intersection.parameters[0], intersection.parameters[1]});
   }
 
-  template <class Pairs>
-  void add_crossings(const Pairs& pairs)
+  void add_crossings(const Pairs_of_curves& pairs)
   {
     for (const auto& pair : pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() != Intersection_kind::OVERLAP &&
-            !is_redundant(pair.first, intersection.parameter_range(0)) &&
-            !is_redundant(pair.second, intersection.parameter_range(1)))
+      for (const Common_point& intersection : pair.points)
+        if (intersection.kind != Intersection_kind::OVERLAP &&
+            !is_redundant(pair.first, intersection.parameters[0]) &&
+            !is_redundant(pair.second, intersection.parameters[1]))
           add({pair.first, pair.second}, intersection);
   }
 
   // Whether curves touch in a point that is known exactly.
-  template <class Pairs>
-  bool have_footpoints(const Pairs& pairs) const
+  bool have_footpoints(const Pairs_of_curves& pairs) const
   {
     return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
-      return std::any_of(pair.intersections.begin(), pair.intersections.end(), [&](const auto& intersection) {
-        return intersection.kind() == Intersection_kind::TANGENT &&
+      return std::any_of(pair.points.begin(), pair.points.end(), [&](const Common_point& intersection) {
+        return intersection.kind == Intersection_kind::TANGENT &&
             at(pair.first, simplest_parameter(pair.first, intersection, 0)) ==
             at(pair.second, simplest_parameter(pair.second, intersection, 1));
       });
@@ -162,16 +159,15 @@ private:
   }
 
   // Those that lie on curves.
-  template <class Concurrency_tag, SplineKernel Kernel>
+  template <class Concurrency_tag>
   void add_points(const std::vector<Exact_pair>& points)
   {
     const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
-    for (const auto& pair :
-         Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(patches, m_curves).pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::TRANSVERSAL &&
-            !is_redundant(pair.second, intersection.parameter_range(1)))
-          add_point(points[pair.first], pair.second, intersection.parameter_range(1));
+    for (const auto& pair : Pairwise_common_points<2>({}).between<Concurrency_tag>(patches, m_curves))
+      for (const Common_point& intersection : pair.points)
+        if (intersection.kind == Intersection_kind::TRANSVERSAL &&
+            !is_redundant(pair.second, intersection.parameters[0]))   // that of the curve
+          add_point(points[pair.first], pair.second, intersection.parameters[0]);
   }
 
   Exact_pair at(std::size_t curve, const Exact_rational& t) const
@@ -197,8 +193,7 @@ private:
     }
   }
 
-  template <class Intersection>
-  void add(const std::array<std::size_t, 2>& curves, const Intersection& intersection)
+  void add(const std::array<std::size_t, 2>& curves, const Common_point& intersection)
   {
     std::array<Cut, 2> cuts;
     std::array<Exact_pair, 2> points;   // for the simplest parameters
@@ -208,20 +203,20 @@ private:
       cuts[k] = {{t, t}, m_points.size()};
     }
     const bool is_exact = points[0] == points[1];
-    if (intersection.kind() == Intersection_kind::UNDECIDED ||
-        (!is_exact && intersection.kind() == Intersection_kind::TANGENT)) {
+    if (intersection.kind == Intersection_kind::UNDECIDED ||
+        (!is_exact && intersection.kind == Intersection_kind::TANGENT)) {
       m_are_cut_everywhere = false;
       return;
     }
     if (!is_exact)
       std::tie(cuts[0].parameter, cuts[1].parameter) =
-          narrow_ranges(curves, with_short_ends({intersection.parameter_range(0), intersection.parameter_range(1)}));
+          narrow_ranges(curves, with_short_ends(intersection.parameters));
     for (std::size_t k = 0; k < 2; ++k) {
-      if (!intersection.is_at_end(k))
+      if (!intersection.is_at_end[k])
         m_cuts[curves[k]].push_back(cuts[k]);
     }
-    m_near_points.push_back(points[intersection.is_at_end(1)]);
-    m_points.push_back(is_exact || intersection.is_at_end(0) || intersection.is_at_end(1)
+    m_near_points.push_back(points[intersection.is_at_end[1]]);
+    m_points.push_back(is_exact || intersection.is_at_end[0] || intersection.is_at_end[1]
                            ? std::optional(m_near_points.back())
                            : std::nullopt);
   }
@@ -253,12 +248,11 @@ private:
     m_points.push_back(point);
   }
 
-  template <class Intersection>
-  Exact_rational simplest_parameter(std::size_t curve, const Intersection& intersection, std::size_t operand) const
+  Exact_rational simplest_parameter(std::size_t curve, const Common_point& intersection, std::size_t operand) const
   {
-    const Parameter_range range = intersection.parameter_range(operand);
+    const Parameter_range& range = intersection.parameters[operand];
     const auto [begin, end] = m_curves[curve].domain(0);
-    return !intersection.is_at_end(operand) ? simplest_rational_between(range.first, range.second)
+    return !intersection.is_at_end[operand] ? simplest_rational_between(range.first, range.second)
         : range.first <= begin              ? begin
                                             : end;
   }

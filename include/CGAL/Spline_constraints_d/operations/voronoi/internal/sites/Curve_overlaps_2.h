@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Site_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_along_surfaces.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
 
@@ -127,16 +127,6 @@ private:
     const Spline_patch<2> part = patch.part(0, range);
     const auto tensor = [](const Exact_function& f) { return f.bezier_pieces().front(); };
     return {range, {tensor(part.numerators()[0]), tensor(part.numerators()[1]), tensor(part.weight())}};
-  }
-
-  static Homogeneous_piece reversed(Homogeneous_piece piece)
-  {
-    for (Tensor& tensor : piece.coordinates) {
-      std::vector<Exact_rational> coefficients = tensor.coefficients();
-      std::reverse(coefficients.begin(), coefficients.end());
-      tensor = Tensor(tensor.degrees(), std::move(coefficients));
-    }
-    return piece;
   }
 
   static bool are_equal(const Homogeneous_piece& a, const Homogeneous_piece& b)

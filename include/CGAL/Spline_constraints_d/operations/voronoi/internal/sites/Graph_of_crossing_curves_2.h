@@ -116,7 +116,7 @@ std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<S
                                                              const std::vector<CGAL::Point_2<Kernel>>& points)
 {
   const std::vector<Exact_pair> exact = exact_points(points);
-  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact), curves, exact)();
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves, exact), curves, exact)();
 }
 
 // The same without cuts at crossings, unless curves touch.
@@ -124,7 +124,7 @@ template <class Concurrency_tag, SplineKernel Kernel>
 std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves,
                                                            const std::vector<CGAL::Point_2<Kernel>>& points)
 {
-  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag, Kernel>(curves), curves,
+  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag>(curves), curves,
                                   exact_points(points))();
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Order_around_vertex.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/element_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/number_cycles.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/normals_between.h>
 
 #include <algorithm>
