@@ -518,6 +518,26 @@ TEST(Curve_intersections, TangentsOnKnots)
     }
 }
 
+// The speed of one curve jumps in the knot where it touches the other one, which is closed and smooth, at its seam.
+TEST(Curve_intersections, ContactAtASeamAndAKnot)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  using Point = K::Point_2;
+  using Curve = SC::Bspline_curve_2<K>;
+  const std::vector<Exact_rational> knots{0, 0, 0, 1, 1, 2, 2, 2};
+  const Curve closed(2, knots, {Point(0, 0), Point(2, 0), Point(0, 2), Point(-2, 0), Point(0, 0)});
+  const Curve other(2, knots, {Point(-2, -2), Point(-1, 0), Point(0, 0), Point(2, 0), Point(4, -8)});
+  for (const bool is_first : {true, false}) {
+    const auto found = is_first ? SC::intersections(closed, other) : SC::intersections(other, closed);
+    EXPECT_TRUE(found.is_complete());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind(), Intersection_kind::TANGENT);
+    EXPECT_EQ(found[0].parameter_range(is_first ? 0 : 1), std::pair(Exact_rational(0), Exact_rational(0)));
+    const auto [lower, upper] = found[0].parameter_range(is_first ? 1 : 0);
+    EXPECT_TRUE(lower <= 1 && 1 <= upper && upper - lower < Exact_rational(1e-12));
+  }
+}
+
 // Curves on the surface z = x^2 + y, which cross where x^2 = 3/2; then moved, so that no coordinate is simple.
 TEST(Curve_intersections, InSpace)
 {

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -147,21 +148,49 @@ private:
       if (!CGAL::is_certain(is_at_end))
         return {Intersection_kind::UNDECIDED, answer.parameters, none(), answer.solution, false};
       if (CGAL::certainly(is_at_end))
-        set_end(result, end);
+        set_end(result, end, answer.region);
     }
     return result;
   }
 
-  void set_end(Common_point& point, const Parameter_end& end) const
+  void set_end(Common_point& point, const Parameter_end& end, const Parameter_box& region)
   {
     if (point.kind != Intersection_kind::TANGENT)
       point.kind = Intersection_kind::END_POINT;
-    // other clusters may hold more
-    const bool is_alone = point.kind == Intersection_kind::END_POINT ||
-        (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box())));
     point.parameters[end.parameter] = {end.value, end.value};
     point.is_at_end[end.parameter] = true;
-    point.is_repeated = point.is_repeated || (is_alone && is_repeated_at_end(point.parameters));
+    point.is_repeated = point.is_repeated || (is_repeated_at_end(point.parameters) && is_alone(point, region));
+  }
+
+  // Whether a common point in a region is the only one there; a cluster of unknown multiplicity may hold more.
+  bool is_alone(const Common_point& point, const Parameter_box& region)
+  {
+    return point.kind == Intersection_kind::END_POINT ||
+           (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box()))) ||
+           has_one_point_at_breaks(region);
+  }
+
+  // Whether a region that reaches over breaks has one common point only: in the parts between them, the point is a
+  // corner. Where the derivatives jump there is no multiplicity that tells so much.
+  bool has_one_point_at_breaks(const Parameter_box& region)
+  {
+    std::vector<Parameter_box> parts{region}, points;
+    for (std::size_t j = 0; j < region.size(); ++j)
+      for (const Exact_rational& value : m_pair[m_pair.operand_of(j)].breaks(m_pair.axis_of(j)))
+        for (std::size_t i = 0, size = parts.size(); i < size; ++i)
+          if (parts[i][j].first < value && value < parts[i][j].second) {
+            parts.push_back(parts[i]);
+            parts[i][j].second = parts.back()[j].first = value;
+          }
+    if (parts.size() == 1)
+      return false;
+    for (const Parameter_box& part : parts)
+      for (const Common_point& point : Intersection_finder(m_pair.part(part), m_solve).with_seams()) {
+        if (point.kind == Intersection_kind::UNDECIDED || has_extent(point.parameters))
+          return false;
+        points.push_back(point.parameters);
+      }
+    return !points.empty() && std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end();
   }
 
   // At the upper end of a parameter whose points are found elsewhere.
