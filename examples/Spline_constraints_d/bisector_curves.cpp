@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
@@ -68,6 +69,10 @@ int main(int argc, char* argv[])
                 << '\n';
       picture.polyline(samples, colours[(index - 1) % 6], 2);
     }
+    for (const auto& [name, points] :
+         {std::pair("point", &bisector.points()), std::pair("singular point", &bisector.singular_points())})
+      for (const SC::Curve_vertex& vertex : *points)
+        std::cout << name << ", parameters (" << vertex.point()[0] << ", " << vertex.point()[1] << ")\n";
     picture.curve(a, "black", 4);
     picture.curve(b, "black", 4);
     std::cout << bisector << '\n';

@@ -66,10 +66,21 @@ inline void draw(std::ostream& out, const std::vector<std::string>& names, const
     picture.curve(CGAL::Spline_constraints::polyline_curve(points), set.curves()[i].is_closed ? "#2ca02c" : "#1f77b4",
                   2);
   }
-  for (const std::size_t i : set.singular_points())
-    picture.point(Point(set.vertices()[i].point()[0], set.vertices()[i].point()[1]), "#d62728", 8);
+  for (const auto* points : {&set.singular_points(), &set.points()})
+    for (const std::size_t i : *points)
+      picture.point(Point(set.vertices()[i].point()[0], set.vertices()[i].point()[1]), "#d62728", 8);
   picture.label(Point(view.xmax(), view.ymin() - 0.6 * margin), names[0], "black", 14);
   picture.label(Point(view.xmin() - 0.6 * margin, view.ymax()), names[1], "black", 14);
+}
+
+// Behind the curves, single and singular points: no curve need pass them.
+inline std::vector<Polyline> with_points(const CGAL::Spline_constraints::Curve_solution_set_d& set,
+                                         std::vector<Polyline> polylines)
+{
+  for (const auto* points : {&set.points(), &set.singular_points()})
+    for (const std::size_t i : *points)
+      polylines.push_back({set.vertices()[i].point()});
+  return polylines;
 }
 
 // Chords are a thousandth of the domain from the curves at most.
@@ -92,9 +103,9 @@ inline void write_curves(const std::string& path, const std::vector<std::string>
   if (path.ends_with(".svg"))
     draw(out, names, CGAL::Bbox_2(range(0).first, range(1).first, range(0).second, range(1).second), set, polylines);
   else if (path.ends_with(".vtp"))
-    write_polydata(out, polylines);
+    write_polydata(out, with_points(set, polylines));
   else if (path.ends_with(".txt"))
-    write_text(out, names, polylines);
+    write_text(out, names, with_points(set, polylines));
   else
     throw Invalid_input("--output: " + path + " ends neither with .svg nor with .vtp or .txt");
   if (!out.flush())

@@ -17,6 +17,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -62,6 +63,12 @@ int main(int argc, char* argv[])
       std::cout << (curve.is_closed ? "closed, " : "open, ") << points.size() << " points from (" << points.front()
                 << ")\n";
     }
+    for (const auto& [name, points] :
+         {std::pair("point", &set.points()), std::pair("singular point", &set.singular_points())})
+      for (const SC::Curve_vertex& vertex : *points) {
+        scene.mark(set.point(vertex.point()), "black");
+        std::cout << name << " (" << set.point(vertex.point()) << ")\n";
+      }
     std::ofstream out(output);
     scene.write(out);
     std::cout << set << '\n';

@@ -7,8 +7,8 @@
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them
 // data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along which they
-// touch in violet, singular points as dots), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing
-// is undecided, 3 when something is, 2 for bad input.
+// touch in violet, single and singular points as dots), or written as polylines and points (.vtp, for ParaView). Exit
+// status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -45,11 +45,17 @@ void write(const std::string& path, const Surface& a, const Surface& b, const SC
     scene.add(b, {255, 190, 110});
     for (std::size_t i = 0; i < polylines.size(); ++i)
       scene.add(polylines[i], set.curves()[i].kind() == SC::Intersection_kind::TANGENT ? "#7a00a8" : "#c00020");
-    for (const auto& singular : set.singular_points())
-      scene.mark(singular.point(), "black");
+    for (const auto* points : {&set.singular_points(), &set.points()})
+      for (const auto& point : *points)
+        scene.mark(point.point(), "black");
     scene.write(out);
-  } else
-    SC::IO::write_VTP(out, polylines);
+  } else {
+    std::vector<std::vector<K::Point_3>> all = polylines;
+    for (const auto* points : {&set.points(), &set.singular_points()})
+      for (const auto& point : *points)
+        all.push_back({point.point()});
+    SC::IO::write_VTP(out, all);
+  }
 }
 
 int main(int argc, char* argv[])
@@ -74,6 +80,10 @@ int main(int argc, char* argv[])
       std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ") << curve.kind()
                 << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
     }
+    for (const auto& point : set.points())
+      std::cout << "point (" << point.point() << "), " << point.kind() << '\n';
+    for (const auto& point : set.singular_points())
+      std::cout << "singular point (" << point.point() << ")\n";
     write(output, a, b, set, polylines);
     std::cout << set << '\n';
     return set.is_complete() ? 0 : 3;

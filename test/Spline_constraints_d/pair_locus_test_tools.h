@@ -38,6 +38,7 @@ inline void expect_numbers(const Locus& locus, std::size_t closed, std::size_t o
   EXPECT_TRUE(locus.undecided().empty());
   EXPECT_EQ(locus.number_of_closed_curves(), closed) << locus;
   EXPECT_EQ(locus.number_of_open_curves(), open) << locus;
+  EXPECT_TRUE(locus.points().empty()) << locus;
   EXPECT_EQ(locus.singular_points().size(), singular) << locus;
   EXPECT_EQ(locus.number_of_poles(), poles) << locus;
 }

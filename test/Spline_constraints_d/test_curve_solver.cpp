@@ -15,6 +15,7 @@
 #include <cmath>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,19 @@ TEST(Curve_solver, circles_cross_and_points_are_isolated)
   ASSERT_EQ(isolated.singular_points().size(), 1u);
   expect_point(isolated.vertices()[isolated.singular_points()[0]].box, {0, 0});
   EXPECT_EQ(isolated.number_of_open_curves(), 1u);
+}
+
+TEST(Curve_solver, a_curve_that_touches_the_domain_from_outside)
+{
+  auto [x, y] = unknowns({-1, 1}, {0, 2});
+  const SC::Curve_solution_set_d set = SC::solve_curves(y + x * x == 0);
+  ASSERT_EQ(set.points().size(), 1u);
+  expect_point(set.vertices()[set.points()[0]].box, {0, 0});
+  std::ostringstream line;
+  line << set;
+  EXPECT_TRUE(
+      line.str().starts_with("curves: 0 closed, 0 open, 1 points, 0 singular points, 0 undecided; complete: yes"))
+      << line.str();
 }
 
 TEST(Curve_solver, corners_and_contacts_with_the_domain)

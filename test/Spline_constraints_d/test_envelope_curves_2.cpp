@@ -53,6 +53,21 @@ TEST(Envelope_curves_2, parabolas)
   }
 }
 
+// y = x^2 on [0,1] and y = -x^3/3 on [-1,1] are parallel where 2 x1 = -x2^2: in one point, on the edge of the domain.
+TEST(Envelope_curves_2, a_point_on_the_edge)
+{
+  const Curve parabola = SC::bezier_curve(std::vector<Point>{{0, 0}, {SC::Exact_rational(1, 2), 0}, {1, 1}});
+  const SC::Exact_rational third(1, 3);
+  const Curve cubic = SC::bezier_curve(std::vector<Point>{{-1, third}, {-third, -third}, {third, third}, {1, -third}});
+  for (const auto& directions : {SC::Tangent_directions::SAME, SC::Tangent_directions::ANY}) {
+    const Locus locus = SC::envelope_curves(parabola, cubic, directions);
+    EXPECT_TRUE(locus.is_complete()) << locus;
+    EXPECT_TRUE(locus.curves().empty() && locus.singular_points().empty()) << locus;
+    ASSERT_EQ(locus.points().size(), 1u) << locus;
+    EXPECT_EQ(locus.points()[0].point(), (std::vector<double>{0, 0.5}));
+  }
+}
+
 TEST(Envelope_curves_2, circles)
 {
   const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 4)),

@@ -6,6 +6,7 @@
 
 #include "surface_test_names.h"
 
+#include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
@@ -16,6 +17,7 @@
 #include <concepts>
 #include <cstddef>
 #include <random>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,13 +92,14 @@ void check_curves(const A& a, const B& b, const Intersection& set)
 
 template <class A, class B>
 Intersection expect_curves(const A& a, const B& b, std::size_t closed, std::size_t open, std::size_t singular = 0,
-                           const std::string& what = "")
+                           const std::string& what = "", std::size_t points = 0)
 {
   Intersection set = SC::intersection_curves(a, b);
   EXPECT_TRUE(set.is_complete()) << what;
   EXPECT_EQ(set.number_of_closed_curves(), closed) << what;
   EXPECT_EQ(set.number_of_open_curves(), open) << what;
   EXPECT_EQ(set.singular_points().size(), singular) << what;
+  EXPECT_EQ(set.points().size(), points) << what;
   EXPECT_TRUE(set.undecided().empty()) << what;
   check_curves(a, b, set);
   return set;
@@ -309,6 +312,29 @@ TEST(Intersection_curves, cones_triangles_and_touching_spheres)
   // from outside, around it
   for (const K::Sphere_3& other : {K::Sphere_3(Point(4, 2, 4), 9), K::Sphere_3(Point(2, 1, 2), 36)})
     EXPECT_LT(distance(expect_curves(sphere, other, 0, 0, 1).singular_points()[0].point(), Point(0, 0, 0)), 3 + 1e-10);
+}
+
+// A cone, whose radius is 6 - z/3, and a wall x = 4 above z = 6: the branch of a hyperbola in which their planes meet
+// ends there.
+TEST(Intersection_curves, a_point_on_the_edge)
+{
+  const Surface cone = SC::cone_surface<K>(Point(0, 0, 18), Vector(0, 0, -1), Point(6, 0, 0));
+  const Surface wall = SC::plane_patch<K>(Point(4, -5, 6), Vector(0, 10, 0), Vector(0, 0, 6));
+  auto [x, y, z] = SC::unknowns({-6, 6}, {-6, 6}, {0, 17});
+  const SC::Implicit_surface_3 quadric(9 * (x * x + y * y) == square(18 - z));
+  const auto expect_point = [](const Intersection& set) {
+    ASSERT_EQ(set.points().size(), 1u);
+    EXPECT_EQ(set.points()[0].kind(), SC::Intersection_kind::END_POINT);
+    EXPECT_LT(distance(set.points()[0].point(), Point(4, 0, 6)), 1e-12);
+    std::ostringstream line;
+    line << set;
+    EXPECT_TRUE(
+        line.str().starts_with("curves: 0 closed, 0 open, 1 points, 0 singular points, 0 undecided; complete: yes"))
+        << line.str();
+  };
+  expect_point(expect_curves(cone, wall, 0, 0, 0, "cone and wall", 1));
+  expect_point(expect_curves(wall, cone, 0, 0, 0, "wall and cone", 1));
+  expect_point(expect_curves(quadric, wall, 0, 0, 0, "quadric and wall", 1));
 }
 
 TEST(Intersection_curves, small_loops)

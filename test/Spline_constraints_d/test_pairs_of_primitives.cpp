@@ -45,6 +45,7 @@ TEST(Pairs_of_primitives, patches)
     counts << set.number_of_closed_curves() << '/' << set.number_of_open_curves() << '/'
            << set.singular_points().size();
     EXPECT_EQ(counts.str(), pair.counts[0]);
+    EXPECT_TRUE(set.points().empty());
     for (const auto& curve : set.curves()) {
       const auto samples = set.samples(curve.arcs.front(), 0.5);
       for (const auto& sample : {samples.front(), samples[samples.size() / 2], samples.back()}) {

@@ -201,9 +201,14 @@ TEST(Self_bisector_curves_2, splines)
                   quartic.with_knot(SC::Exact_rational(2, 5)).with_knot(SC::Exact_rational(5, 7)));
   expect_numbers(cut, whole.number_of_closed_curves(), whole.number_of_open_curves(), whole.singular_points().size(),
                  whole.number_of_poles());
+  EXPECT_EQ(cut.points().size(), whole.points().size());
   const Curve closed = Curve::from_periodic(3, {0, 1, 2, 3, 4}, {{6, 1}, {1, 5}, {-4, 1}, {2, 0}});
   check_topology(SC::self_bisector_curves(closed), closed);
   EXPECT_GE(number_of_vertices(closed), 4u);   // the theorem of the four vertices
+  // Its axis is that of x: it passes pairs of breaks, which other parts have in a corner only.
+  const Locus symmetric =
+      SC::self_bisector_curves(Curve::from_periodic(3, {0, 1, 2, 3, 4}, {{4, 0}, {1, 3}, {-3, 0}, {1, -3}}));
+  expect_numbers(symmetric, 0, 6, 0, symmetric.number_of_poles());
 
   const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}})
                              .with_knot(SC::Exact_rational(1, 3))

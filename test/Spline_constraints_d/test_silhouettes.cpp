@@ -57,6 +57,7 @@ Curves expect_silhouettes(const Surface& surface, const Eye& eye, std::size_t cl
   EXPECT_TRUE(set.is_complete()) << what;
   EXPECT_EQ(set.number_of_closed_curves(), closed) << what;
   EXPECT_EQ(set.number_of_open_curves(), open) << what;
+  EXPECT_TRUE(set.points().empty()) << what;
   EXPECT_EQ(set.singular_points().size(), singular) << what;
   check_points(surface, eye, set, what);
   return set;

@@ -47,6 +47,22 @@ TEST(Write_VTP, polylines)
   EXPECT_EQ(array(file, "Name=\"offsets\""), "2\n5\n");
 }
 
+TEST(Write_VTP, points_are_vertices)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+  const std::string file =
+      written<Kernel>({{Point(0, 0, 0), Point(1, 0, 0)}, {Point(2, 0, -1)}, {Point(3, 0, 0), Point(4, 0, 0)}});
+  EXPECT_NE(file.find("NumberOfVerts=\"1\" NumberOfLines=\"2\""), std::string::npos);
+  EXPECT_EQ(array(file, "NumberOfComponents"), "2 0 -1\n0 0 0\n1 0 0\n3 0 0\n4 0 0\n");
+  EXPECT_EQ(array(file, "Name=\"component\""), "1\n0\n2\n");
+  const std::string vertices = file.substr(file.find("<Verts>")), lines = file.substr(file.find("<Lines>"));
+  EXPECT_EQ(array(vertices, "Name=\"connectivity\""), "0\n");
+  EXPECT_EQ(array(vertices, "Name=\"offsets\""), "1\n");
+  EXPECT_EQ(array(lines, "Name=\"connectivity\""), "1\n2\n3\n4\n");
+  EXPECT_EQ(array(lines, "Name=\"offsets\""), "2\n4\n");
+}
+
 TEST(Write_VTP, nothing)
 {
   const std::string file = written<CGAL::Simple_cartesian<double>>({});

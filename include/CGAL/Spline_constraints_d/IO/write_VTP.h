@@ -9,6 +9,7 @@
 
 #include <CGAL/Point_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <vector>
@@ -20,37 +21,53 @@ namespace IO {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-writes polylines in space as `PolyData` of VTK, in XML with numbers as text, which ParaView and others read. The cell
-data `component` are the indices of the polylines. Coordinates are rounded to double.
+writes polylines in space as `PolyData` of VTK, in XML with numbers as text, which ParaView and others read: those of
+one point as vertices, all others as lines. The cell data `component` are the indices of the polylines. Coordinates are
+rounded to double.
 \param out where they are written to.
 \param polylines the points of each polyline; those of a closed one begin and end with the same point.
 */
 template <SplineKernel Kernel>
 void write_VTP(std::ostream& out, const std::vector<std::vector<CGAL::Point_3<Kernel>>>& polylines)
 {
+  std::vector<std::size_t> order;   // that of the cells: vertices come first in this format
+  for (std::size_t i = 0; i < polylines.size(); ++i)
+    order.push_back(i);
+  const auto lines =
+      std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return polylines[i].size() == 1; });
   std::size_t points = 0;
   for (const auto& polyline : polylines)
     points += polyline.size();
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << polylines.size()
-      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
+      << "<Piece NumberOfPoints=\"" << points << "\" NumberOfVerts=\"" << lines - order.begin() << "\" NumberOfLines=\""
+      << order.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n"
       << "<CellData Scalars=\"component\">\n<DataArray type=\"Int64\" Name=\"component\" format=\"ascii\">\n";
-  for (std::size_t i = 0; i < polylines.size(); ++i)
+  for (const std::size_t i : order)
     out << i << '\n';
   out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
          "format=\"ascii\">\n";
-  for (const auto& polyline : polylines)
-    for (const CGAL::Point_3<Kernel>& p : polyline)
-      for (int i = 0; i < 3; ++i)
-        out << internal::double_text(internal::converted_number<double>(p.cartesian(i))) << (i < 2 ? ' ' : '\n');
-  out << "</DataArray>\n</Points>\n<Lines>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  for (std::size_t i = 0; i < points; ++i)
-    out << i << '\n';
-  out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  std::size_t end = 0;
-  for (const auto& polyline : polylines)
-    out << (end += polyline.size()) << '\n';
-  out << "</DataArray>\n</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  for (const std::size_t i : order)
+    for (const CGAL::Point_3<Kernel>& p : polylines[i])
+      for (int k = 0; k < 3; ++k)
+        out << internal::double_text(internal::converted_number<double>(p.cartesian(k))) << (k < 2 ? ' ' : '\n');
+  out << "</DataArray>\n</Points>\n";
+  std::size_t first = 0;
+  const auto write_cells = [&](const char* name, auto begin, auto end) {
+    std::size_t size = 0;
+    std::for_each(begin, end, [&](std::size_t i) { size += polylines[i].size(); });
+    out << '<' << name << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+    for (std::size_t k = 0; k < size; ++k)
+      out << first + k << '\n';
+    out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+    std::size_t offset = 0;
+    std::for_each(begin, end, [&](std::size_t i) { out << (offset += polylines[i].size()) << '\n'; });
+    out << "</DataArray>\n</" << name << ">\n";
+    first += size;
+  };
+  if (lines != order.begin())
+    write_cells("Verts", order.begin(), lines);
+  write_cells("Lines", lines, order.end());
+  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace IO

@@ -170,8 +170,9 @@ public:
   //! the vertices of all curves, which pieces refer to by their indices.
   const std::vector<Curve_vertex>& vertices() const { return m_vertices; }
 
-  //! solutions without others near them: points where a curve only touches the domain, or what the inequalities allow,
-  //! from outside.
+  //! indices of the vertices that are single points: no other solution is near them, since a curve of solutions of the
+  //! equalities only touches the domain, or what the inequalities allow, from outside. Isolated solutions of the
+  //! equalities are singular points.
   const std::vector<std::size_t>& points() const { return m_points; }
 
   //! indices of the vertices that are singular points: where curves cross or touch each other, cusps, and isolated
@@ -201,15 +202,15 @@ template <class Curve_set>
 std::ostream& write_counts(std::ostream& out, const Curve_set& set)
 {
   return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, "
-             << set.singular_points().size() << " singular points, " << set.undecided().size()
-             << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes
-             << "; seconds " << set.summary().seconds;
+             << set.points().size() << " points, " << set.singular_points().size() << " singular points, "
+             << set.undecided().size() << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << "; nodes "
+             << set.summary().nodes << "; seconds " << set.summary().seconds;
 }
 
 } // namespace internal
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! writes one line: the numbers of curves, singular points and undecided regions.
+//! writes one line: the numbers of curves, single points, singular points and undecided regions.
 inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
 {
   return internal::write_counts(out, set);

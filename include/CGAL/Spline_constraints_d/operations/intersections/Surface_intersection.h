@@ -127,7 +127,8 @@ public:
   //! curve goes on through, and pinch points of one surface, where a curve ends in which it meets itself.
   const std::vector<Special_point>& singular_points() const { return m_singular_points; }
 
-  //! points on an edge of a surface without others near them.
+  //! single points, of the kind `END_POINT`: on an edge of a surface, where a curve only touches it from outside, so
+  //! that no other common point is near.
   const std::vector<Special_point>& points() const { return m_points; }
 
   //! the regions where nothing is proved, and the ends on a seam or break that were not matched with one on the other
@@ -259,7 +260,7 @@ private:
 };
 
 //! \ingroup PkgSplineConstraintsDIntersections
-//! writes one line: the numbers of curves, singular points and undecided regions.
+//! writes one line: the numbers of curves, single points, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Surface_intersection<Kernel>& intersection)
 {

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -91,10 +92,19 @@ private:
     Curve_solution_set_d solutions;
   };
 
+  // A vertex of the solutions of one of the parts.
+  struct Vertex_of_part
+  {
+    std::size_t part, vertex;
+
+    friend auto operator<=>(const Vertex_of_part&, const Vertex_of_part&) = default;
+  };
+
   Point_of_pair m_point;
   std::vector<Part> m_parts;
   std::vector<Curve> m_curves;
-  std::vector<Curve_vertex> m_singular_points;
+  std::vector<Vertex_of_part> m_point_vertices, m_singular_vertices;
+  std::vector<Curve_vertex> m_points, m_singular_points;   // the same
   std::vector<Undecided_region> m_undecided;
   std::size_t m_poles = 0;
   Summary m_summary;
@@ -121,8 +131,11 @@ public:
       for (const Intersection_arc& arc : curve.arcs)
         m_curves.back().arcs.push_back({m_parts.size() - 1, arc.index, arc.is_reversed});
     }
-    for (const std::size_t i : set.singular_points())
-      m_singular_points.push_back(set.vertices()[i]);
+    std::vector<std::size_t> points = joints.points();
+    if (parts.is_one_point)
+      std::erase_if(points, [&](std::size_t i) { return parts.is_one_point(set.vertices()[i].box); });
+    add_special_points(points, m_point_vertices, m_points);
+    add_special_points(joints.without_repetitions(set.singular_points()), m_singular_vertices, m_singular_points);
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
     for (const Curve_vertex::Exact_box& box : rest)
       m_undecided.push_back({{box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
@@ -154,6 +167,7 @@ public:
       m_summary.is_complete = false;
     }
     m_curves = internal::Intersections::joined_curves(m_curves, matched);
+    remove_repetitions();
   }
 
   void add_work(const Summary& work)
@@ -172,6 +186,10 @@ public:
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
+
+  //! single points: solutions at the end of a part that no other one is near, since a curve only touches the part from
+  //! outside.
+  const std::vector<Curve_vertex>& points() const { return m_points; }
 
   //! where curves cross in the plane of the parameters, or isolated solutions.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
@@ -246,6 +264,87 @@ public:
   }
 
 private:
+  // Those of the last part.
+  void add_special_points(const std::vector<std::size_t>& vertices, std::vector<Vertex_of_part>& list,
+                          std::vector<Curve_vertex>& points)
+  {
+    for (const std::size_t i : vertices) {
+      list.push_back({m_parts.size() - 1, i});
+      points.push_back(m_parts.back().solutions.vertices()[i]);
+    }
+  }
+
+  // A point that several parts have comes once; a single one not at all if it is on a curve of another part. If it is
+  // not known which point of the other part it is, it is undecided.
+  void remove_repetitions()
+  {
+    remove_repetitions(m_point_vertices, m_points, false);
+    remove_repetitions(m_singular_vertices, m_singular_points, true);
+  }
+
+  void remove_repetitions(std::vector<Vertex_of_part>& list, std::vector<Curve_vertex>& points, bool counts_on_curves)
+  {
+    const std::vector<Vertex_of_part> all = std::exchange(list, {});
+    points.clear();
+    for (const Vertex_of_part& point : all) {
+      const Curve_vertex& vertex = m_parts[point.part].solutions.vertices()[point.vertex];
+      const auto is_listed_before = [&](const Vertex_of_part& same) {
+        return std::find(all.begin(), all.end(), same) == all.end() ? !counts_on_curves : same < point;
+      };
+      const std::vector<Vertex_of_part> at_place = others_at_place_of(point), in_corner = others_in_corner_of(point);
+      if (at_place.size() > 1) {
+        m_undecided.push_back({{vertex.box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+        m_summary.is_complete = false;
+      } else if (std::none_of(at_place.begin(), at_place.end(), is_listed_before) &&
+                 std::none_of(in_corner.begin(), in_corner.end(), is_listed_before)) {
+        list.push_back(point);
+        points.push_back(vertex);
+      }
+    }
+  }
+
+  std::optional<internal::Loci::Joint_place> place_of(const Vertex_of_part& point) const
+  {
+    const auto& [parts, system, solutions] = m_parts[point.part];
+    return parts.place ? parts.place(solutions.vertices()[point.vertex].box) : std::nullopt;
+  }
+
+  // The other vertices that are the same pair of parameters.
+  std::vector<Vertex_of_part> others_in_corner_of(const Vertex_of_part& point) const
+  {
+    const auto own = corner_of(point);
+    return own ? others(point, [&](const Vertex_of_part& other) { return corner_of(other) == own; })
+               : std::vector<Vertex_of_part>();
+  }
+
+  std::optional<internal::Loci::Joint_corner> corner_of(const Vertex_of_part& point) const
+  {
+    const auto& [parts, system, solutions] = m_parts[point.part];
+    return parts.corner ? parts.corner(solutions.vertices()[point.vertex].box) : std::nullopt;
+  }
+
+  // The other vertices that may be the same point, where curves may go on in another part.
+  std::vector<Vertex_of_part> others_at_place_of(const Vertex_of_part& point) const
+  {
+    const auto own = place_of(point);
+    const auto may_be_it = [&](const Vertex_of_part& other) {
+      const auto place = place_of(other);
+      return place && place->may_be(*own);
+    };
+    return own ? others(point, may_be_it) : std::vector<Vertex_of_part>();
+  }
+
+  template <class Is_same>
+  std::vector<Vertex_of_part> others(const Vertex_of_part& point, const Is_same& is_same) const
+  {
+    std::vector<Vertex_of_part> result;
+    for (std::size_t part = 0; part < m_parts.size(); ++part)
+      for (std::size_t i = 0; i < m_parts[part].solutions.vertices().size(); ++i)
+        if (const Vertex_of_part other{part, i}; other != point && is_same(other))
+          result.push_back(other);
+    return result;
+  }
+
   // The part and the vertex where a curve that is not closed begins or ends.
   std::pair<std::size_t, const Curve_vertex*> vertex_at_end(const Curve& curve, int side) const
   {
@@ -257,7 +356,7 @@ private:
 };
 
 //! \ingroup PkgSplineConstraintsDLoci
-//! writes one line: the numbers of curves, singular points and undecided regions.
+//! writes one line: the numbers of curves, single points, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Curve_pair_locus_2<Kernel>& locus)
 {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,11 +36,12 @@ inline Double_pair center_of_tangent_or_osculating_circle(const Pair_of_points& 
 class Smooth_places
 {
   Exact_pair m_ends;
+  bool m_is_closed;
   std::vector<Exact_rational> m_corners;
 
 public:
   Smooth_places(const std::vector<Differentiated_map>& pieces, bool is_closed)
-    : m_ends{pieces.front().begin(), pieces.back().end()}
+    : m_ends{pieces.front().begin(), pieces.back().end()}, m_is_closed(is_closed)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (i + 1 < pieces.size() ? !have_common_tangent(pieces[i], pieces[i + 1])
@@ -64,6 +66,26 @@ public:
     };
     return std::any_of(m_corners.begin(), m_corners.end(), is_on_corner) ? std::nullopt : place;
   }
+
+  // A pair of parameters on two pieces, the same for all parts that have the same solutions there.
+  std::optional<Joint_corner> corner(const std::optional<Exact_pair>& pair, const Differentiated_map& first,
+                                     const Differentiated_map& second) const
+  {
+    if (!pair)
+      return std::nullopt;
+    Joint_corner result{*pair, {(*pair)[0] == first.begin() ? 1 : -1, (*pair)[1] == second.begin() ? 1 : -1}};
+    if (result.pair[0] == m_ends[0]) {
+      result.pair = {result.pair[1], m_ends[1]};
+      std::swap(result.sides[0], result.sides[1]);
+    }
+    for (const std::size_t k : {0, 1})
+      if (std::find(m_corners.begin(), m_corners.end(), result.pair[k]) == m_corners.end())
+        result.sides[k] = 0;
+    return result;
+  }
+
+  // Whether it is the pair of both ends of a closed curve.
+  bool is_seam(const std::optional<Exact_pair>& pair) const { return m_is_closed && pair == m_ends; }
 
 private:
   static bool is_at(const Joint_place& place, std::size_t i, const Exact_rational& value)
@@ -93,7 +115,12 @@ void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_m
       poles.push_back(pole);
   const auto parameters_of = [chart](const std::vector<double>& unknowns) { return chart.parameters(unknowns); };
   const auto place = [chart, smooth](const Curve_vertex::Exact_box& box) { return smooth(chart.place(box)); };
-  locus.add({first, second, parameters_of, {}, place}, {equation}, chart.unknowns(), options, poles);
+  const auto corner = [=](const Curve_vertex::Exact_box& box) { return smooth.corner(chart.pair(box), first, second); };
+  const auto is_one_point = [=](const Curve_vertex::Exact_box& box) {
+    return chart.is_on_diagonal(box) || smooth.is_seam(chart.pair(box));
+  };
+  locus.add({first, second, parameters_of, {}, place, corner, is_one_point}, {equation}, chart.unknowns(), options,
+            poles);
 }
 
 } // namespace Loci

@@ -110,10 +110,7 @@ public:
           curve.arcs, [&](const Intersection_arc& arc) { return set.curves()[arc.index].multiplicity(); });
       m_curves.push_back({index, std::move(curve.arcs), curve.is_closed, {}, multiplicity});
     }
-    for (const std::size_t i : joints.points())
-      m_points.push_back(set.vertices()[i]);
-    for (const std::size_t i : set.singular_points())
-      m_singular_points.push_back(set.vertices()[i]);
+    add_special_points(set, joints, lines);
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
@@ -123,7 +120,6 @@ public:
     for (auto line = lines.begin(); line != lines.end(); ++line) {
       m_curves.push_back(*line);
       m_curves.back().part = index;
-      add_solutions_on(*line->line, set, joints);
       for (auto other = lines.begin(); other != line; ++other)
         if (other->line->axis != line->line->axis)
           add_crossing(*other->line, *line->line);
@@ -149,6 +145,8 @@ public:
           return;
     Curve_vertex vertex{{part.system.domain(0), part.system.domain(1)}, true, !is_on_edge, false};
     vertex.box[static_cast<std::size_t>(pole.axis)] = {pole.value, pole.value};
+    for (std::vector<Curve_vertex>* list : {&m_points, &m_singular_points})   // zeros of what is left of the equation
+      std::erase_if(*list, [&](const Curve_vertex& other) { return is_on(pole, other); });
     (is_on_edge ? m_points : m_singular_points).push_back(std::move(vertex));
   }
 
@@ -173,7 +171,8 @@ public:
   //! `Surface_curve::line` meets others, none of them ends.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
 
-  //! solutions on the edge of a part without others near them.
+  //! single points: solutions on the edge of a part that no other one of the part is near, since a curve only touches
+  //! it from outside.
   const std::vector<Curve_vertex>& points() const { return m_points; }
 
   //! where nothing is proved, in the domain of the unknowns.
@@ -229,28 +228,44 @@ public:
   }
 
 private:
-  // Each point once, though a seam has two sides.
-  void add_solutions_on(const Constant_parameter& line, const Curve_solution_set_d& set,
-                        const internal::Intersections::Seam_joints& joints)
+  static bool is_on(const Constant_parameter& line, const Curve_vertex& vertex)
   {
-    std::vector<std::size_t> known;
-    for (std::size_t i = 0; i < set.vertices().size(); ++i) {
-      const Curve_vertex& vertex = set.vertices()[i];
-      const auto& [lower, upper] = vertex.box[static_cast<std::size_t>(line.axis)];
-      if (lower != line.value || upper != line.value ||
-          std::find(known.begin(), known.end(), joints.representative(i)) != known.end())
-        continue;
-      known.push_back(joints.representative(i));
-      m_singular_points.push_back(vertex);
-    }
+    const auto& [lower, upper] = vertex.box[static_cast<std::size_t>(line.axis)];
+    return lower == line.value && upper == line.value;
   }
 
+  // The single and the singular points of a part, each once, though a seam has two sides. On a line another factor of
+  // the equation is zero: solutions there are singular points.
+  void add_special_points(const Curve_solution_set_d& set, const internal::Intersections::Seam_joints& joints,
+                          const std::vector<Surface_curve>& lines)
+  {
+    std::vector<std::size_t> singular = set.singular_points();
+    std::vector<bool> is_on_line(set.vertices().size(), false);   // of representatives
+    const auto is_on_a_line = [&](const Curve_vertex& vertex) {
+      return std::any_of(lines.begin(), lines.end(),
+                         [&](const Surface_curve& line) { return is_on(*line.line, vertex); });
+    };
+    for (std::size_t i = 0; i < set.vertices().size(); ++i)
+      if (is_on_a_line(set.vertices()[i])) {
+        singular.push_back(i);
+        is_on_line[joints.representative(i)] = true;
+      }
+    for (const std::size_t i : joints.points())
+      if (!is_on_line[joints.representative(i)])
+        m_points.push_back(set.vertices()[i]);
+    for (const std::size_t i : joints.without_repetitions(singular))
+      m_singular_points.push_back(set.vertices()[i]);
+  }
+
+  // Where two lines cross, unless other curves pass there too, so that it is known.
   void add_crossing(const Constant_parameter& a, const Constant_parameter& b)
   {
     Curve_vertex vertex{Curve_vertex::Exact_box(2), true, true, false};
     for (const Constant_parameter& line : {a, b})
       vertex.box[static_cast<std::size_t>(line.axis)] = {line.value, line.value};
-    m_singular_points.push_back(std::move(vertex));
+    const auto is_it = [&](const Curve_vertex& known) { return known.box == vertex.box; };
+    if (std::none_of(m_singular_points.begin(), m_singular_points.end(), is_it))
+      m_singular_points.push_back(std::move(vertex));
   }
 
   template <class Is_chord>
@@ -276,7 +291,7 @@ private:
 };
 
 //! \ingroup PkgSplineConstraintsDSurfaceCurves
-//! writes one line: the numbers of curves, singular points and undecided regions.
+//! writes one line: the numbers of curves, single points, singular points and undecided regions.
 template <SplineKernel Kernel>
 std::ostream& operator<<(std::ostream& out, const Surface_curves_3<Kernel>& curves)
 {

@@ -37,6 +37,16 @@ struct Joint_place
   }
 };
 
+// A pair of parameters that are known exactly, as in a corner of several parts. Where the tangent jumps, what is a
+// solution depends on the side that it is taken from: 1 after the parameter, -1 before it; 0 where it does not jump.
+struct Joint_corner
+{
+  Exact_vector<2> pair;
+  std::array<int, 2> sides{};
+
+  friend bool operator==(const Joint_corner&, const Joint_corner&) = default;
+};
+
 } // namespace Loci
 } // namespace internal
 } // namespace Spline_constraints

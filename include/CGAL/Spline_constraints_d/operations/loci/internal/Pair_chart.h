@@ -64,6 +64,23 @@ public:
     return result;
   }
 
+  // The pair that a box is mapped to, if it is one.
+  std::optional<Exact_pair> pair(const Curve_vertex::Exact_box& box) const
+  {
+    const auto [u, v] = image(box);
+    return u.first == u.second && v.first == v.second ? std::optional(Exact_pair{u.first, v.first}) : std::nullopt;
+  }
+
+  // Whether all of a box is mapped to the diagonal.
+  bool is_on_diagonal(const Curve_vertex::Exact_box& box) const
+  {
+    for (const Exact_rational& s : {box[0].first, box[0].second})
+      for (const Exact_rational& h : {box[1].first, box[1].second})
+        if (const auto [u, v] = image({{s, s}, {h, h}}); u != v)
+          return false;
+    return true;
+  }
+
   // The numerator of a formula in both parameters as one in the unknowns, without all factors h and 1 - h.
   Expression operator()(const Expression& formula) const
   {

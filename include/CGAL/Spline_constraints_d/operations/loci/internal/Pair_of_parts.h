@@ -65,6 +65,10 @@ struct Pair_of_parts
   std::vector<std::size_t> closed_unknowns;   // those at both ends of whose ranges the equation has the same solutions
   // where a curve goes on in another part, if it may, in a solution on the boundary
   std::function<std::optional<Joint_place>(const Curve_vertex::Exact_box&)> place = {};
+  // that several parts may have
+  std::function<std::optional<Joint_corner>(const Curve_vertex::Exact_box&)> corner = {};
+  // whether both points of a pair are one: only a limit
+  std::function<bool(const Curve_vertex::Exact_box&)> is_one_point = {};
 
   Pair_of_points points(const std::vector<double>& unknowns) const
   {
