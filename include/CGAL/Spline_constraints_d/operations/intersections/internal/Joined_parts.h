@@ -156,7 +156,7 @@ private:
         for (std::size_t part = 0; part < m_parts.size() && !is_replaced; ++part) {
           const std::vector<std::size_t> same =
               part == point.part ? std::vector<std::size_t>{} : found_in(part, place(point));
-          if (same.size() > 1)
+          if (same.size() > 1 && std::find(unclear.begin(), unclear.end(), point) == unclear.end())
             unclear.push_back(point);
           is_replaced = same.size() > 1 || (same.size() == 1 && replaces(point, Part_vertex{part, same.front()}));
         }

@@ -73,7 +73,7 @@ public:
         identify(unknown, is_upper, unmatched);
     for (const Place& place : unmatched)
       if (!is_point_of_curve_along_seam(place))
-        m_unmatched.push_back(place.vertex);
+        add_unmatched(place.vertex);
     if (!m_exchange.empty())
       identify_orders();
     for (const auto& [unknown, value] : poles)
@@ -115,7 +115,7 @@ public:
     return chains_of_curves(is_closed, [&](const Curve_end& end) { return next(end); });
   }
 
-  // The points without curves, each once.
+  // The points without curves, each once; what is unmatched is reported as undecided.
   std::vector<std::size_t> points() const
   {
     std::vector<bool> is_taken(m_point.size(), false);
@@ -124,7 +124,7 @@ public:
         is_taken[m_point[i]] = true;
     std::vector<std::size_t> result;
     for (const std::size_t i : m_set.points())
-      if (!is_taken[m_point[i]]) {
+      if (!is_taken[m_point[i]] && std::find(m_unmatched.begin(), m_unmatched.end(), i) == m_unmatched.end()) {
         is_taken[m_point[i]] = true;
         result.push_back(i);
       }
@@ -132,6 +132,12 @@ public:
   }
 
 private:
+  void add_unmatched(std::size_t vertex)
+  {
+    if (std::find(m_unmatched.begin(), m_unmatched.end(), vertex) == m_unmatched.end())
+      m_unmatched.push_back(vertex);
+  }
+
   std::size_t root(std::size_t i) const
   {
     while (m_point[i] != i)
@@ -233,7 +239,7 @@ private:
     for (const std::size_t i : all) {
       const std::vector<std::size_t> partners = meeting(exchanged(m_set.vertices()[i].box), all, m_domain.size());
       if (partners.size() != 1)
-        m_unmatched.push_back(i);
+        add_unmatched(i);
       else if (partners[0] == i)
         m_equal_pairs.push_back(i);
       else
