@@ -6,16 +6,16 @@
 //   intersect [A [B]] [--svg OUT] [--time-limit S]
 //
 // Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of
-// B that is in the same space; without B, all pairs in A. Of two surfaces the points are found where they touch; their
-// curves of intersection are not the business of this program. The time limit is for each pair. Without arguments:
-// data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when every intersection is accounted
-// for, 3 when not, 2 for bad input.
+// B that is in the same space; without B, all pairs in A. Two surfaces have curves in common, with their ends, singular
+// points, where the surfaces touch (tangent), and single points on edges (end points). The time limit is for each pair.
+// Without arguments: data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when every
+// intersection is accounted for, 3 when not, 2 for bad input.
 #include "intersect_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/contact_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 
@@ -83,8 +83,10 @@ try {
   intersect_pairs(a.curves_3, b.surfaces_3, report, intersect);
   if (&a != &b)
     intersect_pairs(b.curves_3, a.surfaces_3, report, intersect);
+  SC::Solver_options curve_options = arguments.options;
+  curve_options.tolerance = 1e-8;
   intersect_pairs(a.surfaces_3, b.surfaces_3, report,
-                  [&](const auto& s1, const auto& s2) { return SC::contact_points(s1, s2, arguments.options); });
+                  [&](const auto& s1, const auto& s2) { return SC::intersection_curves(s1, s2, curve_options); });
   report.print_summary();
   if (!arguments.picture.empty())
     report.draw(arguments.picture);

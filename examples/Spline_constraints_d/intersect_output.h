@@ -9,10 +9,13 @@
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <fstream>
@@ -51,8 +54,8 @@ inline Arguments parse(int argc, char* argv[], const Arguments& without_argument
   }
   if (result.files.empty())
     throw SC::Invalid_input("usage: intersect [A [B]] [--svg OUT] [--time-limit S], with files .svg, .itd or .g2. All "
-                            "intersections of curves with curves and surfaces, and where surfaces touch"
-                            " (not their curves of intersection), of A with B; without B, within A");
+                            "intersections of curves and surfaces of A with"
+                            " those of B; without B, within A");
   return result;
 }
 
@@ -75,6 +78,7 @@ class Report
 
   struct Drawn_curve { SC::Bspline_curve_2<K> curve; double width; };
 
+  static constexpr const char* curve_color = "#17becf";
   static constexpr std::array<Style, 5> styles{{{Kind::TRANSVERSAL, "transversal", "transversal", "#2ca02c"},
                                                 {Kind::TANGENT, "tangent", "tangent", "#d62728"},
                                                 {Kind::END_POINT, "end point", "end points", "#9467bd"},
@@ -85,7 +89,7 @@ class Report
   SC::Summary m_total;
   std::array<std::size_t, styles.size()> m_count{};
   std::vector<std::pair<K::Point_2, Kind>> m_points;
-  std::vector<SC::Bspline_curve_2<K>> m_overlaps;
+  std::vector<SC::Bspline_curve_2<K>> m_overlaps, m_curves;   // m_curves: those of two surfaces
 
 public:
   Report(const File& a, const File& b) : m_a(a), m_b(b)
@@ -103,21 +107,30 @@ public:
            const Intersections& intersections)
   {
     for (const auto& x : intersections) {
-      ++m_count[static_cast<std::size_t>(x.kind())];
-      std::cout << x.kind();
-      if (x.kind() == Kind::TANGENT && x.multiplicity() > 0)
-        std::cout << " of multiplicity " << x.multiplicity();
-      print_parameters<First::number_of_parameters>(first, x, 0);
-      print_parameters<Second::number_of_parameters>(second, x, 1);
-      std::cout << std::setprecision(6);
-      for (int i = 0; i < First::ambient_dimension; ++i)
-        std::cout << (i == 0 ? "  near (" : ", ") << CGAL::to_double(x.point().cartesian(i));
-      std::cout << ")\n";
-      m_points.emplace_back(flat(x.point()), x.kind());
+      add_point(first, second, x);
       if constexpr (First::number_of_parameters == 1)
         if (x.kind() == Kind::OVERLAP && x.parameter_range(0).first < x.parameter_range(0).second)
           m_overlaps.push_back(flat(first.object.restricted(x.parameter_range(0).first, x.parameter_range(0).second)));
     }
+  }
+
+  // Curves, and the points that are not just some of many along them.
+  template <class First, class Second>
+  void add(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second,
+           const SC::Surface_intersection<K>& set)
+  {
+    const CGAL::Bbox_3 box = first.object.bbox();
+    const double error = 1e-3 * (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    for (const SC::Intersection_curve& curve : set.curves()) {
+      std::cout << "curve " << (curve.is_closed ? "closed, " : "open, ") << curve.kind();
+      print_name(first);
+      print_name(second);
+      print_place(set.end(curve, 0).point());
+      m_curves.push_back(flat(SC::polyline_curve(set.polyline(curve, error))));
+    }
+    for (const auto* points : {&set.points(), &set.singular_points(), &set.undecided()})
+      for (const auto& point : *points)
+        add_point(first, second, point);
   }
 
   bool is_complete() const { return m_total.is_complete && m_count[static_cast<std::size_t>(Kind::UNDECIDED)] == 0; }
@@ -126,7 +139,8 @@ public:
   {
     std::cout << "intersections: ";
     for (std::size_t i = 0; i < styles.size(); ++i)
-      std::cout << (i == 0 ? "" : ", ") << counted(i);
+      std::cout << (i == 0 ? "" : ", ") << (styles[i].kind == Kind::UNDECIDED ? counted_curves() + ", " : "")
+                << counted(i);
     std::cout << "; complete: " << (is_complete() ? "yes" : "no") << "; nodes " << m_total.nodes << "; seconds "
               << std::setprecision(4) << m_total.seconds << '\n';
   }
@@ -155,22 +169,59 @@ public:
       picture.curve(curve, "#ff7f0e", line_width);
     for (const auto& curve : m_overlaps)
       picture.curve(curve, styles[3].color, 5);
+    for (const auto& curve : m_curves)
+      picture.curve(curve, curve_color, 3);
     for (const auto& [point, kind] : m_points)
       if (kind != Kind::OVERLAP)
         picture.point(point, styles[static_cast<std::size_t>(kind)].color, 8);
     double x = box.xmin() - margin / 2;
+    const auto label = [&](const std::string& text, const char* color) {
+      picture.label(K::Point_2(x, top - 20 * pixel), text, color);
+      x += 130 * pixel;
+    };
     for (std::size_t i = 0; i < styles.size(); ++i)
-      if (m_count[i] > 0) {
-        picture.label(K::Point_2(x, top - 20 * pixel), counted(i), styles[i].color);
-        x += 130 * pixel;
-      }
-    picture.label(K::Point_2(x, top - 20 * pixel), is_complete() ? "complete: yes" : "complete: no");
+      if (m_count[i] > 0)
+        label(counted(i), styles[i].color);
+    if (!m_curves.empty())
+      label(counted_curves(), curve_color);
+    label(is_complete() ? "complete: yes" : "complete: no", "black");
   }
 
 private:
-  std::string counted(std::size_t i) const
+  static std::string counted(std::size_t number, const char* singular, const char* plural)
   {
-    return std::to_string(m_count[i]) + ' ' + (m_count[i] == 1 ? styles[i].singular : styles[i].plural);
+    return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
+  }
+  std::string counted(std::size_t i) const { return counted(m_count[i], styles[i].singular, styles[i].plural); }
+  std::string counted_curves() const { return counted(m_curves.size(), "curve", "curves"); }
+
+  template <class First, class Second, class Point>
+  void add_point(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second, const Point& x)
+  {
+    ++m_count[static_cast<std::size_t>(x.kind())];
+    std::cout << x.kind();
+    if constexpr (requires { x.multiplicity(); })
+      if (x.kind() == Kind::TANGENT && x.multiplicity() > 0)
+        std::cout << " of multiplicity " << x.multiplicity();
+    print_parameters<First::number_of_parameters>(first, x, 0);
+    print_parameters<Second::number_of_parameters>(second, x, 1);
+    print_place(x.point());
+    m_points.emplace_back(flat(x.point()), x.kind());
+  }
+
+  template <class Entry>
+  static void print_name(const Entry& entry)
+  {
+    std::cout << "  " << (entry.name.empty() ? "" : entry.name + ':') << entry.line << ':' << entry.column;
+  }
+
+  template <class Point>
+  static void print_place(const Point& point)
+  {
+    std::cout << std::setprecision(6);
+    for (int i = 0; i < point.dimension(); ++i)
+      std::cout << (i == 0 ? "  near (" : ", ") << CGAL::to_double(point.cartesian(i));
+    std::cout << ")\n";
   }
 
   // Tighter than that of the control points.
@@ -189,8 +240,8 @@ private:
   static void print_parameters(const Entry& entry, const Intersection& x, std::size_t operand)
   {
     const char* const names[] = {number_of_parameters == 1 ? "t" : "u", "v"};
-    std::cout << "  " << (entry.name.empty() ? "" : entry.name + ':') << entry.line << ':' << entry.column << " with"
-              << std::setprecision(17);
+    print_name(entry);
+    std::cout << " with" << std::setprecision(17);
     for (std::size_t axis = 0; axis < number_of_parameters; ++axis) {
       const auto [lower, upper] = as_doubles(x.parameter_range(operand, axis));
       std::cout << ' ' << names[axis] << " in [" << lower << ',' << upper << ']';
