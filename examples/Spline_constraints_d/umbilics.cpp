@@ -48,6 +48,7 @@ int main()
   }
   std::ofstream out("umbilics.svg");
   scene.write(out);
-  std::cout << "umbilics: " << set.points.size() << "; complete: " << (set.is_complete() ? "yes" : "no") << '\n';
+  std::cout << "umbilics: " << set.points.size() << ", " << set.undecided.size()
+            << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << '\n';
   return set.is_complete() ? 0 : 3;
 }
