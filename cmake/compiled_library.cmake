@@ -20,6 +20,9 @@ target_link_libraries(Spline_constraints_d_compiled
 target_compile_definitions(Spline_constraints_d_compiled
   INTERFACE CGAL_SPLINE_CONSTRAINTS_COMPILED
   PRIVATE CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
+# Level 3 takes longer to compile and is not faster.
+target_compile_options(Spline_constraints_d_compiled
+  PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
 set_target_properties(Spline_constraints_d_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
 # What runs on all cores is compiled where there is TBB, also for programs that do not link TBB themselves.

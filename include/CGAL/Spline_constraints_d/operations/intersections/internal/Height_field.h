@@ -104,7 +104,8 @@ inline std::optional<Height_difference> height_difference(const Spline_patch<3>&
     result.domain[x.unknown] = {(std::max)(own.first, other.first), (std::min)(own.second, other.second)};
     if (!(result.domain[x.unknown].first < result.domain[x.unknown].second))
       return std::nullopt;
-    height = with_domain(of_first.factor < 0 ? reversed(height, axis) : height, axis, other.first, other.second);
+    height =
+        internal::with_domain(of_first.factor < 0 ? reversed(height, axis) : height, axis, other.first, other.second);
   }
   for (int axis = 0; axis < 2; ++axis) {
     height = part_of(height, axis, result.domain[axis]);
