@@ -5,6 +5,7 @@
 // splitter that prefers some unknowns. Solves Broyden's tridiagonal system, whose diagonal does dominate near its two
 // solutions.
 #include <CGAL/Spline_constraints_d.h>
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <cmath>
 #include <iostream>

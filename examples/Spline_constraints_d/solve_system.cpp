@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <iostream>
 #include <stdexcept>

@@ -6,6 +6,7 @@
 #include "curve_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <gtest/gtest.h>
 

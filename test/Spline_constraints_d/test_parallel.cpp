@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,6 +6,8 @@
 
 #include "solver_test_checks.h"
 
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
+
 #include <gmp.h>
 
 #include <cstdlib>

@@ -5,6 +5,8 @@
 
 #include "solver_test_checks.h"
 
+#include <CGAL/Spline_constraints_d/solver/own_traits.h>
+
 using namespace solver_test;
 
 template <class Policies>

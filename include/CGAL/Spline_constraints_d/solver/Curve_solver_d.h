@@ -93,7 +93,7 @@ public:
   template <SolverVisitor Visitor>
   Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
   {
-    internal::check_definitions<Traits, Concurrency_tag>();
+    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
     internal::Run_control control(visitor, m_options);
     return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control, {});
   }

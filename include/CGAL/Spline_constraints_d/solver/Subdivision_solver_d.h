@@ -72,7 +72,7 @@ template <SolverVisitor Visitor>
 typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
 Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system, Visitor& visitor) const
 {
-  internal::check_definitions<Traits, Concurrency_tag>();
+  internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +

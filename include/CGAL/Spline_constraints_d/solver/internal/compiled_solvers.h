@@ -62,19 +62,23 @@ bool is_proved(const Constraint_system_d& system, Solution_kind kind,
 template <class Traits>
 struct Definitions_of_solvers;
 
-// Fails to compile where neither the compiled library nor the program has the solvers of some traits.
+// Whether the compiled library has solvers of points and of curves.
 template <class Traits, class Concurrency_tag>
+constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_traits>;
+template <class Traits, class Concurrency_tag>
+constexpr bool are_points_compiled = are_curves_compiled<Traits, Concurrency_tag> ||
+    (std::same_as<Concurrency_tag, CGAL::Sequential_tag> &&
+     (std::same_as<Traits, Fast_solver_traits> || std::same_as<Traits, Interval_solver_traits> ||
+      std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>));
+
+// Fails to compile where neither the compiled library nor the program has a solver.
+template <class Traits, bool is_compiled>
 constexpr void check_definitions()
 {
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-  constexpr bool is_default = std::same_as<Traits, Certified_solver_traits>;
-  constexpr bool is_compiled = std::same_as<Concurrency_tag, CGAL::Sequential_tag>
-      ? is_default || std::same_as<Traits, Fast_solver_traits> || std::same_as<Traits, Interval_solver_traits> ||
-          std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>
-      : is_default;
   if constexpr (!is_compiled)
     static_assert(sizeof(Definitions_of_solvers<Traits>) > 0,
-                  "include <CGAL/Spline_constraints_d/solver/own_traits.h> for traits that the library does not have");
+                  "include <CGAL/Spline_constraints_d/solver/own_traits.h> for solvers that the library does not have");
 #endif
 }
 
