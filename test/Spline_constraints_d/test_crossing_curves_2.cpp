@@ -365,7 +365,7 @@ TEST(CrossingCurves, FacesBehindArcs)
   const SC::internal::Voronoi::Disk_curvature curvature(*lens);
   const auto is_left_out = [&](std::size_t element, const SC::internal::Common::Range& part, std::size_t arc,
                                const SC::internal::Common::Range& range) {
-    return beside_lens.hold(curvature, curvature.part(element, part),
+    return beside_lens.hold(curvature.part(element, part),
                             curvature.part(element, {part.middle(), part.middle()}), candidate(*lens, arc, range));
   };
   for (const SC::internal::Common::Range& range :
