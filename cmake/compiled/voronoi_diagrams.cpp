@@ -8,12 +8,12 @@
 
 namespace CGAL::Spline_constraints::internal::Voronoi {
 
-template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>,
+template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2<>&, std::vector<std::size_t>,
                                                          const std::string&);
-template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, const Exact_rational&,
+template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>, const Exact_rational&,
                                                            const std::vector<std::size_t>&, bool);
-template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
-                                                         std::shared_ptr<const Scaled_sites>,
+template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>,
+                                                         std::shared_ptr<const Scaled_sites<>>,
                                                          const std::vector<std::size_t>&);
 
 } // namespace CGAL::Spline_constraints::internal::Voronoi

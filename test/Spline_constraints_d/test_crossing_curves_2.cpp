@@ -261,7 +261,7 @@ TEST(CrossingCurves, ThinLens)
   EXPECT_EQ(number_of_parts(diagram), 9U);
 }
 
-std::shared_ptr<const SC::internal::Voronoi::Site_graph_2> graph_of(const Curves& curves)
+std::shared_ptr<const SC::internal::Voronoi::Site_graph_2<>> graph_of(const Curves& curves)
 {
   return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(
       SC::internal::Voronoi::site_curves(curves), std::vector<P>());
@@ -282,7 +282,7 @@ TEST(CrossingCurves, LensBelowTheLastPlace)
   const SC::internal::Voronoi::Fine_level fine(*graph);
   // the right side of the segment in the lens, and the left one behind it
   for (const auto& [element, touched] : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 3}}) {
-    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine)(element);
+    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks<>(*graph, tree, cusps, &fine)(element);
     ASSERT_EQ(envelope_arcs.size(), 1U);
     EXPECT_EQ(envelope_arcs[0].footpoint.index, touched);
     EXPECT_TRUE(envelope_arcs[0].range.begin == 0 && envelope_arcs[0].range.end == 1);
@@ -345,15 +345,15 @@ TEST(CrossingCurves, RangesOfCrossings)
 TEST(CrossingCurves, FacesBehindArcs)
 {
   const SC::Upward_rounding_guard guard;
-  const auto candidate = [](const SC::internal::Voronoi::Site_graph_2& graph, std::size_t arc,
+  const auto candidate = [](const SC::internal::Voronoi::Site_graph_2<>& graph, std::size_t arc,
                             const SC::internal::Common::Range& range) {
-    return SC::internal::Voronoi::Disk_candidate{SC::internal::Voronoi::Candidate_kind::ARC, arc, range,
-                                                 graph.arcs()[arc].jet(range)};
+    return SC::internal::Voronoi::Disk_candidate<>{SC::internal::Voronoi::Candidate_kind::ARC, arc, range,
+                                                   graph.arcs()[arc].jet(range)};
   };
   const auto rooms = graph_of({bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(4, 4)}), bezier({P(4, 4), P(0, 4)}),
                                bezier({P(0, 4), P(0, 0)}), bezier({P(4, 0), P(8, 0)}), bezier({P(8, 0), P(8, 4)}),
                                bezier({P(8, 4), P(4, 4)}), bezier({P(10, 1), P(10, 3)})});
-  const SC::internal::Voronoi::Separate_faces faces(*rooms, false);
+  const SC::internal::Voronoi::Separate_faces<> faces(*rooms, false);
   for (std::size_t arc = 0; arc < 8; ++arc) {
     // from inside of the first room: the walls of the other one; a curve apart is not known to be outside
     EXPECT_EQ(faces.hold(0, arc), 4 <= arc && arc < 7) << arc;
@@ -361,8 +361,8 @@ TEST(CrossingCurves, FacesBehindArcs)
   }
   // arcs 0 and 2 around the lens, from (0,0) to (8/3,0)
   const auto lens = graph_of({bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, -1), P(4, 1)})});
-  const SC::internal::Voronoi::Separate_faces beside_lens(*lens, false);
-  const SC::internal::Voronoi::Disk_curvature curvature(*lens);
+  const SC::internal::Voronoi::Separate_faces<> beside_lens(*lens, false);
+  const SC::internal::Voronoi::Disk_curvature<> curvature(*lens);
   const auto is_left_out = [&](std::size_t element, const SC::internal::Common::Range& part, std::size_t arc,
                                const SC::internal::Common::Range& range) {
     return beside_lens.hold(curvature.part(element, part),

@@ -100,9 +100,9 @@ public:
 
 static_assert(SC::internal::Common::Enclosing_number<Least_number> &&
               SC::internal::Common::Enclosing_number<Fine_interval>);
-template class SC::internal::Voronoi::Basic_disk_curvature<Least_number>;
-template class SC::internal::Voronoi::Basic_disk_reach<Least_number>;
-template class SC::internal::Voronoi::Basic_nearest_sites<Least_number>;
+template class SC::internal::Voronoi::Disk_curvature<Least_number>;
+template class SC::internal::Voronoi::Disk_reach<Least_number>;
+template class SC::internal::Voronoi::Nearest_sites<Least_number>;
 
 SC::internal::Common::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
 {
@@ -168,8 +168,8 @@ TEST(FineLevel, EnclosuresOfArcs)
   std::uniform_real_distribution<double> parameter(0, 1);
   for (int i = 0; i < 40; ++i) {
     const Exact_arc_2 exact(random_piece(random, i % 2 == 1));
-    const SC::internal::Common::Site_arc_2 arc(exact);
-    const SC::internal::Common::Basic_site_arc_2<Fine_interval> fine(exact);
+    const SC::internal::Common::Site_arc_2<> arc(exact);
+    const SC::internal::Common::Site_arc_2<Fine_interval> fine(exact);
     for (int j = 0; j < 10; ++j) {
       const double u = parameter(random), v = u + (1 - u) * parameter(random);
       const auto at = fine.jet({u, u});
@@ -234,7 +234,7 @@ void expect_nothing_left_out(const Curves& curves)
   const SC::internal::Voronoi::Fine_level fine_level(*graph);
   for (std::size_t f = 0; f < graph->elements().size(); f += 4) {
     SCOPED_TRACE(f);
-    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
+    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks<>(*graph, tree, cusps, &fine_level)(f);
     ASSERT_FALSE(envelope_arcs.empty());
     EXPECT_TRUE(envelope_arcs.front().range.begin == 0 || envelope_arcs.front().events[0] == Disk_event::UNRESOLVED);
     EXPECT_TRUE(envelope_arcs.back().range.end == 1 || envelope_arcs.back().events[1] == Disk_event::UNRESOLVED);
@@ -270,9 +270,9 @@ void expect_expansions_of_tangent_disks()
                       SC::bezier_curve(std::vector{P(1, 1), P(3, 3), P(5, -1), P(7, 2)}),
                       SC::bezier_curve(std::vector{P(3, 5), P(4, 6), P(5, 4), P(5, 5)})};
   const SC::Upward_rounding_guard guard;
-  const SC::internal::Voronoi::Basic_site_graph_2<Interval> graph(
+  const SC::internal::Voronoi::Site_graph_2<Interval> graph(
       *SC::internal::Voronoi::site_graph(curves, std::vector<P>()));
-  const SC::internal::Voronoi::Basic_disk_curvature<Interval> curvature(graph);
+  const SC::internal::Voronoi::Disk_curvature<Interval> curvature(graph);
   const auto meet = [](const Interval& x, const Interval& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
   std::mt19937 random(1);
   std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
@@ -333,7 +333,7 @@ TEST(FineLevel, DisksInAThinCorner)
     const auto graph = SC::internal::Voronoi::site_graph(thin_corner(height), std::vector<P>());
     const SC::Upward_rounding_guard guard;
     const SC::internal::Voronoi::Fine_level fine_level(*graph);
-    const SC::internal::Voronoi::Disk_curvature curvature(*graph);
+    const SC::internal::Voronoi::Disk_curvature<> curvature(*graph);
     const SC::internal::Voronoi::Envelope_arc_disks disks(*graph, curvature, fine_level);
     const auto& elements = graph->elements();
     const auto left = static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(),
@@ -408,7 +408,7 @@ void expect_bounds_of_two_maxima()
   const auto at = [&](const SC::internal::Common::Range& range) {
     const Interval v = SC::internal::Common::interval_of<Interval>(range), p = (v - a) * (v - b),
                    dp = Interval(2) * v - a - b;
-    SC::internal::Voronoi::Basic_curvature_bounds<Interval> k;
+    SC::internal::Voronoi::Curvature_bounds<Interval> k;
     k.value = Interval(1) - Interval(8) * CGAL::square(v - a) * CGAL::square(v - b);
     k.dv = Interval(-16) * p * dp;
     k.dvv = Interval(-16) * (CGAL::square(dp) + Interval(2) * p);

@@ -255,11 +255,11 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
       internal::Voronoi::site_curves(
           Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}),
       std::vector<P>());
-  const internal::Voronoi::Disk_curvature curvature(*graph);
+  const internal::Voronoi::Disk_curvature<> curvature(*graph);
   std::size_t compared = 0;
   std::mt19937 random(1);
   for (std::size_t f = 0; f < graph->elements().size(); ++f) {
-    const internal::Voronoi::Oriented_element& element = graph->elements()[f];
+    const internal::Voronoi::Oriented_element<>& element = graph->elements()[f];
     if (element.is_normal_cone)
       continue;
     const auto& next = graph->continuation({element.object, true});

@@ -160,7 +160,7 @@ private:
 
   Sample sample(const Part& part, double u) const
   {
-    const internal::Voronoi::Oriented_element& element = m_disks.element(part);
+    const internal::Voronoi::Oriented_element<>& element = m_disks.element(part);
     const internal::Voronoi::Sector_disks::Disk disk = m_disks.disk(part, u);
     const double radius = middle(disk.radius);
     const bool is_vertex = part.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX;
@@ -184,7 +184,7 @@ private:
   // Whether the nearest points go on in the next normal cone of the same vertex.
   bool goes_on(const Part& before, const Part& after) const
   {
-    const internal::Voronoi::Oriented_element &a = m_disks.element(before), &b = m_disks.element(after);
+    const internal::Voronoi::Oriented_element<> &a = m_disks.element(before), &b = m_disks.element(after);
     return before.element != after.element && a.is_normal_cone && b.is_normal_cone && a.object == b.object &&
         before.footpoint == after.footpoint;
   }

@@ -169,8 +169,8 @@ private:
   Arc arc_of(std::size_t p) const
   {
     const internal::Voronoi::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
-    const internal::Voronoi::Oriented_element& element = m_cycles->element(piece);
-    const internal::Voronoi::Site_graph_2& graph = m_cycles->graph();
+    const internal::Voronoi::Oriented_element<>& element = m_cycles->element(piece);
+    const internal::Voronoi::Site_graph_2<>& graph = m_cycles->graph();
     if (element.is_normal_cone) {
       const auto [curve, parameter] = internal::Voronoi::vertex_origin(graph, element.object)
                                           .value_or(std::pair(internal::Voronoi::Offset_cycles::none, 0.));
@@ -189,8 +189,8 @@ private:
   // Whether a piece goes on where another one ends, around the same point, or with the same curve on the same side.
   bool goes_on(std::size_t before, std::size_t after) const
   {
-    const internal::Voronoi::Oriented_element &a = m_cycles->element(m_cycles->pieces()[before]),
-                                              &b = m_cycles->element(m_cycles->pieces()[after]);
+    const internal::Voronoi::Oriented_element<> &a = m_cycles->element(m_cycles->pieces()[before]),
+          &b = m_cycles->element(m_cycles->pieces()[after]);
     if (a.is_normal_cone || b.is_normal_cone)
       return before != after && a.is_normal_cone && b.is_normal_cone && a.object == b.object;
     return a.is_reversed == b.is_reversed && arc_of(before).curve == arc_of(after).curve &&

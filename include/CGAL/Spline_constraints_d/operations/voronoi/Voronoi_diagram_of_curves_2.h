@@ -127,7 +127,7 @@ public:
 private:
   using Part = internal::Voronoi::Disk_diagram::Part;
 
-  std::shared_ptr<const internal::Voronoi::Site_graph_2> m_graph;
+  std::shared_ptr<const internal::Voronoi::Site_graph_2<>> m_graph;
   std::shared_ptr<const internal::Voronoi::Disk_diagram> m_diagram;
   internal::Voronoi::Site_tree_2 m_tree;
   std::vector<Site> m_sites;
@@ -142,7 +142,7 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_of_curves_2(std::shared_ptr<const internal::Voronoi::Site_graph_2> graph,
+  Voronoi_diagram_of_curves_2(std::shared_ptr<const internal::Voronoi::Site_graph_2<>> graph,
                               std::shared_ptr<const internal::Voronoi::Disk_diagram> diagram)
     : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph),
       m_undecided(internal::Voronoi::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
@@ -294,7 +294,7 @@ public:
 private:
   internal::Voronoi::Edge_samples<Kernel> edge_samples() const { return {*m_graph, *m_diagram}; }
 
-  std::size_t site_of(const internal::Voronoi::Oriented_element& element) const
+  std::size_t site_of(const internal::Voronoi::Oriented_element<>& element) const
   {
     return element.object + (element.is_normal_cone ? m_graph->arcs().size() : 0);
   }
@@ -352,7 +352,7 @@ private:
       const Sample at = vertex.is_at_infinity
           ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}}
           : edge_samples()(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
-      const internal::Voronoi::Vertex_bounds bounds = internal::Voronoi::vertex_bounds(*m_graph, *m_diagram, vertex);
+      const internal::Voronoi::Vertex_bounds<> bounds = internal::Voronoi::vertex_bounds(*m_graph, *m_diagram, vertex);
       const auto within = [](const internal::Common::Interval& x, const auto& value) {
         return std::clamp(CGAL::to_double(value), x.inf(), x.sup());
       };
@@ -370,7 +370,7 @@ private:
     for (const internal::Voronoi::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = edge_samples()(part, m_diagram->end_parameter(part, false));
       const std::size_t site = site_of(m_diagram->element(part));
-      const internal::Common::Site_arc_2& circle = m_graph->arcs()[site];
+      const internal::Common::Site_arc_2<>& circle = m_graph->arcs()[site];
       m_vertices.push_back({at.point,
                             at.radius,
                             {},

@@ -34,14 +34,14 @@ Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, c
   std::vector<std::size_t> elements;    // of the first one
   for (std::size_t i = 0; i < graph->arcs().size(); ++i)
     arcs.push_back(operands.is_on(1, *graph, i));
-  for (const Site_graph_2::Vertex& vertex : graph->vertices())
+  for (const Site_graph_2<>::Vertex& vertex : graph->vertices())
     vertices.push_back(operands.is_at(1, *graph, vertex));
   for (std::size_t f = 0; f < graph->elements().size(); ++f)
-    if (const Oriented_element& element = graph->elements()[f];
+    if (const Oriented_element<>& element = graph->elements()[f];
         !(element.is_normal_cone ? vertices : arcs)[element.object])
       elements.push_back(f);
   const auto scaled =
-      std::make_shared<const Scaled_sites>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
+      std::make_shared<const Scaled_sites<>>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
   return {sector_disks<Concurrency_tag>(graph, scaled, elements), to_nearest_double(factor), is_exchanged,
           operands.places[0].first};
 }

@@ -29,7 +29,7 @@ Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
   std::vector<int> sides;
   for (std::size_t i = 0; i < graph->arcs().size(); ++i)
     sides.push_back(operands.is_on(1, *graph, i) - operands.is_on(0, *graph, i));
-  for (const Site_graph_2::Vertex& vertex : graph->vertices())
+  for (const Site_graph_2<>::Vertex& vertex : graph->vertices())
     sides.push_back(operands.is_at(1, *graph, vertex) - operands.is_at(0, *graph, vertex));
   return {Voronoi_diagram_of_curves_2<Kernel>(graph,
                                               std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(

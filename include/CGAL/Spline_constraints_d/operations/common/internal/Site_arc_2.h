@@ -44,10 +44,8 @@ inline Range united(const Range& a, const Range& b) { return {(std::min)(a.begin
 
 // Enclosures of the point of an arc and of its first derivatives over a range.
 constexpr std::size_t jet_order = 4;
-template <Enclosing_number Interval>
-using Basic_curve_jet = std::array<std::array<Interval, 2>, jet_order + 1>;
-
-using Curve_jet = Basic_curve_jet<Interval>;
+template <Enclosing_number Interval = Common::Interval>
+using Curve_jet = std::array<std::array<Interval, 2>, jet_order + 1>;
 
 // Whether the derivatives in any two points, or vectors in their directions, form an angle of less than 90 degrees: the
 // curve goes away from each of its points.
@@ -58,37 +56,36 @@ bool turns_by_less_than_right_angle(const std::array<Interval, 2>& derivative)
 }
 
 template <Enclosing_number Interval>
-Basic_curve_jet<Interval> hull(const Basic_curve_jet<Interval>& a, const Basic_curve_jet<Interval>& b)
+Curve_jet<Interval> hull(const Curve_jet<Interval>& a, const Curve_jet<Interval>& b)
 {
-  Basic_curve_jet<Interval> result;
+  Curve_jet<Interval> result;
   for (std::size_t k = 0; k <= jet_order; ++k)
     result[k] = hull(a[k], b[k]);
   return result;
 }
 
-inline const Curve_jet& in_doubles(const Curve_jet& jet) { return jet; }
+inline const Curve_jet<>& in_doubles(const Curve_jet<>& jet) { return jet; }
 
 template <Enclosing_number Number>
-Curve_jet in_doubles(const Basic_curve_jet<Number>& jet)
+Curve_jet<> in_doubles(const Curve_jet<Number>& jet)
 {
-  Curve_jet result;
+  Curve_jet<> result;
   std::transform(jet.begin(), jet.end(), result.begin(), [](const auto& x) { return in_doubles(x); });
   return result;
 }
 
 // A polynomial on [0,1] and its derivatives up to an order, by enclosed Bernstein coefficients.
-template <Enclosing_number Interval>
-class Basic_polynomial_jet
+template <Enclosing_number Interval = Common::Interval>
+class Polynomial_jet
 {
   std::array<std::vector<Interval>, jet_order + 1> m_rows;
 
 public:
-  Basic_polynomial_jet() = default;
+  Polynomial_jet() = default;
 
   // Of any polynomial that is made of the given one when each end of [0,1] is moved by no more than an error, below
   // 2^-10, and the part between brought to [0,1].
-  Basic_polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error,
-                       std::size_t order = jet_order)
+  Polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error, std::size_t order = jet_order)
   {
     const int degree = tensor.degree(0);
     // Coefficients are values of the blossom, which is affine in each of its arguments.
@@ -157,41 +154,37 @@ private:
   }
 };
 
-using Polynomial_jet = Basic_polynomial_jet<Interval>;
-
 /*
 An arc that is a site, with enclosures of its derivatives up to the fourth. Where the ends of the site are not known
 exactly, the piece ends near them on the same curve, and enclosures are those of the site with the parameter that runs
 from 0 to 1 on it.
 */
-template <Enclosing_number Interval>
-class Basic_site_arc_2 : public Exact_arc_2
+template <Enclosing_number Interval = Common::Interval>
+class Site_arc_2 : public Exact_arc_2
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Polynomial_jet = Basic_polynomial_jet<Interval>;
 
   // of a rational piece, relative to its begin: so bounds over a range do not depend on where it is
-  std::array<Polynomial_jet, 3> m_coordinates;
+  std::array<Polynomial_jet<Interval>, 3> m_coordinates;
   Interval_pair m_begin{};
   // ways from both ends, times the weight, and the weight, in the distance of the parameter
-  std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;
-  std::array<Polynomial_jet, 2> m_tangent_jet;                // where the derivative is zero in an end
+  std::array<std::array<Polynomial_jet<Interval>, 3>, 2> m_from_ends;
+  std::array<Polynomial_jet<Interval>, 2> m_tangent_jet;                // where the derivative is zero in an end
   Interval_pair m_center{};                                   // of the circle
   Interval m_squared_radius{};
 
 public:
   // With a bound of the distances of the ends, in the parameter of the piece.
-  explicit Basic_site_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0)
-    : Basic_site_arc_2(Exact_arc_2(std::move(piece), error))
+  explicit Site_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0)
+    : Site_arc_2(Exact_arc_2(std::move(piece), error))
   {}
 
-  explicit Basic_site_arc_2(Exact_arc_2 arc) : Exact_arc_2(std::move(arc))
+  explicit Site_arc_2(Exact_arc_2 arc) : Exact_arc_2(std::move(arc))
   {
     const auto& coordinates = piece().coordinates;
     const std::array<Exact_pair, 2> ends{at(0), at(1)};
     for (std::size_t k = 0; k < 3; ++k)
-      m_coordinates[k] = Polynomial_jet(
+      m_coordinates[k] = Polynomial_jet<Interval>(
           k == 2 || is_polynomial() ? coordinates[k] : coordinates[k] - coordinates[2] * ends[0][k], error());
     if (!is_polynomial())
       m_begin = {interval_of<Interval>(ends[0][0]), interval_of<Interval>(ends[0][1])};
@@ -199,11 +192,11 @@ public:
       for (std::size_t k = 0; k < 3; ++k) {
         const Bernstein_tensor<Exact_rational> way =
             k == 2 ? coordinates[k] : coordinates[k] - coordinates[2] * ends[end][k];
-        m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error(), 0);
+        m_from_ends[end][k] = Polynomial_jet<Interval>(end ? reversed(way) : way, error(), 0);
       }
     if (has_singular_end())
       for (const std::size_t k : {0, 1})
-        m_tangent_jet[k] = Polynomial_jet(tangent()[k], 0, 2);
+        m_tangent_jet[k] = Polynomial_jet<Interval>(tangent()[k], 0, 2);
     if (circle()) {
       m_center = {interval_of<Interval>(circle()->first[0]), interval_of<Interval>(circle()->first[1])};
       m_squared_radius = interval_of<Interval>(circle()->second);
@@ -217,7 +210,7 @@ public:
   std::array<Interval_pair, 2> tangent_jet(const Range& range) const
   {
     if (!has_singular_end()) {
-      const Curve_jet x = jet(range, 2);
+      const Curve_jet<Interval> x = jet(range, 2);
       return {x[1], x[2]};
     }
     const auto& [x, y] = m_tangent_jet;
@@ -278,9 +271,9 @@ public:
   }
 
   // The derivatives up to an order; others are zero.
-  Curve_jet jet(const Range& range, std::size_t order = jet_order) const
+  Curve_jet<Interval> jet(const Range& range, std::size_t order = jet_order) const
   {
-    Curve_jet result;
+    Curve_jet<Interval> result;
     for (std::size_t k = 0; k <= order; ++k)
       result[k] = {m_coordinates[0](k, range), m_coordinates[1](k, range)};
     if (!is_polynomial()) {
@@ -300,7 +293,7 @@ public:
   {
     if (is_straight() || circle())
       return true;
-    const Curve_jet x = jet(range, 3), middle = jet({range.middle(), range.middle()}, 1);
+    const Curve_jet<Interval> x = jet(range, 3), middle = jet({range.middle(), range.middle()}, 1);
     const Interval_pair n = turned_left(x[1]);
     return dot(x[1], middle[1]).inf() > 0 &&
         certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
@@ -308,7 +301,7 @@ public:
 
 private:
   // Leibniz: (X w)^(k) = sum_i (k over i) X^(i) w^(k-i).
-  void divide_by_weight(Curve_jet& jet, const Range& range, std::size_t order) const
+  void divide_by_weight(Curve_jet<Interval>& jet, const Range& range, std::size_t order) const
   {
     static constexpr std::array<std::array<double, 5>, 5> binomials{
         {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}}};
@@ -324,8 +317,6 @@ private:
   }
 
 };
-
-using Site_arc_2 = Basic_site_arc_2<Interval>;
 
 } // namespace Common
 } // namespace internal

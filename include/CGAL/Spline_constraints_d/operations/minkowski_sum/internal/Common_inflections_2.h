@@ -100,7 +100,7 @@ private:
     const std::size_t i = elements[0];
     const Region_element &before = region.elements()[i - 1], &behind = region.elements()[i + 1];
     const Range range = region.elements()[i].range;
-    const Site_arc_2& arc = region.arcs()[before.arc];
+    const Site_arc_2<>& arc = region.arcs()[before.arc];
     for (double width = 0.25; width > least_width; width /= 2) {
       const Range near{(std::max)(range.begin - width, before.range.begin),
                        (std::min)(range.end + width, behind.range.end)};
@@ -113,16 +113,16 @@ private:
   }
 
   // Whether no direction in a range is that of a point.
-  static bool has_other_directions(const Site_arc_2& arc, const Range& range, double t)
+  static bool has_other_directions(const Site_arc_2<>& arc, const Range& range, double t)
   {
     return certain_sign(cross(arc.jet(range, 1)[1], arc.jet({t, t}, 1)[1])) != 0;
   }
 
   // Whether the fold runs with the arc (1) or against it (-1), if both parameters are in a range; 0 if that is not
   // certain.
-  static int direction_of_fold(const Site_arc_2& arc, const Range& range)
+  static int direction_of_fold(const Site_arc_2<>& arc, const Range& range)
   {
-    const Curve_jet c = arc.jet(range, 4);
+    const Curve_jet<> c = arc.jet(range, 4);
     const Interval two(2), six(6);
     const Interval_pair &a = c[1], &d = c[2];
     const Interval qm = cross(d, d) + cross(a, c[3]), qq = cross(c[3], d) / two + cross(a, c[4]) / six;

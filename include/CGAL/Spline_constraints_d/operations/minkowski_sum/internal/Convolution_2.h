@@ -93,7 +93,7 @@ private:
     if (element.is_corner)
       return std::numeric_limits<double>::infinity();
     const auto at = [&](double t) {
-      const Tangent_jet jet = tangent_jet(m_regions[region]->arcs()[element.arc], {t, t});
+      const Tangent_jet<> jet = tangent_jet(m_regions[region]->arcs()[element.arc], {t, t});
       // infinite where the derivative is zero
       return jet.turn().inf() / (jet.speed.sup() * std::pow(jet.squared_length().inf(), 1.5));
     };
@@ -117,17 +117,17 @@ private:
   {
     constexpr double least_width = 0x1p-20, least_straight_width = 0x1p-8;
     const Region_element &a = element(unknown, elements[unknown]), &b = element(1 - unknown, elements[1 - unknown]);
-    const auto curvature = [](const Tangent_jet& jet) {   // times the speed
+    const auto curvature = [](const Tangent_jet<>& jet) {   // times the speed
       const Interval square = jet.squared_length();
       return jet.turn() / (square * CGAL::sqrt(square));
     };
     if (b.turn == Turn::STRAIGHT && side_of_inflection(unknown, a, b.exact_directions[0]) != 0)
       return;   // the arc crosses the side, which has its direction in one point
-    const Tangent_jet p = tangent_jet(m_regions[unknown]->arcs()[a.arc], a.range);
+    const Tangent_jet<> p = tangent_jet(m_regions[unknown]->arcs()[a.arc], a.range);
     for (std::vector<Range> todo{b.range}; !todo.empty();) {
       const Range part = todo.back();
       todo.pop_back();
-      const Tangent_jet q = tangent_jet(m_regions[1 - unknown]->arcs()[b.arc], part);
+      const Tangent_jet<> q = tangent_jet(m_regions[1 - unknown]->arcs()[b.arc], part);
       if (certain_sign(cross(p.tangent, q.tangent)) != 0 ||
           certain_sign(q.speed * curvature(p) + p.speed * curvature(q)) < 0)
         continue;
@@ -298,7 +298,7 @@ private:
     const std::optional<Exact_rational> t = Convolution_piece_2::simple_number(element.range);
     if (!t)
       return 0;
-    const Site_arc_2& arc = m_regions[region]->arcs()[element.arc];
+    const Site_arc_2<>& arc = m_regions[region]->arcs()[element.arc];
     const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
     const Exact_tensor side = d[1] * direction[0] - d[0] * direction[1], change = side.derivative(0);
     const std::array<Exact_rational, 1> at{*t};

@@ -112,7 +112,7 @@ private:
   std::vector<Crossing_2> crossings_of(std::size_t i, std::size_t j) const
   {
     std::vector<Crossing_2> result =
-        Basic_crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))();
+        Crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))();
     std::erase_if(result, [&](const Crossing_2& crossing) {
       if (crossing.is_certain)
         return false;

@@ -81,8 +81,8 @@ public:
   bool has_corner() const { return element(m_turning).is_corner; }
   const Region_element& turning_element() const { return element(m_turning); }
   const Region_element& moving_element() const { return element(1 - m_turning); }
-  const Site_arc_2& turning_arc() const { return arc(m_turning); }
-  const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
+  const Site_arc_2<>& turning_arc() const { return arc(m_turning); }
+  const Site_arc_2<>& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
 
   // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents, or of
@@ -201,12 +201,12 @@ public:
   Traced_jet operator()(const Range& range) const
   {
     const Region_element &turning = element(m_turning), &moving = element(1 - m_turning);
-    const Tangent_jet b = tangent_jet(moving_arc(), range);
+    const Tangent_jet<> b = tangent_jet(moving_arc(), range);
     const Interval square = b.squared_length(),
                    turn = moving.turn == Turn::STRAIGHT ? Interval(0) : b.turn() / (square * CGAL::sqrt(square));
     if (turning.is_corner)
       return {turning_arc().point({1, 1}) + b.point, b.tangent, b.speed, turn / b.speed};
-    const Tangent_jet a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
+    const Tangent_jet<> a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
     if (moving.turn == Turn::STRAIGHT)
       return {a.point + b.point, b.tangent, b.speed, turn};
     const Interval ratio = dot(a.tangent, b.tangent) / square,
@@ -280,7 +280,7 @@ public:
   */
   int sign_of_speed_by_turns(const Range& range) const
   {
-    const auto is_simple = [](const Site_arc_2& arc) { return arc.is_polynomial() && !arc.has_singular_end(); };
+    const auto is_simple = [](const Site_arc_2<>& arc) { return arc.is_polynomial() && !arc.has_singular_end(); };
     if (has_corner() || is_straight() || !is_convex() || !is_simple(turning_arc()) || !is_simple(moving_arc()))
       return 0;
     const Range u =
@@ -295,7 +295,7 @@ public:
 
   // The arc of a region on the level of a number type.
   template <Enclosing_number Number>
-  const Basic_site_arc_2<Number>& arc_on_level(std::size_t region) const
+  const Site_arc_2<Number>& arc_on_level(std::size_t region) const
   {
     return m_regions[region]->template arc<Number>(element(region).arc);
   }
@@ -343,7 +343,7 @@ public:
   Range turning_range(const Range& range) const { return turning_range(range, direction(range)); }
 
   const Region_element& element(std::size_t region) const { return m_regions[region]->elements()[m_elements[region]]; }
-  const Site_arc_2& arc(std::size_t region) const { return arc_on_level<Interval>(region); }
+  const Site_arc_2<>& arc(std::size_t region) const { return arc_on_level<Interval>(region); }
 
   // Whether the ends of two pieces are the same, so that one goes on as the other one: if both regions are at the same
   // joint, or corner; or one is, and the other one has its direction, which an element that turns has once.

@@ -42,8 +42,8 @@ Where two curves cross, by subdivision of both. Parts are discarded if a line se
 parts that have no common direction have one common point at most, and Newton's method with intervals finds it, or
 proves that there is none. The number type is that of the points.
 */
-template <Enclosing_number Number>
-class Basic_crossing_finder_2
+template <Enclosing_number Number = Interval>
+class Crossing_finder_2
 {
   using Point = std::array<Number, 2>;
   using Part = Traced_curve_2::Part;
@@ -58,8 +58,8 @@ class Basic_crossing_finder_2
   std::vector<Crossing_2> m_crossings;
 
 public:
-  Basic_crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second,
-                          std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
+  Crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::vector<Common_end> common_ends = {},
+                    bool is_first_enough = false)
     : m_views{first, second}, m_common_ends(std::move(common_ends)), m_is_first_enough(is_first_enough)
   {}
 
@@ -271,8 +271,6 @@ private:
     }
   }
 };
-
-using Crossing_finder_2 = Basic_crossing_finder_2<Interval>;
 
 } // namespace Minkowski_sum
 } // namespace internal

@@ -15,13 +15,13 @@ namespace Minkowski_sum {
 // The curvature of an arc, its derivative, and that of the angle of the tangent, by the parameter of the arc, whose
 // derivative is not zero.
 template <Enclosing_number Number>
-struct Basic_curvature_jet
+struct Curvature_jet
 {
   Number curvature, change, turn;
 };
 
 template <Enclosing_number Number>
-Basic_curvature_jet<Number> curvature_jet(const Basic_site_arc_2<Number>& arc, const Range& range)
+Curvature_jet<Number> curvature_jet(const Site_arc_2<Number>& arc, const Range& range)
 {
   const auto x = arc.jet(range, 3);
   const Number square = squared_norm(x[1]), cube = square * CGAL::sqrt(square), cross_product = cross(x[1], x[2]),

@@ -33,7 +33,7 @@ x D' of both arcs tell.
 */
 class Curvature_sign_2
 {
-  using Polynomial = Basic_polynomial_jet<Fine_interval>;
+  using Polynomial = Polynomial_jet<Fine_interval>;
 
   static constexpr double most_width = 0x1p-4;
   static constexpr int most_failures = 128;

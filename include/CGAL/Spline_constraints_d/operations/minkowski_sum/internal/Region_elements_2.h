@@ -35,7 +35,7 @@ Number cross(const std::array<Number, 2>& a, const std::array<Number, 2>& b)
 }
 
 // What moves an arc to another one, possibly with the opposite direction.
-inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc_2& b, bool are_opposite)
+inline std::optional<Exact_pair> translation(const Site_arc_2<>& a, const Site_arc_2<>& b, bool are_opposite)
 {
   const Exact_pair result = exact_difference(b.at(are_opposite ? 1 : 0), a.at(0));
   const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
@@ -55,7 +55,7 @@ inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc
 }
 
 // Whether an arc is another one with the opposite direction, reflected in a point: a(t) + b(1 - t) is one point.
-inline bool are_reflected(const Site_arc_2& a, const Site_arc_2& b)
+inline bool are_reflected(const Site_arc_2<>& a, const Site_arc_2<>& b)
 {
   const Exact_pair p = a.at(0), q = b.at(1), sum{Exact_rational(p[0] + q[0]), Exact_rational(p[1] + q[1])};
   const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
@@ -72,8 +72,8 @@ inline bool are_reflected(const Site_arc_2& a, const Site_arc_2& b)
 
 // The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the
 // derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
-template <Enclosing_number Number>
-struct Basic_tangent_jet
+template <Enclosing_number Number = Interval>
+struct Tangent_jet
 {
   std::array<Number, 2> point, tangent, change;
   Number speed;
@@ -82,11 +82,9 @@ struct Basic_tangent_jet
   Number squared_length() const { return squared_norm(tangent); }
 };
 
-using Tangent_jet = Basic_tangent_jet<Interval>;
-
 // Without the derivative of the tangent, where this is not needed.
 template <Enclosing_number Number>
-Basic_tangent_jet<Number> tangent_jet(const Basic_site_arc_2<Number>& arc, const Range& range, bool has_change = true)
+Tangent_jet<Number> tangent_jet(const Site_arc_2<Number>& arc, const Range& range, bool has_change = true)
 {
   if (arc.has_singular_end()) {
     const auto [tangent, change] = arc.tangent_jet(range);
@@ -118,7 +116,7 @@ The boundaries of a region as cycles of elements. Where the boundary turns to th
 */
 class Region_elements_2
 {
-  using Fine_arc = Basic_site_arc_2<Fine_interval>;
+  using Fine_arc = Site_arc_2<Fine_interval>;
 
   static constexpr double least_width = 0x1p-40;   // of a part that may contain an inflection
 
@@ -127,11 +125,11 @@ class Region_elements_2
   {
     std::once_flag is_made;
     std::optional<Fine_arc> arc;
-    std::optional<Basic_polynomial_jet<Fine_interval>> turn;
+    std::optional<Polynomial_jet<Fine_interval>> turn;
   };
 
   const std::vector<Boundary_loop_2>& m_loops;
-  std::vector<Site_arc_2> m_arcs;
+  std::vector<Site_arc_2<>> m_arcs;
   // the curve that an arc is a piece of, and the parameters at its ends
   std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;
   std::vector<std::size_t> m_previous_arcs, m_next_arcs;                  // along the boundaries
@@ -147,7 +145,7 @@ public:
   }
 
   const std::vector<Boundary_loop_2>& loops() const { return m_loops; }
-  const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
+  const std::vector<Site_arc_2<>>& arcs() const { return m_arcs; }
   const std::vector<Region_element>& elements() const { return m_elements; }
 
   // Along the boundary.
@@ -163,7 +161,7 @@ public:
 
   // On the level of a number type.
   template <Enclosing_number Number>
-  const Basic_site_arc_2<Number>& arc(std::size_t index) const
+  const Site_arc_2<Number>& arc(std::size_t index) const
   {
     if constexpr (std::same_as<Number, Interval>)
       return m_arcs[index];
@@ -173,7 +171,7 @@ public:
 
   // D x D' of an arc, up to a positive factor, by its Bernstein coefficients: with its sign also where the arc is small
   // or nearly straight. For one thread.
-  const Basic_polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
+  const Polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
   {
     Arc_on_demand& result = *m_fine_arcs[arc];
     if (!result.turn)
@@ -238,9 +236,9 @@ private:
 
   void add_parts(std::size_t arc, const Range& range)
   {
-    const Site_arc_2& a = m_arcs[arc];
+    const Site_arc_2<>& a = m_arcs[arc];
     const Exact_pair d0 = direction(arc, range.begin), d1 = direction(arc, range.end);
-    const Tangent_jet jet = tangent_jet(a, range);
+    const Tangent_jet<> jet = tangent_jet(a, range);
     const bool is_regular = certain_sign(squared_norm_of(jet.tangent)) > 0;
     if (a.is_straight() && is_regular)
       return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
@@ -260,7 +258,7 @@ private:
 
   // Where the derivatives do not tell, by the Bernstein coefficients of D x D', above doubles: of an arc that is small
   // or nearly straight the derivatives do not tell over many parts of the least width.
-  int certain_turn(std::size_t arc, const Tangent_jet& jet, const Range& range) const
+  int certain_turn(std::size_t arc, const Tangent_jet<>& jet, const Range& range) const
   {
     constexpr double most_width = 0x1p-4;
     int sign = certain_sign(jet.turn());
@@ -272,7 +270,7 @@ private:
   }
 
   // D x D', up to a positive factor.
-  static Exact_tensor exact_turn(const Site_arc_2& arc)
+  static Exact_tensor exact_turn(const Site_arc_2<>& arc)
   {
     const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
     return d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0);
@@ -280,7 +278,7 @@ private:
 
   // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end
   // of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
-  static int turn_at_end(const Site_arc_2& arc, const Range& range)
+  static int turn_at_end(const Site_arc_2<>& arc, const Range& range)
   {
     const std::vector<Exact_rational> c =
         exact_turn(arc).restricted(0, to_rational(range.begin), to_rational(range.end)).coefficients();

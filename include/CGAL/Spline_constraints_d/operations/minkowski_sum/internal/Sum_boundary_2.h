@@ -214,7 +214,7 @@ private:
           between = hull(p, point);
       bool is_free = true;
       for (std::size_t i = 0; is_free && i < curves().size(); ++i)
-        is_free = i == section.piece || Crossing_finder_2::is_apart(curves()[i], curves()[i].whole(), between);
+        is_free = i == section.piece || Crossing_finder_2<>::is_apart(curves()[i], curves()[i].whole(), between);
       if (!is_free)
         continue;
       if (const CGAL::Uncertain<bool> result = m_interior.contains(p); result.is_certain())

@@ -42,13 +42,13 @@ public:
   Sum_interior_2(const Region_elements_2& first, const Region_elements_2& second) : m_regions{&first, &second}
   {
     for (std::size_t k = 0; k < 2; ++k)
-      for (const Site_arc_2& arc : m_regions[k]->arcs())
+      for (const Site_arc_2<>& arc : m_regions[k]->arcs())
         m_arcs[k].emplace_back(
-          [&arc](const Range& range) {
-            const Tangent_jet jet = tangent_jet(arc, range, false);
-            return Traced_jet{jet.point, jet.tangent, jet.speed, Interval(0)};   // curvatures are not needed
-          },
-          Range{0, 1}, Range{0, 1});
+            [&arc](const Range& range) {
+              const Tangent_jet<> jet = tangent_jet(arc, range, false);
+              return Traced_jet{jet.point, jet.tangent, jet.speed, Interval(0)};   // curvatures are not needed
+            },
+            Range{0, 1}, Range{0, 1});
   }
 
   // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them.
@@ -62,7 +62,7 @@ public:
         const Traced_view_2 first(a), second(b, p);
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
-        for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
+        for (const Crossing_2& crossing : Crossing_finder_2<>(first, second, {}, true)())
           if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) ||
               (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
             return true;
@@ -110,7 +110,7 @@ private:
           const auto [arc, t] = place(k, arcs[k], ranges[k].middle() + way);
           const Interval_pair point = p - m_arcs[k][arc]({t, t}).point;
           const auto is_apart = [&](const Traced_curve_2& curve) {
-            return Crossing_finder_2::is_apart(curve, curve.whole(), point);
+            return Crossing_finder_2<>::is_apart(curve, curve.whole(), point);
           };
           if (std::all_of(m_arcs[1 - k].begin(), m_arcs[1 - k].end(), is_apart) &&
               is_inside(1 - k, {to_rational(point[0].inf()), to_rational(point[1].inf())}))

@@ -21,9 +21,9 @@ namespace internal {
 namespace Voronoi {
 
 // Whether an arc turns by less than a right angle, and its curvature as seen from an element is below some number.
-inline bool is_bent_less(const Site_graph_2& graph, const Element_part& part, std::size_t arc, double curvature)
+inline bool is_bent_less(const Site_graph_2<>& graph, const Element_part<>& part, std::size_t arc, double curvature)
 {
-  const Site_arc_2& x = graph.arcs()[arc];
+  const Site_arc_2<>& x = graph.arcs()[arc];
   const auto [tangent, change] = x.tangent_jet(part.range);
   const Interval square = squared_norm(tangent), turn = dot(part.jet.normal, change),
                  speed = x.has_singular_end() ? x.tangent_factor(part.range) : Interval(1);
@@ -48,13 +48,13 @@ class Cusp_finder_2
   // of the range with the disk, in the width settled, and in that of the cusp
   static constexpr double part_share = 0x1p-4, gap_share = 0x1p-2;
 
-  const Site_graph_2& m_graph;
-  Disk_curvature m_curvature;
+  const Site_graph_2<>& m_graph;
+  Disk_curvature<> m_curvature;
   Cusps_2 m_walls;
-  Disk_candidates m_candidates;   // not behind walls
+  Disk_candidates<> m_candidates;   // not behind walls
 
 public:
-  Cusp_finder_2(const Site_graph_2& graph, const Site_tree_2& tree)
+  Cusp_finder_2(const Site_graph_2<>& graph, const Site_tree_2& tree)
     : m_graph(graph), m_curvature(graph), m_walls(graph), m_candidates(graph, tree, m_curvature, &m_walls)
   {}
   Cusp_finder_2(const Cusp_finder_2&) = delete;   // candidates know the walls of this one
@@ -87,7 +87,7 @@ private:
   std::optional<Located_footpoint> settled(std::size_t element, const Arc_end& own, const Arc_end& other,
                                            std::size_t other_element, double width) const
   {
-    const Element_part all = m_curvature.part(element, range_at(own, width));
+    const Element_part<> all = m_curvature.part(element, range_at(own, width));
     const auto cusp = Cusp_width::of(m_graph, own, other, m_graph.elements()[element].is_reversed == own.is_end, width);
     if (!cusp)
       return std::nullopt;
@@ -110,11 +110,11 @@ private:
                                        double part_width) const
   {
     const Range last = own.is_end ? Range{1 - width, 1 - width + part_width} : Range{width - part_width, width};
-    std::vector<Disk_candidate> candidates = m_candidates.all();
+    std::vector<Disk_candidate<>> candidates = m_candidates.all();
     m_candidates.prune(m_curvature.part(element, last), candidates);
     Range result{other.parameter(), other.parameter()};
-    for (const Disk_candidate& candidate : candidates) {
-      if (candidate.kind != Disk_candidate::Kind::ARC || candidate.index != other.arc ||
+    for (const Disk_candidate<>& candidate : candidates) {
+      if (candidate.kind != Disk_candidate<>::Kind::ARC || candidate.index != other.arc ||
           (own.arc == other.arc && candidate.range.meets(range_at(own, width))))
         return std::nullopt;
       result = united(result, candidate.range);

@@ -37,8 +37,8 @@ struct Cusp_width
   double gap;         // between the arcs at the width, in units of the derivative of X
 
   // With the element of X on the left of it, or on the right; nothing if there is no bound.
-  static std::optional<Cusp_width> of(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, bool is_left,
-                                      double width)
+  static std::optional<Cusp_width> of(const Site_graph_2<>& graph, const Arc_end& own, const Arc_end& other,
+                                      bool is_left, double width)
   {
     const auto ratio = ratio_of_speeds(graph, own, other);
     if (!ratio || *ratio * to_rational(width) > 1)
@@ -69,7 +69,7 @@ struct Cusp_width
 
   // The same where distances from Y are divided by c > 1: the disk in X(u) with a radius of |D| / (c - 1), on either
   // side of X, has Y(c u) inside when scaled. `share` is (c - 1) |N|, at least; there is no gap.
-  static std::optional<Cusp_width> of_scaled(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other,
+  static std::optional<Cusp_width> of_scaled(const Site_graph_2<>& graph, const Arc_end& own, const Arc_end& other,
                                              const Interval& share, double width)
   {
     const auto ratio = ratio_of_speeds(graph, own, other);
@@ -104,7 +104,7 @@ private:
   static Exact_rational to_rational(double x) { return Exact_rational(x); }
 
   // Y(c u) - X(u) up to a width, times both weights, and these.
-  static std::array<Tensor, 4> difference(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other,
+  static std::array<Tensor, 4> difference(const Site_graph_2<>& graph, const Arc_end& own, const Arc_end& other,
                                           const Exact_rational& width, const Exact_rational& ratio)
   {
     const auto [x, y, w] = piece(graph, own, width);
@@ -113,7 +113,7 @@ private:
   }
 
   // Where the arcs have the same speeds in units of their parameters.
-  static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2& graph, const Arc_end& own,
+  static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2<>& graph, const Arc_end& own,
                                                        const Arc_end& other)
   {
     const auto zeros = [&](const Arc_end& end) { return graph.arcs()[end.arc].zeros_of_derivative(end.is_end); };
@@ -128,9 +128,9 @@ private:
   }
 
   // The derivative in an end, or the second one where that is zero.
-  static Exact_pair speed(const Site_graph_2& graph, const Arc_end& end)
+  static Exact_pair speed(const Site_graph_2<>& graph, const Arc_end& end)
   {
-    const Site_arc_2& arc = graph.arcs()[end.arc];
+    const Site_arc_2<>& arc = graph.arcs()[end.arc];
     if (graph.is_regular(end))
       return arc.derivative_at(end.is_end);
     const std::array<Exact_rational, 1> t{Exact_rational(end.is_end)};
@@ -141,7 +141,7 @@ private:
 
   // What the element's normal is perpendicular to, times the square of the weight where that is a derivative, from an
   // end on.
-  static std::array<Tensor, 2> tangent(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
+  static std::array<Tensor, 2> tangent(const Site_graph_2<>& graph, const Arc_end& end, const Exact_rational& width)
   {
     if (graph.is_regular(end)) {
       const auto [x, y, w] = piece(graph, end, width);
@@ -159,7 +159,7 @@ private:
                              Exact_rational(end.is_end ? Exact_rational(1 - width) : width));
   }
 
-  static std::array<Tensor, 3> piece(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
+  static std::array<Tensor, 3> piece(const Site_graph_2<>& graph, const Arc_end& end, const Exact_rational& width)
   {
     std::array<Tensor, 3> result = graph.arcs()[end.arc].piece().coordinates;
     for (Tensor& tensor : result)

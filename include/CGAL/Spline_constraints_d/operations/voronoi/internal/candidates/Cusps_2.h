@@ -47,8 +47,8 @@ class Cusps_2
     bool has_normal_cone = false;             // so that disks touch the vertex not only where they are tangent to arcs
   };
 
-  const Site_graph_2& m_graph;
-  const Scaled_sites* m_scaled;                                    // none, or some sites
+  const Site_graph_2<>& m_graph;
+  const Scaled_sites<>* m_scaled;                                    // none, or some sites
   std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;    // of each element; none if there are no cusps
   bool m_has_cusps = false;
   std::vector<Circle> m_circles;                                   // around each vertex; none if there are no walls
@@ -56,7 +56,8 @@ class Cusps_2
 
 public:
   // Knows the walls, and no sides.
-  explicit Cusps_2(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled)
+  explicit Cusps_2(const Site_graph_2<>& graph, const Scaled_sites<>* scaled = nullptr)
+    : m_graph(graph), m_scaled(scaled)
   {
     const Upward_rounding_guard guard;
     const auto is_cusp = [&](const Arc_end& a, const Arc_end& b) {
@@ -69,7 +70,7 @@ public:
         if (has_cusp || ends.size() > 2)
           add_circle(v);
       }
-    for (const Oriented_element& element : graph.elements())
+    for (const Oriented_element<>& element : graph.elements())
       if (element.is_normal_cone && !m_circles.empty())
         m_circles[element.object].has_normal_cone = true;
   }
@@ -91,7 +92,7 @@ public:
 
   // Whether no disk that touches a part of an element, and has some curvature, touches a range of an arc, for the
   // reasons above.
-  bool hide(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet,
+  bool hide(const Element_part<>& part, std::size_t arc, const Range& range, const Curve_jet<>& jet,
             const Interval& curvature) const
   {
     // away from corners, curvatures tell
@@ -140,10 +141,10 @@ private:
         squared_norm(points - m_graph.vertices()[vertex].point).sup() < squared_radius;
   }
 
-  bool is_behind_wall(const Element_part& part, const Arc_end& end, const Range& range,
+  bool is_behind_wall(const Element_part<>& part, const Arc_end& end, const Range& range,
                       const Interval_pair& points) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<>& element = m_graph.elements()[part.element];
     const std::size_t vertex = m_graph.vertex_of(end);
     if (element.is_normal_cone) {
       if (element.object != vertex || is_scaled(end) || !is_in_circle(end, range, points))
@@ -181,14 +182,14 @@ private:
   }
 
   // Whether the next arc leaves in the same direction on the other side of all others: chords do not lead there.
-  bool is_around_vertex(const Oriented_element& element, const Arc_end& own) const
+  bool is_around_vertex(const Oriented_element<>& element, const Arc_end& own) const
   {
     const std::size_t vertex = m_graph.vertex_of(own);
     return m_circles[vertex].has_one_direction && m_graph.is_last_around_vertex(element, own);
   }
 
   // Whether the disks would be on that side of an arc on which this is settled.
-  bool is_in_front_of(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet,
+  bool is_in_front_of(const Element_part<>& part, const Arc_end& end, const Range& range, const Curve_jet<>& jet,
                       const Interval& curvature) const
   {
     for (const bool is_right : {false, true})
@@ -211,7 +212,7 @@ private:
 
   // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where
   // the element is on a tangent of the arc.
-  Interval normal(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet,
+  Interval normal(const Element_part<>& part, const Arc_end& end, const Range& range, const Curve_jet<>& jet,
                   const Interval& curvature) const
   {
     const Interval_pair way = jet[0] - part.jet.point;
@@ -221,10 +222,10 @@ private:
 
   // The sign of that of an element over the tangents of an arc: in the end of the arc itself it is that of the
   // curvature.
-  Interval height(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  Interval height(const Element_part<>& part, const Arc_end& end, const Range& range, const Curve_jet<>& jet) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    const Site_arc_2& arc = m_graph.arcs()[end.arc];
+    const Oriented_element<>& element = m_graph.elements()[part.element];
+    const Site_arc_2<>& arc = m_graph.arcs()[end.arc];
     if (element.is_normal_cone && element.object == m_graph.vertex_of(end)) {
       const auto [tangent, change] = arc.tangent_jet(united(range, {end.parameter(), end.parameter()}));
       return dot(turned_left(tangent), change);
@@ -232,9 +233,9 @@ private:
     return dot(turned_left(tangent(end, range, jet)), part.jet.point - jet[0]);
   }
 
-  Interval_pair tangent(const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  Interval_pair tangent(const Arc_end& end, const Range& range, const Curve_jet<>& jet) const
   {
-    const Site_arc_2& arc = m_graph.arcs()[end.arc];
+    const Site_arc_2<>& arc = m_graph.arcs()[end.arc];
     return arc.has_singular_end() ? arc.direction_over(range) : jet[1];
   }
 };

@@ -25,26 +25,21 @@ ends, if the graph is planar; so where it goes away from P along the tangent, no
 does, no such disk passes through it.
 */
 template <Enclosing_number Interval>
-class Basic_hidden_arcs
+class Hidden_arcs
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
 
 public:
-  explicit Basic_hidden_arcs(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Hidden_arcs(const Site_graph_2<Interval>& graph) : m_graph(graph) {}
 
   // Whether no disk that touches the part of an element, and has no curve inside, passes through a candidate.
-  bool hold(const Element_part& part, const Disk_candidate& candidate) const
+  bool hold(const Element_part<Interval>& part, const Disk_candidate<Interval>& candidate) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    if (element.is_normal_cone || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == element.object ||
-        !m_graph.is_planar())
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
+    if (element.is_normal_cone || candidate.kind != Disk_candidate<Interval>::Kind::ARC ||
+        candidate.index == element.object || !m_graph.is_planar())
       return false;
     for (const bool own_end : {false, true})
       for (const bool end : {false, true})
@@ -61,7 +56,7 @@ private:
   static Range up_to(const Arc_end& end, double way) { return end.is_end ? Range{1 - way, 1} : Range{0, way}; }
 
   // Whether an arc leaves the common vertex on the side on which the disks of an element are not.
-  bool is_on_other_side(const Oriented_element& element, const Arc_end& own, const Arc_end& other) const
+  bool is_on_other_side(const Oriented_element<Interval>& element, const Arc_end& own, const Arc_end& other) const
   {
     const int side = element.is_reversed == own.is_end ? 1 : -1;   // of the disks, seen from the vertex: 1 left
     const auto direction = [&](const Arc_end& end) {
@@ -75,10 +70,10 @@ private:
 
   // Whether an arc, up to the end of a range, goes along the tangents of the part from the common vertex on, and the
   // arc of the element does so farther.
-  bool is_along(const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  bool is_along(const Element_part<Interval>& part, const Arc_end& own, const Arc_end& other, const Range& range) const
   {
     constexpr double least_way = 1.0 / 8;   // of the arc of the element
-    const Site_arc_2 &x = m_graph.arcs()[own.arc], &y = m_graph.arcs()[other.arc];
+    const Site_arc_2<Interval> &x = m_graph.arcs()[own.arc], &y = m_graph.arcs()[other.arc];
     const double reached = other.is_end ? range.begin : range.end, way = other.is_end ? 1 - reached : reached,
                  least = (std::max)(least_way, own.is_end ? 1 - part.range.begin : part.range.end);
     // what is cut in a rounded parameter may go on behind a crossing

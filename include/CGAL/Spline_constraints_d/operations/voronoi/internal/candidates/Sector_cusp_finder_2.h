@@ -46,12 +46,12 @@ class Sector_cusp_finder_2
     Interval_pair points;   // of the element
   };
 
-  const Site_graph_2& m_graph;
-  Disk_curvature m_curvature;   // with scaled sites
+  const Site_graph_2<>& m_graph;
+  Disk_curvature<> m_curvature;   // with scaled sites
   Interval m_factor;            // c
 
 public:
-  Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature)
+  Sector_cusp_finder_2(const Site_graph_2<>& graph, const Disk_curvature<>& curvature)
     : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites()))
   {}
 
@@ -62,7 +62,7 @@ public:
     if (!result.has_cusps())
       return result;
     for (const std::size_t f : elements)
-      if (const Oriented_element& element = m_graph.elements()[f]; !element.is_normal_cone)
+      if (const Oriented_element<>& element = m_graph.elements()[f]; !element.is_normal_cone)
         for (const bool is_end : {false, true}) {
           const Arc_end own{element.object, is_end};
           if (const std::vector<Arc_end> others = others_beside(element, own); !others.empty())
@@ -83,21 +83,21 @@ private:
     const Cusp_finder_2 finder(m_graph, tree);
     for (std::size_t f = 0; f < m_graph.elements().size(); ++f)
       for (const bool is_end : {false, true})
-        if (const Oriented_element& element = m_graph.elements()[f];
+        if (const Oriented_element<>& element = m_graph.elements()[f];
             !element.is_normal_cone && m_curvature.is_arc_scaled(element.object))
           if (const auto other = m_graph.across_cusp(element, {element.object, is_end});
               other && m_curvature.is_arc_scaled(other->arc))
             result.set_side(f, is_end, finder.side(f, {element.object, is_end}));
   }
 
-  static Interval factor(const Scaled_sites& sites)
+  static Interval factor(const Scaled_sites<>& sites)
   {
     const Upward_rounding_guard guard;
     return CGAL::sqrt(interval_of(sites.squared_factor));
   }
 
   // Those that leave in the same direction, but not an arc behind, if it is the only one and not scaled.
-  std::vector<Arc_end> others_beside(const Oriented_element& element, const Arc_end& own) const
+  std::vector<Arc_end> others_beside(const Oriented_element<>& element, const Arc_end& own) const
   {
     std::vector<Arc_end> result;
     for (const Arc_end& end : m_graph.vertices()[m_graph.vertex_of(own)].ends)
@@ -120,9 +120,9 @@ private:
   // The footpoint of all disks that touch the element nearer to the vertex than some width, if that is proved.
   std::optional<Located_footpoint> settled(std::size_t f, const Arc_end& own, const Arc_end& other, double width) const
   {
-    const Oriented_element& element = m_graph.elements()[f];
+    const Oriented_element<>& element = m_graph.elements()[f];
     const bool is_scaled = m_curvature.is_arc_scaled(other.arc);
-    const Element_part part = m_curvature.part(f, range_at(own, width));
+    const Element_part<> part = m_curvature.part(f, range_at(own, width));
     const Interval square = squared_norm(part.jet.normal),
                    normal = CGAL::sqrt(square.inf() > 0 ? square : Interval(0, square.sup()));
     const auto cusp = is_scaled ? Cusp_width::of_scaled(m_graph, own, other, (m_factor - Interval(1)) * normal, width)

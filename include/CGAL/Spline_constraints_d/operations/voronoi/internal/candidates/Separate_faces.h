@@ -27,21 +27,17 @@ of the element, there is no such disk. In the end of the arc, the chord begins i
 and these have that end as well: it is left to them if the arc is not one of them, or to the other one if that is seen
 from the side of the element.
 */
-template <Enclosing_number Interval>
-class Basic_separate_faces
+template <Enclosing_number Interval = Common::Interval>
+class Separate_faces
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
   bool m_is_planar;
 
 public:
   // With scaled sites, curves may be in disks that touch others.
-  Basic_separate_faces(const Site_graph_2& graph, bool are_any_scaled)
+  Separate_faces(const Site_graph_2<Interval>& graph, bool are_any_scaled)
     : m_graph(graph), m_is_planar(graph.is_planar() && !are_any_scaled)
   {}
 
@@ -53,11 +49,12 @@ public:
 
   // Whether all disks that touch the part of an element, and pass through a candidate, have the chord on a side of the
   // arc where the element is not; with the middle of the part.
-  bool hold(const Element_part& part, const Element_part& middle, const Disk_candidate& candidate) const
+  bool hold(const Element_part<Interval>& part, const Element_part<Interval>& middle,
+            const Disk_candidate<Interval>& candidate) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const std::size_t arc = candidate.index;
-    if (!m_is_planar || candidate.kind != Disk_candidate::Kind::ARC ||
+    if (!m_is_planar || candidate.kind != Disk_candidate<Interval>::Kind::ARC ||
         (!element.is_normal_cone && element.object == arc))
       return false;
     const bool is_on_left = may_see(part.element, arc, true), is_on_right = may_see(part.element, arc, false);
@@ -76,31 +73,31 @@ public:
 private:
   bool may_see(std::size_t element, std::size_t arc, bool is_left) const
   {
-    const Oriented_element &a = m_graph.elements()[element], &b = m_graph.elements()[2 * arc + !is_left];
+    const Oriented_element<Interval> &a = m_graph.elements()[element], &b = m_graph.elements()[2 * arc + !is_left];
     return a.component != b.component || a.cycle == b.cycle;
   }
 
   // Whether the way from points of an arc to those of an element turns left from a vector, 1, or right, -1; by mean
   // values, as elements and arcs nearly have one direction.
-  int turn_to_element(const Interval_pair& vector, const Element_part& part, const Element_part& middle,
-                      std::size_t arc, const Range& range) const
+  int turn_to_element(const Interval_pair& vector, const Element_part<Interval>& part,
+                      const Element_part<Interval>& middle, std::size_t arc, const Range& range) const
   {
     const Interval_pair normal = turned_left(vector);
     const double v = range.middle();
-    const Basic_curve_jet<Interval> jet = m_graph.arcs()[arc].jet(range, 1),
-                                    jet_in_middle = range.is_number() ? jet : m_graph.arcs()[arc].jet({v, v}, 1);
+    const Curve_jet<Interval> jet = m_graph.arcs()[arc].jet(range, 1),
+                              jet_in_middle = range.is_number() ? jet : m_graph.arcs()[arc].jet({v, v}, 1);
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
                    shift_v = interval_of<Interval>(range) - Interval(v);
     return certain_sign(shift_u * dot(normal, part.jet.point_derivative) - shift_v * dot(normal, jet[1]) -
-                        dot(normal, Basic_element_ways<Interval>(m_graph).to_arc(middle, arc, {v, v}, jet_in_middle)));
+                        dot(normal, Element_ways<Interval>(m_graph).to_arc(middle, arc, {v, v}, jet_in_middle)));
   }
 
   // Whether the chords to the end of an arc begin outside of the angle between this and the next arc around the vertex,
   // which comes counterclockwise, or clockwise; or on the side of the next one where the angle is.
-  bool is_left_to_others(const Element_part& part, const Element_part& middle, const Arc_end& end,
+  bool is_left_to_others(const Element_part<Interval>& part, const Element_part<Interval>& middle, const Arc_end& end,
                          bool is_counterclockwise) const
   {
-    const Oriented_element& side = m_graph.elements()[2 * end.arc + (is_counterclockwise == end.is_end)];
+    const Oriented_element<Interval>& side = m_graph.elements()[2 * end.arc + (is_counterclockwise == end.is_end)];
     const Arc_end& next = m_graph.next_around_vertex(side, end);
     if (next == end)
       return false;
@@ -118,8 +115,6 @@ private:
         (angle < 0 && turn_from_next > 0 && turn(first) < 0);
   }
 };
-
-using Separate_faces = Basic_separate_faces<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

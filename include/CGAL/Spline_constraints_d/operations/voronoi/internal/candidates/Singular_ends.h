@@ -23,29 +23,24 @@ from the element with the normal N in a point X(u), which is perpendicular to D(
 and <N, D(s)> = (s - u) <N, D'> for some D' between: where <N, D'> <= 0, all of the arc is behind the line through X
 that is perpendicular to N, and no disk that touches the element passes through it.
 */
-template <Enclosing_number Interval>
-class Basic_singular_ends
+template <Enclosing_number Interval = Common::Interval>
+class Singular_ends
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
 
 public:
-  explicit Basic_singular_ends(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Singular_ends(const Site_graph_2<Interval>& graph) : m_graph(graph) {}
 
   // Whether no disk that touches the part of an element passes through a candidate, as this is behind it.
-  bool is_behind(const Element_part& part, const Disk_candidate& candidate) const
+  bool is_behind(const Element_part<Interval>& part, const Disk_candidate<Interval>& candidate) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    if (candidate.kind == Disk_candidate::Kind::VERTEX)
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
+    if (candidate.kind == Disk_candidate<Interval>::Kind::VERTEX)
       return !element.is_normal_cone && is_singular(element.object) &&
           is_vertex_behind(part, element.object, candidate.index);
-    if (candidate.kind != Disk_candidate::Kind::ARC ||
+    if (candidate.kind != Disk_candidate<Interval>::Kind::ARC ||
         !(is_singular(candidate.index) || (!element.is_normal_cone && is_singular(element.object))))
       return false;
     if (!element.is_normal_cone && element.object == candidate.index)
@@ -58,12 +53,12 @@ public:
 
   // A lower bound of the curvature <N, D'> / (m |D|^2) of the arc of an element: of disks that touch it and pass
   // through a point next to that.
-  double own_curvature(const Element_part& part) const
+  double own_curvature(const Element_part<Interval>& part) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     if (element.is_normal_cone || !is_singular(element.object))
       return 0;
-    const Site_arc_2& arc = m_graph.arcs()[element.object];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[element.object];
     const auto [direction, change] = arc.tangent_jet(part.range);
     const double bend = dot(part.jet.normal, change).inf();
     return bend > 0
@@ -75,12 +70,12 @@ private:
   bool is_singular(std::size_t arc) const { return m_graph.arcs()[arc].has_singular_end(); }
 
   // Whether <N, D'> <= 0 on a range of an arc.
-  bool bends_away(const Element_part& part, std::size_t arc, const Range& range) const
+  bool bends_away(const Element_part<Interval>& part, std::size_t arc, const Range& range) const
   {
     return dot(part.jet.normal, m_graph.arcs()[arc].tangent_jet(range)[1]).sup() <= 0;
   }
 
-  bool is_vertex_behind(const Element_part& part, std::size_t arc, std::size_t vertex) const
+  bool is_vertex_behind(const Element_part<Interval>& part, std::size_t arc, std::size_t vertex) const
   {
     for (const bool is_end : {false, true})
       if (const Arc_end end{arc, is_end}; m_graph.vertex_of(end) == vertex &&
@@ -91,9 +86,9 @@ private:
 
   // From the normals of a normal cone, all arcs at its vertex begin behind it. From those of an arc that ends in the
   // same vertex p, Y - X = (Y - p) + (p - X).
-  bool is_behind_at_end(const Element_part& part, const Arc_end& end, const Range& range) const
+  bool is_behind_at_end(const Element_part<Interval>& part, const Arc_end& end, const Range& range) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
     const std::size_t vertex = m_graph.vertex_of(end);
     if (element.is_normal_cone)
@@ -108,10 +103,10 @@ private:
 
   // Whether <N(u), B(s)> <= 0 for the outgoing directions B of an arc; also where these are perpendicular in the
   // vertex: it is <N(0), B(0)> + u <N', B(s)> + s <N(0), B'>, with the distances u and s from the vertex.
-  bool is_beyond_vertex_behind(const Element_part& part, const Arc_end& own, const Arc_end& end,
+  bool is_beyond_vertex_behind(const Element_part<Interval>& part, const Arc_end& own, const Arc_end& end,
                                const Range& to_vertex) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const double u = own.parameter();
     const auto [direction, change] = m_graph.arcs()[end.arc].tangent_jet(to_vertex);
     const Interval_pair b = Interval(end.is_end ? -1 : 1) * direction,
@@ -123,8 +118,6 @@ private:
         dot(turn, b).sup() <= 0 && dot(m_graph.element_jet(element, {u, u}).normal, change).sup() <= 0;
   }
 };
-
-using Singular_ends = Basic_singular_ends<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -31,7 +31,7 @@ struct Bisected_operands
   Bisected_operands(const A& a, const B& b) : places{add(a), add(b)} {}
 
   // Whether an operand passes through a vertex or ends there.
-  bool is_at(std::size_t operand, const Site_graph_2& graph, const Site_graph_2::Vertex& vertex) const
+  bool is_at(std::size_t operand, const Site_graph_2<>& graph, const Site_graph_2<>::Vertex& vertex) const
   {
     const auto& [is_point, index] = places[operand];
     if (is_point)
@@ -40,7 +40,7 @@ struct Bisected_operands
                        [&graph, i = index](const Arc_end& end) { return graph.is_part_of(end.arc, i); });
   }
 
-  bool is_on(std::size_t operand, const Site_graph_2& graph, std::size_t arc) const
+  bool is_on(std::size_t operand, const Site_graph_2<>& graph, std::size_t arc) const
   {
     return !places[operand].first && graph.is_part_of(arc, places[operand].second);
   }

@@ -64,7 +64,7 @@ public:
   };
 
 private:
-  const Site_graph_2& m_graph;
+  const Site_graph_2<>& m_graph;
   std::shared_ptr<const Fine_level> m_fine_level;   // of the graph
   Envelope_arc_disks m_disks;
   std::vector<std::size_t> m_elements;                       // those it is made of
@@ -76,9 +76,9 @@ private:
 
 public:
   // The elements are all, or those of some cycles; others have no envelope arcs.
-  Disk_diagram(const Site_graph_2& graph, std::shared_ptr<const Fine_level> fine_level,
+  Disk_diagram(const Site_graph_2<>& graph, std::shared_ptr<const Fine_level> fine_level,
                std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs)
-    : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature(graph), *m_fine_level),
+    : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature<>(graph), *m_fine_level),
       m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs))
   {
     const Upward_rounding_guard guard;
@@ -115,8 +115,8 @@ public:
   bool is_complete() const { return m_graph.is_proved() && unresolved_parts().empty(); }
 
   const Envelope_arc& envelope_arc(const Part& part) const { return m_envelope_arcs[part.element][part.envelope_arc]; }
-  const Oriented_element& element(const Part& part) const { return m_graph.elements()[part.element]; }
-  const Oriented_element& element(const Halfedge& h) const { return element(h.parts.front()); }
+  const Oriented_element<>& element(const Part& part) const { return m_graph.elements()[part.element]; }
+  const Oriented_element<>& element(const Halfedge& h) const { return element(h.parts.front()); }
   const Disk_footpoint& footpoint(const Halfedge& h) const { return envelope_arc(h.parts.front()).footpoint; }
   bool is_at_infinity(const Halfedge& h) const { return footpoint(h).kind == Disk_footpoint::Kind::NOTHING; }
 
@@ -212,7 +212,7 @@ private:
   // Whether a part begins where another one ends, in the next normal cone of the same vertex.
   bool goes_on(const Part& before, const Part& after) const
   {
-    const Oriented_element &a = element(before), &b = element(after);
+    const Oriented_element<> &a = element(before), &b = element(after);
     return a.is_normal_cone && b.is_normal_cone && a.object == b.object && a.next == after.element &&
         before.element != after.element && envelope_arc(before).footpoint == envelope_arc(after).footpoint &&
         envelope_arc(before).range.end == 1 && envelope_arc(before).events[1] == Disk_event::NONE &&
@@ -319,7 +319,7 @@ private:
 
   // The halfedge of the only envelope arc with a footpoint on an element that may hold a parameter. Events are
   // somewhere between the ranges of their envelope arcs.
-  std::size_t halfedge_at(const Touched_element& touched, const Oriented_element& other) const
+  std::size_t halfedge_at(const Touched_element& touched, const Oriented_element<>& other) const
   {
     const std::vector<Envelope_arc>& envelope_arcs = m_envelope_arcs[touched.element];
     std::size_t result = none;
@@ -388,7 +388,7 @@ private:
 // The diagram of a graph of curves, on all elements, or on those of some cycles. With a tag for parallel work, elements
 // are handed to all cores.
 template <class Concurrency_tag>
-Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> elements, const std::string& operation)
+Disk_diagram disk_diagram(const Site_graph_2<>& graph, std::vector<std::size_t> elements, const std::string& operation)
 {
   check_magnitude(graph, operation);
   const Site_tree_2 tree(graph);
@@ -397,13 +397,13 @@ Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> el
   std::vector<std::vector<Envelope_arc>> envelope_arcs(graph.elements().size());
   parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    envelope_arcs[elements[i]] = Maximal_disks(graph, tree, cusps, fine_level.get())(elements[i]);
+    envelope_arcs[elements[i]] = Maximal_disks<>(graph, tree, cusps, fine_level.get())(elements[i]);
   });
   return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs));
 }
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>,
+extern template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2<>&, std::vector<std::size_t>,
                                                                 const std::string&);
 #endif
 

@@ -34,16 +34,16 @@ class Edge_samples
   using Part = Disk_diagram::Part;
   using Bounds = std::array<double, 2>;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<>& m_graph;
   const Disk_diagram& m_diagram;
 
 public:
-  Edge_samples(const Site_graph_2& graph, const Disk_diagram& diagram) : m_graph(graph), m_diagram(diagram) {}
+  Edge_samples(const Site_graph_2<>& graph, const Disk_diagram& diagram) : m_graph(graph), m_diagram(diagram) {}
 
   // The disk that touches the element of a part in a point.
   Sample operator()(const Part& part, double u) const
   {
-    const Oriented_element& element = m_diagram.element(part);
+    const Oriented_element<>& element = m_diagram.element(part);
     const Disk_footpoint& footpoint = m_diagram.envelope_arc(part).footpoint;
     const Envelope_arc_disks::Disk disk = m_diagram.estimated_disk(part, u);
     const std::array<double, 2> parameters{
@@ -51,7 +51,7 @@ public:
         curve_parameter(footpoint.kind == Disk_footpoint::Kind::VERTEX, footpoint.index, disk.parameter)};
     if (disk.is_point)
       return {middle(disk.center), 0, parameters, {0, 0}};
-    const Element_jet x = m_graph.element_jet(element, {u, u});
+    const Element_jet<> x = m_graph.element_jet(element, {u, u});
     const Interval radius = radius_of_disk(x.normal, disk.bounds);
     const Bounds bounds{radius.inf(), radius.sup()};
     if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf()))   // a corner
@@ -119,7 +119,7 @@ private:
   // rounding.
   Sample with_radius(const Part& part, double u, double radius, const Sample& smaller, const Sample& larger) const
   {
-    const Element_jet x = m_graph.element_jet(m_diagram.element(part), {u, u});
+    const Element_jet<> x = m_graph.element_jet(m_diagram.element(part), {u, u});
     const bool is_between = smaller.radius_bounds[1] <= radius && radius <= larger.radius_bounds[0];
     const Bounds bounds = is_between ? Bounds{radius, radius}
                                      : Bounds{(std::min)(smaller.radius_bounds[0], larger.radius_bounds[0]),
@@ -128,7 +128,7 @@ private:
             bounds};
   }
 
-  static Interval_pair with_curvature(const Element_jet& x, const Interval& k)
+  static Interval_pair with_curvature(const Element_jet<>& x, const Interval& k)
   {
     return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k};
   }

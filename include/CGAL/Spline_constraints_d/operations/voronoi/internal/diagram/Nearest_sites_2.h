@@ -38,12 +38,9 @@ is within the arc it is left to the next range, else to the vertex. Where it is 
 the mean value form encloses it well.
 */
 template <Enclosing_number Interval>
-class Basic_nearest_sites
+class Nearest_sites
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
 
   using Kind = Candidate_kind;
 
@@ -54,7 +51,7 @@ class Basic_nearest_sites
     Interval squared_distance{};
   };
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
   const Site_tree_2& m_tree;
   Interval_pair m_point;
   Interval m_least{0, std::numeric_limits<double>::infinity()};   // squared distance
@@ -62,8 +59,8 @@ class Basic_nearest_sites
 
 public:
   // Among some parts of the sites.
-  Basic_nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_pair& point,
-                      const std::vector<Near_part>& parts)
+  Nearest_sites(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Exact_pair& point,
+                const std::vector<Near_part>& parts)
     : m_graph(graph), m_tree(tree), m_point(interval_pair_of<Interval>(point))
   {
     for (const Near_part& part : parts)
@@ -124,9 +121,9 @@ private:
       return squared_norm(Interval_pair{m_tree.node(part.index).box[0], m_tree.node(part.index).box[1]} - m_point);
     if (part.kind == Kind::VERTEX)
       return squared_norm(m_graph.vertices()[part.index].point - m_point);
-    const Site_arc_2& arc = m_graph.arcs()[part.index];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[part.index];
     const double middle = part.range.middle();
-    const Curve_jet jet = arc.jet(part.range, 1);
+    const Curve_jet<Interval> jet = arc.jet(part.range, 1);
     const Interval_pair way = jet[0] - m_point;
     return common_part(squared_norm(way),
                        squared_norm(arc.point({middle, middle}) - m_point) +
@@ -158,7 +155,7 @@ private:
   bool split_arc(const Candidate& candidate, std::vector<Candidate>& parts)
   {
     const auto& [begin, end] = candidate.range;
-    const Site_arc_2& arc = m_graph.arcs()[candidate.index];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[candidate.index];
     const int slope = certain_sign(dot(arc.point(candidate.range) - m_point, arc.direction_over(candidate.range)));
     if (slope != 0) {
       if (slope < 0 ? end == 1 : begin == 0)
@@ -178,16 +175,15 @@ private:
 
 // The sites that are nearest to a point: one, if it is proved; all that may be, if it is not. What doubles do not tell
 // apart is decided on the fine level.
-inline std::vector<std::size_t> nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree,
+inline std::vector<std::size_t> nearest_sites(const Site_graph_2<>& graph, const Site_tree_2& tree,
                                               const Fine_level& fine_level, const Exact_pair& point)
 {
   if (tree.empty())
     return {};
-  const Basic_nearest_sites<Interval> in_doubles(graph, tree, point, {{Candidate_kind::NODE, 0}});
+  const Nearest_sites<Interval> in_doubles(graph, tree, point, {{Candidate_kind::NODE, 0}});
   const std::vector<std::size_t> result = in_doubles.sites();
-  return result.size() > 1
-      ? Basic_nearest_sites<Fine_interval>(fine_level.graph(), tree, point, in_doubles.parts()).sites()
-      : result;
+  return result.size() > 1 ? Nearest_sites<Fine_interval>(fine_level.graph(), tree, point, in_doubles.parts()).sites()
+                           : result;
 }
 
 } // namespace Voronoi

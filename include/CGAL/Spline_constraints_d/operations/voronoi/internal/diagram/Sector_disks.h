@@ -49,17 +49,17 @@ public:
   };
 
 private:
-  std::shared_ptr<const Site_graph_2> m_graph;
-  std::shared_ptr<const Scaled_sites> m_scaled;
+  std::shared_ptr<const Site_graph_2<>> m_graph;
+  std::shared_ptr<const Scaled_sites<>> m_scaled;
   std::shared_ptr<const Fine_level> m_fine_level;   // of both
-  Disk_curvature m_curvature;
+  Disk_curvature<> m_curvature;
   Envelope_arc_disks m_disks;
   std::vector<std::vector<Envelope_arc>> m_envelope_arcs;   // of each element
   Free_chains m_free;
 
 public:
   // With the envelope arcs of the elements of A.
-  Sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled,
+  Sector_disks(std::shared_ptr<const Site_graph_2<>> graph, std::shared_ptr<const Scaled_sites<>> scaled,
                std::shared_ptr<const Fine_level> fine_level, const std::vector<std::size_t>& elements,
                std::vector<std::vector<Envelope_arc>> envelope_arcs)
     : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_fine_level(std::move(fine_level)),
@@ -67,8 +67,8 @@ public:
       m_envelope_arcs(std::move(envelope_arcs)), m_free(free_chains(elements))
   {}
 
-  const Site_graph_2& graph() const { return *m_graph; }
-  const Oriented_element& element(const Arc& arc) const { return m_graph->elements()[arc.element]; }
+  const Site_graph_2<>& graph() const { return *m_graph; }
+  const Oriented_element<>& element(const Arc& arc) const { return m_graph->elements()[arc.element]; }
   const std::vector<Free_chains::Chain>& chains() const { return m_free.chains(); }
   std::vector<Undecided_part_2> undecided() const { return undecided_parts(*m_graph, m_free.undecided()); }
 
@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  static Interval_pair center(const Element_part& part, const Interval& k)
+  static Interval_pair center(const Element_part<>& part, const Interval& k)
   {
     return {part.jet.point[0] + part.jet.normal[0] / k, part.jet.point[1] + part.jet.normal[1] / k};
   }
@@ -120,7 +120,7 @@ private:
     for (const std::size_t element : elements)
       ranges[element] = free_ranges(element);
     return {*m_graph, std::move(ranges), [&](std::size_t element, const Free_end& end) {
-              const Element_part part = m_curvature.part(element, end.location);
+              const Element_part<> part = m_curvature.part(element, end.location);
               const std::size_t index = end.footpoint.index;
               return center(part,
                             end.footpoint.kind == Disk_footpoint::Kind::ARC
@@ -131,7 +131,7 @@ private:
             }};
   }
 
-  bool is_at_scaled_vertex(const Oriented_element& element, bool is_end) const
+  bool is_at_scaled_vertex(const Oriented_element<>& element, bool is_end) const
   {
     return !element.is_normal_cone && m_curvature.is_vertex_scaled(m_graph->vertex_of({element.object, is_end}));
   }
@@ -178,7 +178,7 @@ private:
     const Range location = is_end ? Range{u, other.range.begin} : Range{other.range.end, u};
     if (other.footpoint.kind != Disk_footpoint::Kind::ARC && other.footpoint.kind != Disk_footpoint::Kind::VERTEX)
       return {Free_end::Kind::UNDECIDED, location};
-    const Element_part part = m_curvature.part(element, location);
+    const Element_part<> part = m_curvature.part(element, location);
     return {Free_end::Kind::CONTACT, location, other.footpoint,
             largest_curvature(*m_graph, m_curvature, part, other.located(is_end ? other.range.begin : other.range.end))
                 .range};
@@ -187,25 +187,25 @@ private:
 
 // With a tag for parallel work, elements are handed to all cores.
 template <class Concurrency_tag>
-Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled,
+Sector_disks sector_disks(std::shared_ptr<const Site_graph_2<>> graph, std::shared_ptr<const Scaled_sites<>> scaled,
                           const std::vector<std::size_t>& elements)
 {
   check_magnitude(*graph, "trimmed_alpha_sector");
   const Site_tree_2 tree(*graph, scaled->points(*graph));
-  const Disk_curvature curvature(*graph, scaled.get());
+  const Disk_curvature<> curvature(*graph, scaled.get());
   const auto fine_level = std::make_shared<const Fine_level>(*graph, scaled.get());
   const Cusps_2 cusps = Sector_cusp_finder_2(*graph, curvature)(elements);
   std::vector<std::vector<Envelope_arc>> envelope_arcs(graph->elements().size());
   parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    envelope_arcs[elements[i]] = Maximal_disks(*graph, tree, curvature, &cusps, fine_level.get())(elements[i]);
+    envelope_arcs[elements[i]] = Maximal_disks<>(*graph, tree, curvature, &cusps, fine_level.get())(elements[i]);
   });
   return Sector_disks(std::move(graph), std::move(scaled), fine_level, elements, std::move(envelope_arcs));
 }
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
-                                                                std::shared_ptr<const Scaled_sites>,
+extern template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>,
+                                                                std::shared_ptr<const Scaled_sites<>>,
                                                                 const std::vector<std::size_t>&);
 #endif
 

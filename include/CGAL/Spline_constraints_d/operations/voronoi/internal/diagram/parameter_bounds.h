@@ -17,7 +17,7 @@ namespace Voronoi {
 
 // Bounds of the parameters of a range of an arc, of its curve; of an arc with ends that are not known exactly, with all
 // errors.
-inline std::array<double, 2> parameter_bounds(const Site_arc_2& arc, const Range& range)
+inline std::array<double, 2> parameter_bounds(const Site_arc_2<>& arc, const Range& range)
 {
   const auto& [first, last] = arc.piece().domain;
   const Interval error = interval_of<Interval>(arc.error()), begin = interval_of<Interval>(first),

@@ -23,7 +23,7 @@ namespace Voronoi {
 
 // The sites of a diagram: the arcs of a graph, and behind them its vertices, with the region of each vertex.
 template <SplineKernel Kernel>
-std::vector<Voronoi_site_2<Kernel>> voronoi_sites(const Site_graph_2& graph, const std::vector<std::size_t>& regions)
+std::vector<Voronoi_site_2<Kernel>> voronoi_sites(const Site_graph_2<>& graph, const std::vector<std::size_t>& regions)
 {
   using Point = typename Kernel::Point_2;
   std::vector<Voronoi_site_2<Kernel>> result;

@@ -30,13 +30,9 @@ difference of large numbers. With the center C, the radius R and W = X - C,
   a sum of terms that are known well where X is near the circle, and N nearly points to C.
 */
 template <Enclosing_number Interval>
-class Basic_circle_disks
+class Circle_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Element_jet = Basic_element_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
   // of |Q|^2 and |N|^2 where disks are nearly concentric with the circle
   static constexpr double most_ratio = 1.0 / 64;
@@ -50,9 +46,9 @@ class Basic_circle_disks
 
 public:
   // Of an element on a circle.
-  static Basic_circle_disks of_element(const Element_jet& x, const Site_arc_2& circle)
+  static Circle_disks of_element(const Element_jet<Interval>& x, const Site_arc_2<Interval>& circle)
   {
-    Basic_circle_disks result(circle, true);
+    Circle_disks result(circle, true);
     const Interval length = CGAL::sqrt(squared_norm(x.normal));
     result.m_curvature = length / result.m_radius;
     result.m_curvature_derivative = dot(x.normal, x.normal_derivative) / (length * result.m_radius);
@@ -60,12 +56,12 @@ public:
   }
 
   // Of points on a circle around one point of the element; nothing if the disk is not nearly concentric with that.
-  static std::optional<Basic_circle_disks> of_points(const Element_jet& x, const Site_arc_2& circle)
+  static std::optional<Circle_disks> of_points(const Element_jet<Interval>& x, const Site_arc_2<Interval>& circle)
   {
     // most are not inside: this is cheap
     if (!(squared_norm(x.point - circle.center()).sup() < circle.squared_radius().inf()))
       return std::nullopt;
-    Basic_circle_disks result(circle, false);
+    Circle_disks result(circle, false);
     return result.set_disk_through_points(x, result.quotient_of_points(x)) &&
             CGAL::square(result.m_way).sup() < (Interval(most_ratio) * squared_norm(x.normal)).inf()
         ? std::optional(result)
@@ -74,9 +70,10 @@ public:
 
   // The same over a part of the element, by mean value forms around that point; nothing if the part is too long for
   // them.
-  std::optional<Basic_circle_disks> over(const Element_jet& x, const Element_jet& middle, const Interval& shift) const
+  std::optional<Circle_disks> over(const Element_jet<Interval>& x, const Element_jet<Interval>& middle,
+                                   const Interval& shift) const
   {
-    Basic_circle_disks result = *this;
+    Circle_disks result = *this;
     if (!result.set_disk_through_points(x,
                                         quotient_of_points(x).around(quotient_of_points(middle), shift, Interval(0))))
       return std::nullopt;
@@ -95,8 +92,8 @@ public:
 
   // Replaces f and its derivatives in the quotient of k by those of k - K, for a point Y with the derivative m T, where
   // T' is known.
-  Curvature_quotient difference(Curvature_quotient k, const Interval_pair& point, const Interval_pair& tangent,
-                                const Interval_pair& change) const
+  Curvature_quotient<Interval> difference(Curvature_quotient<Interval> k, const Interval_pair& point,
+                                          const Interval_pair& tangent, const Interval_pair& change) const
   {
     const Interval two(2);
     const Interval_pair from_center = point - m_center;
@@ -119,16 +116,16 @@ public:
   }
 
 private:
-  Basic_circle_disks(const Site_arc_2& circle, bool is_element)
+  Circle_disks(const Site_arc_2<Interval>& circle, bool is_element)
     : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_element(is_element)
   {}
 
   // K = 2 (R |N| + <W, N>) / (R^2 - |W|^2).
-  Curvature_quotient quotient_of_points(const Element_jet& x) const
+  Curvature_quotient<Interval> quotient_of_points(const Element_jet<Interval>& x) const
   {
     const Interval two(2), length = CGAL::sqrt(squared_norm(x.normal));
     const Interval_pair w = x.point - m_center;
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.f = two * (m_radius * length + dot(w, x.normal));
     k.fu = two * (m_radius * dot(x.normal, x.normal_derivative) / length + dot(w, x.normal_derivative));
     k.q = CGAL::square(m_radius) - squared_norm(w);
@@ -137,7 +134,7 @@ private:
   }
 
   // With what the quotient tells of K, more over long parts than the sum does. Returns whether all numbers are known.
-  bool set_disk_through_points(const Element_jet& x, const Curvature_quotient& quotient)
+  bool set_disk_through_points(const Element_jet<Interval>& x, const Curvature_quotient<Interval>& quotient)
   {
     const Interval two(2), n = CGAL::sqrt(squared_norm(x.normal)), n_u = dot(x.normal, x.normal_derivative) / n;
     const Interval_pair w = x.point - m_center;
@@ -153,7 +150,7 @@ private:
     m_way = n * q / CGAL::square(sum) + two * m_radius * CGAL::square(c) / (q * m);
     m_way_derivative = (n_u * q + n * q_u - two * n * q * l_u / sum) / CGAL::square(sum) +
         tilt * (two * c_u - c * (q_u / q + m_u / m));
-    const Curvature_bounds k = quotient.bounds();
+    const Curvature_bounds<Interval> k = quotient.bounds();
     m_curvature = common_part(k.value, (m_way + n) / m_radius);
     m_curvature_derivative = common_part(k.du, (m_way_derivative + n_u) / m_radius);
     m_way = common_part(m_way, m_curvature * m_radius - n);

@@ -23,29 +23,21 @@ namespace Voronoi {
 What is known of the disks that touch an element and pass through points of an arc, where the element begins or ends in
 an end of the arc (see Disk_curvature, for the notation, too).
 */
-template <Enclosing_number Interval>
-class Basic_common_vertex_disks
+template <Enclosing_number Interval = Common::Interval>
+class Common_vertex_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
 
 public:
-  explicit Basic_common_vertex_disks(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Common_vertex_disks(const Site_graph_2<Interval>& graph) : m_graph(graph) {}
 
   // Adds it to bounds, for a part of an element and a range of the arc.
-  void add(Curvature_bounds& result, const Element_part& part, const Arc_end& end, const Range& range) const
+  void add(Curvature_bounds<Interval>& result, const Element_part<Interval>& part, const Arc_end& end,
+           const Range& range) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const std::size_t vertex = m_graph.vertex_of(end);
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
     if (element.is_normal_cone) {
@@ -58,7 +50,7 @@ public:
       if (m_graph.vertex_of(own) != vertex || own == end)
         continue;
       const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
-      const Smooth_continuation* next = m_graph.continuations(own).smooth_at(end);
+      const Smooth_continuation<Interval>* next = m_graph.continuations(own).smooth_at(end);
       if (next != nullptr && m_graph.is_regular(own) && m_graph.is_regular(end))
         result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *next, to_vertex));
       else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
@@ -70,8 +62,8 @@ public:
 
 private:
   // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
-  Interval across_smooth_joint(const Element_part& part, const Arc_end& own, const Range& own_range,
-                               const Smooth_continuation& continuation, const Range& range) const
+  Interval across_smooth_joint(const Element_part<Interval>& part, const Arc_end& own, const Range& own_range,
+                               const Smooth_continuation<Interval>& continuation, const Range& range) const
   {
     return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio,
                         Interval(0));
@@ -81,8 +73,9 @@ private:
   The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2.
   It is large only in a small neighbourhood of the vertex, where J is small.
   */
-  Interval across_nearly_smooth_joint(const Element_part& part, const Arc_end& own,
-                                      const Nearly_smooth_continuation& continuation, const Range& range) const
+  Interval across_nearly_smooth_joint(const Element_part<Interval>& part, const Arc_end& own,
+                                      const Nearly_smooth_continuation<Interval>& continuation,
+                                      const Range& range) const
   {
     const Interval scale(continuation.scale);
     const double a = distance(own, part.range).inf();
@@ -96,10 +89,11 @@ private:
     return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
   }
 
-  Interval across_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other,
-                        const Range& range, const Interval& scale, const Interval& jump) const
+  Interval across_joint(const Element_part<Interval>& part, const Arc_end& own, const Range& own_range,
+                        const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
   {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
+    const Curve_jet<Interval> x = m_graph.arcs()[own.arc].jet(own_range, 2),
+                              y = m_graph.arcs()[other.arc].jet(range, 2);
     const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
     const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
     const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
@@ -122,12 +116,12 @@ private:
   }
 
   // Below the half-plane of the normal, or perpendicular to the first or last normal of the normal cone.
-  void at_normal_cone(Curvature_bounds& result, const Element_part& part, const Oriented_element& element,
-                      const Arc_end& end, const Range& range) const
+  void at_normal_cone(Curvature_bounds<Interval>& result, const Element_part<Interval>& part,
+                      const Oriented_element<Interval>& element, const Arc_end& end, const Range& range) const
   {
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
-    const Site_arc_2& arc = m_graph.arcs()[end.arc];
-    const Curve_jet y = arc.jet(to_vertex, 2);
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[end.arc];
+    const Curve_jet<Interval> y = arc.jet(to_vertex, 2);
     // the outgoing mean derivative, up to a positive factor
     const Interval_pair b =
         Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);
@@ -141,8 +135,8 @@ private:
           result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
     for (const bool k : {false, true})
       if (m_graph.is_perpendicular(element, k, end)) {
-        const Normal_cone_disks disks(m_graph, part, k, end, range);
-        Curvature_bounds more = disks.bounds();
+        const Normal_cone_disks<Interval> disks(m_graph, part, k, end, range);
+        Curvature_bounds<Interval> more = disks.bounds();
         const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
         if (touches_vertex && disks.is_increasing())
           more.dv = common_part(
@@ -158,10 +152,10 @@ private:
   corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
   <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
   */
-  void at_corner(Curvature_bounds& result, const Element_part& part, const Arc_end& own, const Arc_end& other,
-                 const Range& range) const
+  void at_corner(Curvature_bounds<Interval>& result, const Element_part<Interval>& part, const Arc_end& own,
+                 const Arc_end& other, const Range& range) const
   {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
+    const Curve_jet<Interval> x = m_graph.arcs()[own.arc].jet(part.range, 2);
     const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1],
                         b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
     const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
@@ -172,8 +166,6 @@ private:
     result.is_below_vertex = e.sup() <= 0 || nb.sup() * square.inf() <= (std::min)(turn.inf(), 0.0);
   }
 };
-
-using Common_vertex_disks = Basic_common_vertex_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -31,8 +31,8 @@ Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there,
 the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv
 and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
 */
-template <Enclosing_number Interval>
-struct Basic_curvature_bounds
+template <Enclosing_number Interval = Common::Interval>
+struct Curvature_bounds
 {
   Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(),
            dvv = any_number<Interval>(), duv = any_number<Interval>();
@@ -41,11 +41,8 @@ struct Basic_curvature_bounds
   bool is_below_vertex = false;
 };
 
-using Curvature_bounds = Basic_curvature_bounds<Interval>;
-
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a,
-                                      const Basic_curvature_bounds<Interval>& b)
+Curvature_bounds<Interval> hull(const Curvature_bounds<Interval>& a, const Curvature_bounds<Interval>& b)
 {
   return {hull(a.value, b.value),
           hull(a.du, b.du),
@@ -57,22 +54,18 @@ Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a,
 }
 
 // A part of an element, with enclosures.
-template <Enclosing_number Interval>
-struct Basic_element_part
+template <Enclosing_number Interval = Common::Interval>
+struct Element_part
 {
-  using Element_jet = Basic_element_jet<Interval>;
-
   std::size_t element;
   Range range;
-  Element_jet jet;
+  Element_jet<Interval> jet;
 };
 
-using Element_part = Basic_element_part<Interval>;
-
-inline const Element_part& in_doubles(const Element_part& part) { return part; }
+inline const Element_part<>& in_doubles(const Element_part<>& part) { return part; }
 
 template <Enclosing_number Number>
-Element_part in_doubles(const Basic_element_part<Number>& part)
+Element_part<> in_doubles(const Element_part<Number>& part)
 {
   const auto& [point, point_derivative, normal, normal_derivative] = part.jet;
   return {part.element,
@@ -81,10 +74,9 @@ Element_part in_doubles(const Basic_element_part<Number>& part)
 }
 
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interval>& a,
-                                             const Basic_curvature_bounds<Interval>& b)
+Curvature_bounds<Interval> common_part(const Curvature_bounds<Interval>& a, const Curvature_bounds<Interval>& b)
 {
-  Basic_curvature_bounds<Interval> result;
+  Curvature_bounds<Interval> result;
   result.value = common_part(a.value, b.value);
   result.du = common_part(a.du, b.du);
   result.dv = common_part(a.dv, b.dv);
@@ -97,8 +89,8 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
 
 // What more is known where derivatives are those by v itself.
 template <Enclosing_number Interval>
-void add_by_tangent(Basic_curvature_bounds<Interval>& result, Basic_curvature_bounds<Interval> more,
-                    const Basic_site_arc_2<Interval>& y, const Range& range)
+void add_by_tangent(Curvature_bounds<Interval>& result, Curvature_bounds<Interval> more, const Site_arc_2<Interval>& y,
+                    const Range& range)
 {
   if (y.has_singular_end()) {
     more.factor = y.tangent_factor(range);
@@ -114,14 +106,14 @@ void add_by_tangent(Basic_curvature_bounds<Interval>& result, Basic_curvature_bo
 // Derivatives of an element beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u =
 // speed M; p = <M, Y - X>, and p_v / m.
 template <Enclosing_number Interval>
-struct Basic_element_turn
+struct Element_turn
 {
   Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(),
            p = any_number<Interval>(), pv = any_number<Interval>();
 
   // For a point at the end of a way, which moves with the derivative m times a tangent.
-  static Basic_element_turn beside(const Basic_element_jet<Interval>& x, const std::array<Interval, 2>& way,
-                                   const std::array<Interval, 2>& tangent)
+  static Element_turn beside(const Element_jet<Interval>& x, const std::array<Interval, 2>& way,
+                             const std::array<Interval, 2>& tangent)
   {
     const Interval square = squared_norm(x.normal);
     if (!(square.inf() > 0))
@@ -133,20 +125,17 @@ struct Basic_element_turn
 };
 
 // f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
-template <Enclosing_number Interval>
-struct Basic_curvature_quotient
+template <Enclosing_number Interval = Common::Interval>
+struct Curvature_quotient
 {
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Curvature_quotient = Basic_curvature_quotient<Interval>;
-  using Element_turn = Basic_element_turn<Interval>;
-
   Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
   Interval factor{1};   // m
 
   // The common part with the mean value forms around the middle of the ranges.
-  Curvature_quotient around(const Curvature_quotient& middle, const Interval& shift_u, const Interval& shift_v) const
+  Curvature_quotient<Interval> around(const Curvature_quotient<Interval>& middle, const Interval& shift_u,
+                                      const Interval& shift_v) const
   {
-    Curvature_quotient k = *this;
+    Curvature_quotient<Interval> k = *this;
     k.fv = common_part(fv, middle.fv + fuv * shift_u + fvv * shift_v);
     k.qv = common_part(qv, middle.qv + quv * shift_u + qvv * shift_v);
     k.f = common_part(f, middle.f + fu * shift_u + factor * k.fv * shift_v);
@@ -154,9 +143,9 @@ struct Basic_curvature_quotient
     return k;
   }
 
-  Curvature_bounds bounds() const
+  Curvature_bounds<Interval> bounds() const
   {
-    Curvature_bounds k;
+    Curvature_bounds<Interval> k;
     k.factor = factor;
     if (!(q.inf() > 0))
       return k;
@@ -178,10 +167,11 @@ struct Basic_curvature_quotient
   Where disks are nearly those of the curvature of the element, as next to a smooth joint and on its own arc, turn +
   speed k is small, which differences of f_u and k q_u do not show.
   */
-  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v,
-                                 const std::optional<Element_turn>& element = std::nullopt) const
+  Curvature_bounds<Interval> bounds_around(const Curvature_bounds<Interval>& middle, const Interval& shift_u,
+                                           const Interval& shift_v,
+                                           const std::optional<Element_turn<Interval>>& element = std::nullopt) const
   {
-    Curvature_bounds k = bounds();
+    Curvature_bounds<Interval> k = bounds();
     if (!(q.inf() > 0 && std::isfinite(k.dvv.sup() - k.dvv.inf())))
       return k;
     const Interval two(2);
@@ -215,9 +205,9 @@ struct Basic_curvature_quotient
   The positive zero k = (f + r) / (2 q) = 2 m / (r - f) of q k^2 - f k - m, with r^2 = f^2 + 4 m q, and its derivatives,
   by those of the equation; m > 0 does not depend on v.
   */
-  Curvature_bounds positive_zero(const Interval& m, const Interval& mu) const
+  Curvature_bounds<Interval> positive_zero(const Interval& m, const Interval& mu) const
   {
-    Curvature_bounds k;
+    Curvature_bounds<Interval> k;
     k.factor = factor;
     const Interval two(2), square(0, (std::max)(q.sup(), 0.0)),
         r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
@@ -241,8 +231,6 @@ struct Basic_curvature_quotient
     return k;
   }
 };
-
-using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -14,15 +14,13 @@ namespace Voronoi {
 
 // The curvature of the disk that touches a footpoint, and its derivative, in the middle of a part; and its derivatives
 // over the part.
-template <Enclosing_number Interval>
-struct Basic_curvature_expansion
+template <Enclosing_number Interval = Common::Interval>
+struct Curvature_expansion
 {
-  using Curvature_expansion = Basic_curvature_expansion<Interval>;
-
   Interval at_middle = any_number<Interval>(), slope_at_middle = any_number<Interval>(), slope = any_number<Interval>(),
            second_derivative = any_number<Interval>();
 
-  Curvature_expansion operator-(const Curvature_expansion& other) const
+  Curvature_expansion<Interval> operator-(const Curvature_expansion<Interval>& other) const
   {
     return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope,
             second_derivative - other.second_derivative};
@@ -40,8 +38,6 @@ struct Basic_curvature_expansion
     return common_part(slope, slope_at_middle + second_derivative * shift);
   }
 };
-
-using Curvature_expansion = Basic_curvature_expansion<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -18,23 +18,18 @@ namespace Voronoi {
 enum class Candidate_kind { NODE, ARC, VERTEX };
 
 // What maximal disks may touch.
-template <Enclosing_number Interval>
-struct Basic_disk_candidate
+template <Enclosing_number Interval = Common::Interval>
+struct Disk_candidate
 {
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-
   using Kind = Candidate_kind;
 
   Kind kind;
   std::size_t index;
   Range range{};
-  Curve_jet jet{};              // of an arc
-  Curvature_bounds bounds{};    // over a part of an element and the range
+  Curve_jet<Interval> jet{};              // of an arc
+  Curvature_bounds<Interval> bounds{};    // over a part of an element and the range
   Interval at_middle = any_number<Interval>();   // the curvature for the middles of both
 };
-
-using Disk_candidate = Basic_disk_candidate<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -43,43 +43,29 @@ If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y
 
 which has one positive solution. Then each disk has such a point: none is a half-plane.
 */
-template <Enclosing_number Interval>
-class Basic_disk_curvature
+template <Enclosing_number Interval = Common::Interval>
+class Disk_curvature
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_jet = Basic_element_jet<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Circle_disks = Basic_circle_disks<Interval>;
-  using Common_vertex_disks = Basic_common_vertex_disks<Interval>;
-  using Element_ways = Basic_element_ways<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Curvature_quotient = Basic_curvature_quotient<Interval>;
-  using Element_turn = Basic_element_turn<Interval>;
-  using Scaled_sites = Basic_scaled_sites<Interval>;
 
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
   static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
 
-  const Site_graph_2& m_graph;
-  const Scaled_sites* m_scaled;   // none, or some sites, but none of an element in question
+  const Site_graph_2<Interval>& m_graph;
+  const Scaled_sites<Interval>* m_scaled;   // none, or some sites, but none of an element in question
 
 public:
-  explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr)
+  explicit Disk_curvature(const Site_graph_2<Interval>& graph, const Scaled_sites<Interval>* scaled = nullptr)
     : m_graph(graph), m_scaled(scaled)
   {}
 
-  const Scaled_sites* scaled_sites() const { return m_scaled; }
+  const Scaled_sites<Interval>* scaled_sites() const { return m_scaled; }
   bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
   bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
   // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for
   // both. The arc that goes on has this one as its own continuation.
-  std::optional<Arc_end> continuation(const Element_part& part, const Arc_end& end) const
+  std::optional<Arc_end> continuation(const Element_part<Interval>& part, const Arc_end& end) const
   {
     const auto next = next_on_side_of(part, end);
     return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end
@@ -87,13 +73,14 @@ public:
         : std::nullopt;
   }
 
-  Element_part part(std::size_t element, const Range& range) const
+  Element_part<Interval> part(std::size_t element, const Range& range) const
   {
     return {element, range, m_graph.element_jet(m_graph.elements()[element], range)};
   }
 
   // Over a part of an element and a range of an arc, with the enclosures of that.
-  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  Curvature_bounds<Interval> operator()(const Element_part<Interval>& part, std::size_t arc, const Range& range,
+                                        const Curve_jet<Interval>& jet) const
   {
     if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
       return of_scaled_disk(quotient(part, arc, range, jet), part);
@@ -103,70 +90,71 @@ public:
     return (*this)(part, arc, range, jet, this->part(part.element, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
   }
 
-  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range) const
+  Curvature_bounds<Interval> operator()(const Element_part<Interval>& part, std::size_t arc, const Range& range) const
   {
     return (*this)(part, arc, range, m_graph.arcs()[arc].jet(range));
   }
 
   // The disks that pass through the end of an arc.
-  Curvature_bounds operator()(const Element_part& part, const Arc_end& end) const
+  Curvature_bounds<Interval> operator()(const Element_part<Interval>& part, const Arc_end& end) const
   {
     return (*this)(part, end.arc, {end.parameter(), end.parameter()});
   }
 
   // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both
   // factors where curves are nearly parallel.
-  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet,
-                              const Element_part& middle, const Curve_jet& jet_in_middle) const
+  Curvature_bounds<Interval> operator()(const Element_part<Interval>& part, std::size_t arc, const Range& range,
+                                        const Curve_jet<Interval>& jet, const Element_part<Interval>& middle,
+                                        const Curve_jet<Interval>& jet_in_middle) const
   {
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
                    shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
-    const auto way_of = [&](const Element_part& x, const Range& y, const Curve_jet& jet_of_y) {
+    const auto way_of = [&](const Element_part<Interval>& x, const Range& y, const Curve_jet<Interval>& jet_of_y) {
       return is_small ? ways().to_arc(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point;
     };
     const Interval_pair whole_way = way_of(part, range, jet);
-    const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle,
-                                                  way_of(middle, at_middle, jet_in_middle)),
-                             k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
+    const Curvature_quotient<Interval>
+        in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)),
+        k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
     if (is_arc_scaled(arc))
       return of_scaled_disk(k, part);
-    const Curvature_bounds bounds = k.bounds();
+    const Curvature_bounds<Interval> bounds = k.bounds();
     const bool is_maximum_known = certain_sign(bounds.dv) != 0 || bounds.dvv.sup() < 0;   // if there is one
     if (is_maximum_known && !(is_small && is_beside_element(part.element, arc)))
       return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
-    const Site_arc_2& y = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& y = m_graph.arcs()[arc];
     const auto turn = m_graph.elements()[part.element].is_normal_cone
         ? std::nullopt
-        : std::optional(
-              Element_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
+        : std::optional(Element_turn<Interval>::beside(part.jet, whole_way,
+                                                       y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
     return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet,
                                middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
-  Curvature_bounds operator()(const Element_part& part, std::size_t vertex) const
+  Curvature_bounds<Interval> operator()(const Element_part<Interval>& part, std::size_t vertex) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const Interval_pair zero{Interval(0), Interval(0)};
     if (is_vertex_scaled(vertex))
       return of_scaled_disk(
           quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
-    const auto through_vertex = [&](const Element_part& x, const Interval_pair& way) {
+    const auto through_vertex = [&](const Element_part<Interval>& x, const Interval_pair& way) {
       return quotient(x.jet, way, zero, zero, Interval(1));
     };
     const Interval_pair whole_way = ways().to_vertex(part, vertex);
-    Curvature_bounds result;
+    Curvature_bounds<Interval> result;
     if (element.is_normal_cone || part.range.is_number())
       result = through_vertex(part, whole_way).bounds();
     else {
       const double u = part.range.middle();
-      const Element_part middle = this->part(part.element, {u, u});
-      const Curvature_bounds in_middle = through_vertex(middle, ways().to_vertex(middle, vertex)).bounds();
+      const Element_part<Interval> middle = this->part(part.element, {u, u});
+      const Curvature_bounds<Interval> in_middle = through_vertex(middle, ways().to_vertex(middle, vertex)).bounds();
       result = through_vertex(part, whole_way)
                    .bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0),
-                                  Element_turn::beside(part.jet, whole_way, zero));
+                                  Element_turn<Interval>::beside(part.jet, whole_way, zero));
     }
     if (!element.is_normal_cone)
       for (const bool is_end : {false, true})
@@ -177,10 +165,10 @@ public:
   }
 
   // The disks that pass through points of a box. Those of half-planes do not matter.
-  Interval through_box(const Element_part& part, const Interval_pair& box) const
+  Interval through_box(const Element_part<Interval>& part, const Interval_pair& box) const
   {
     const Interval_pair d = box - part.jet.point;
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.f = Interval(2) * dot(part.jet.normal, d);
     k.q = squared_norm(d);
     if (m_scaled != nullptr)
@@ -189,17 +177,17 @@ public:
   }
 
   // The disks that touch an element from within the circle that it lies on have the curvature of that.
-  std::optional<Curvature_bounds> of_own_circle(const Element_part& part) const
+  std::optional<Curvature_bounds<Interval>> of_own_circle(const Element_part<Interval>& part) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     if (element.is_normal_cone || !m_graph.arcs()[element.object].circle())
       return std::nullopt;
-    const Site_arc_2& arc = m_graph.arcs()[element.object];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[element.object];
     const double u = part.range.middle();
-    const Element_jet x = m_graph.element_jet(element, {u, u});
+    const Element_jet<Interval> x = m_graph.element_jet(element, {u, u});
     if (!(dot(x.normal, arc.center() - x.point).inf() > 0))
       return std::nullopt;
-    Curvature_bounds result;
+    Curvature_bounds<Interval> result;
     result.value = CGAL::sqrt(squared_norm(part.jet.normal) / arc.squared_radius());
     result.du = dot(part.jet.normal, part.jet.normal_derivative) / (arc.squared_radius() * result.value);
     return result;
@@ -207,24 +195,24 @@ public:
 
   // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through
   // points outside are larger, those through points inside smaller.
-  int side_of_own_circle(const Element_part& part, const Interval_pair& points) const
+  int side_of_own_circle(const Element_part<Interval>& part, const Interval_pair& points) const
   {
-    const Site_arc_2& arc = m_graph.arcs()[m_graph.elements()[part.element].object];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[m_graph.elements()[part.element].object];
     return certain_sign(squared_norm(points - arc.center()) - arc.squared_radius());
   }
 
 private:
-  Element_ways ways() const { return Element_ways(m_graph); }
+  Element_ways<Interval> ways() const { return Element_ways<Interval>(m_graph); }
 
   // What more is known of the disks through a vertex, which has no parameter, from those through the end of an arc.
-  static void add_by_element(Curvature_bounds& result, const Curvature_bounds& more)
+  static void add_by_element(Curvature_bounds<Interval>& result, const Curvature_bounds<Interval>& more)
   {
     result.value = common_part(result.value, more.value);
     result.du = common_part(result.du, more.du);
   }
 
   // Where several arcs leave a vertex in the same direction, that on the side from which disks touch them.
-  std::optional<Arc_end> next_on_side_of(const Element_part& part, const Arc_end& end) const
+  std::optional<Arc_end> next_on_side_of(const Element_part<Interval>& part, const Arc_end& end) const
   {
     const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
     if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end)
@@ -241,7 +229,8 @@ private:
     return smooth ? std::optional(smooth->end) : std::nullopt;
   }
 
-  Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Element_part& part) const
+  Curvature_bounds<Interval> of_scaled_disk(const Curvature_quotient<Interval>& k,
+                                            const Element_part<Interval>& part) const
   {
     const Interval_pair& n = part.jet.normal;
     return k.positive_zero(m_scaled->excess * squared_norm(n),
@@ -252,17 +241,18 @@ private:
 
   // And what is known where the element lies on the arc, has a vertex in common with it, or touches a circle on which
   // one of them lies.
-  Curvature_bounds with_what_is_common(Curvature_bounds result, const Element_part& part, std::size_t arc,
-                                       const Range& range, const Curve_jet& jet, const Element_part& middle,
-                                       const Curve_jet& jet_in_middle) const
+  Curvature_bounds<Interval> with_what_is_common(Curvature_bounds<Interval> result, const Element_part<Interval>& part,
+                                                 std::size_t arc, const Range& range, const Curve_jet<Interval>& jet,
+                                                 const Element_part<Interval>& middle,
+                                                 const Curve_jet<Interval>& jet_in_middle) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     if (!element.is_normal_cone && element.object == arc)
       add_by_tangent(result, within_arc(part, arc, range), m_graph.arcs()[arc], range);
     else
       add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
     for (const bool is_end : {false, true})
-      Common_vertex_disks(m_graph).add(result, part, {arc, is_end}, range);
+      Common_vertex_disks<Interval>(m_graph).add(result, part, {arc, is_end}, range);
     if (element.is_normal_cone)
       for (const bool normal : {false, true})
         if (is_on_circle_through_normal_cone(m_graph, element, normal, arc))
@@ -270,44 +260,46 @@ private:
     return result;
   }
 
-  void add_by_circles(Curvature_bounds& result, const Element_part& part, std::size_t arc, const Range& range,
-                      const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
+  void add_by_circles(Curvature_bounds<Interval>& result, const Element_part<Interval>& part, std::size_t arc,
+                      const Range& range, const Curve_jet<Interval>& jet, const Element_part<Interval>& middle,
+                      const Curve_jet<Interval>& jet_in_middle) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
-    const Site_arc_2 &y = m_graph.arcs()[arc],
-                     *own = element.is_normal_cone ? nullptr : &m_graph.arcs()[element.object];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
+    const Site_arc_2<Interval> &y = m_graph.arcs()[arc],
+          *own = element.is_normal_cone ? nullptr : &m_graph.arcs()[element.object];
     const double v = range.middle();
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin),
                    shift_v = interval_of<Interval>(range) - Interval(v);
-    const auto difference = [&](const Circle_disks& disks, const Element_part& x, const Range& range,
-                                const Curve_jet& jet) {
+    const auto difference = [&](const Circle_disks<Interval>& disks, const Element_part<Interval>& x,
+                                const Range& range, const Curve_jet<Interval>& jet) {
       const auto [tangent, change] = y.has_singular_end() ? y.tangent_jet(range) : std::array{jet[1], jet[2]};
       return disks.difference(quotient(x.jet, arc, range, jet, jet[0] - x.jet.point), jet[0], tangent, change);
     };
-    const auto add = [&](const Circle_disks& disks, const Circle_disks& in_middle) {
-      Curvature_bounds k = difference(disks, part, range, jet)
-                               .around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v)
-                               .bounds();
+    const auto add = [&](const Circle_disks<Interval>& disks, const Circle_disks<Interval>& in_middle) {
+      Curvature_bounds<Interval> k = difference(disks, part, range, jet)
+                                         .around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v)
+                                         .bounds();
       k.value += disks.curvature();
       k.du += disks.curvature_derivative();
       result = common_part(result, k);
     };
     if (own != nullptr && own->circle() && dot(part.jet.normal, own->center() - part.jet.point).inf() > 0)
-      add(Circle_disks::of_element(part.jet, *own), Circle_disks::of_element(middle.jet, *own));
-    if (const auto disk = y.circle() ? Circle_disks::of_points(middle.jet, y) : std::nullopt)
+      add(Circle_disks<Interval>::of_element(part.jet, *own), Circle_disks<Interval>::of_element(middle.jet, *own));
+    if (const auto disk = y.circle() ? Circle_disks<Interval>::of_points(middle.jet, y) : std::nullopt)
       if (const auto disks = disk->over(part.jet, middle.jet, shift_u))
         add(*disks, *disk);
   }
 
-  Curvature_quotient quotient(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  Curvature_quotient<Interval> quotient(const Element_part<Interval>& part, std::size_t arc, const Range& range,
+                                        const Curve_jet<Interval>& jet) const
   {
     return quotient(part.jet, arc, range, jet, ways().to_arc(part, arc, range, jet));
   }
 
-  Curvature_quotient quotient(const Element_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet,
-                              const Interval_pair& way) const
+  Curvature_quotient<Interval> quotient(const Element_jet<Interval>& x, std::size_t arc, const Range& range,
+                                        const Curve_jet<Interval>& jet, const Interval_pair& way) const
   {
-    const Site_arc_2& y = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& y = m_graph.arcs()[arc];
     if (!y.has_singular_end())
       return quotient(x, way, jet[1], jet[2], Interval(1));
     const auto [tangent, change] = y.tangent_jet(range);
@@ -318,20 +310,22 @@ private:
   // and on one that goes on smoothly.
   bool is_beside_element(std::size_t element, std::size_t arc) const
   {
-    const Oriented_element& f = m_graph.elements()[element];
+    const Oriented_element<Interval>& f = m_graph.elements()[element];
     const auto goes_on = [&](bool is_end) {
       const auto& all = m_graph.continuations({f.object, is_end}).smooth;
-      return std::any_of(all.begin(), all.end(), [&](const Smooth_continuation& next) { return next.end.arc == arc; });
+      return std::any_of(all.begin(), all.end(),
+                         [&](const Smooth_continuation<Interval>& next) { return next.end.arc == arc; });
     };
     return !f.is_normal_cone && (f.object == arc || goes_on(false) || goes_on(true));
   }
 
   // For a point at the end of a way d, which moves with the derivative m D.
-  static Curvature_quotient quotient(const Element_jet& x, const Interval_pair& d, const Interval_pair& tangent,
-                                     const Interval_pair& change, const Interval& factor)
+  static Curvature_quotient<Interval> quotient(const Element_jet<Interval>& x, const Interval_pair& d,
+                                               const Interval_pair& tangent, const Interval_pair& change,
+                                               const Interval& factor)
   {
     const Interval two(2);
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.factor = factor;
     k.f = two * dot(x.normal, d);
     k.q = squared_norm(d);
@@ -353,12 +347,13 @@ private:
 
   with last derivatives somewhere between u and v; so that little is lost by hulls if h is small.
   */
-  Curvature_bounds within_arc(const Element_part& part, std::size_t arc, const Range& range) const
+  Curvature_bounds<Interval> within_arc(const Element_part<Interval>& part, std::size_t arc, const Range& range) const
   {
     const Interval h = interval_of<Interval>(range) - interval_of<Interval>(part.range), hh = CGAL::square(h);
     const Interval middle = (interval_of<Interval>(range) + interval_of<Interval>(part.range)) / Interval(2);
-    const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)),
-                    y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
+    const Curve_jet<Interval> x = m_graph.arcs()[arc].jet(united(part.range, range)),
+                              y = m_graph.arcs()[arc].jet(
+                                  {(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
     const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3),
                            sixth = Interval(1) / Interval(6);
     const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3],
@@ -366,7 +361,7 @@ private:
     const Interval_pair g = common_part(half * x[2], half * y[2] - change + rest),
                         dv = common_part(half * x[2], half * y[2] + change + rest);
     const auto [n, nu] = std::pair(part.jet.normal, part.jet.normal_derivative);
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.f = two * dot(n, g);
     k.q = squared_norm(d);
     k.fu = two * (dot(nu, g) + third * dot(n, x[3]));
@@ -381,8 +376,6 @@ private:
   }
 
 };
-
-using Disk_curvature = Basic_disk_curvature<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

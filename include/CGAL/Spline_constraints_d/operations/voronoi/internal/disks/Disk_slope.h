@@ -64,7 +64,7 @@ class Disk_slope
   Blown_up_polynomial m_numerator{Power_polynomial()}, m_denominator{Power_polynomial()};   // of k
 
 public:
-  Disk_slope(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end,
+  Disk_slope(const Site_graph_2<>& graph, const Oriented_element<>& element, bool element_end, const Arc_end& end,
              bool is_by_distance)
   {
     const Arc_end own{element.object, element_end};
@@ -186,7 +186,7 @@ private:
   }
 
   // With a distance from the vertex for which both parameters are powers.
-  void find_powers(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end)
+  void find_powers(const Site_graph_2<>& graph, const Oriented_element<>& element, bool element_end, const Arc_end& end)
   {
     const Arc_end own{element.object, element_end};
     if (element.is_normal_cone || own == end || graph.vertex_of(own) != graph.vertex_of(end))
@@ -301,7 +301,8 @@ private:
   }
 
   // The ratio of the speeds of element and arc, as a power of 2.
-  static double scale(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end)
+  static double scale(const Site_graph_2<>& graph, const Oriented_element<>& element, bool element_end,
+                      const Arc_end& end)
   {
     if (element.is_normal_cone)
       return 1;
@@ -315,7 +316,7 @@ private:
   }
 
   // From an end, with a parameter in units of the scale.
-  static Polynomial_curve polynomial_curve(const Site_graph_2& graph, const Arc_end& end, int variable,
+  static Polynomial_curve polynomial_curve(const Site_graph_2<>& graph, const Arc_end& end, int variable,
                                            const Exact_rational& scale)
   {
     const auto polynomial = [&](const Bernstein_tensor<Exact_rational>& tensor) {
@@ -337,12 +338,13 @@ private:
 // Those of one element, made when they are needed.
 class Disk_slopes
 {
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<>& m_graph;
+  const Oriented_element<>& m_element;
   std::map<std::tuple<bool, std::size_t, bool, bool>, Disk_slope> m_slopes;
 
 public:
-  Disk_slopes(const Site_graph_2& graph, std::size_t element) : m_graph(graph), m_element(graph.elements()[element]) {}
+  Disk_slopes(const Site_graph_2<>& graph, std::size_t element) : m_graph(graph), m_element(graph.elements()[element])
+  {}
 
   // A curvature that all disks exceed, or 0: of a part of the element that begins or ends in a vertex in which a
   // derivative is zero.

@@ -31,62 +31,64 @@ and
 <N,T> / <N,M> = b' / <X',T>. So a segment on the line has no larger disks than in its near end, or half-planes.
 */
 template <Enclosing_number Interval>
-class Basic_element_tangent
+class Element_tangent
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
 
-  const Site_graph_2& m_graph;
-  const Element_part& m_part;
+  const Site_graph_2<Interval>& m_graph;
+  const Element_part<Interval>& m_part;
 
 public:
-  Basic_element_tangent(const Site_graph_2& graph, const Element_part& part) : m_graph(graph), m_part(part) {}
+  Element_tangent(const Site_graph_2<Interval>& graph, const Element_part<Interval>& part)
+    : m_graph(graph), m_part(part)
+  {}
 
   // Leaves out arcs that are behind a straight element and touch its line in a rational point: all disks through them
   // are half-planes or larger.
-  void erase_behind(std::vector<Disk_candidate>& candidates) const
+  void erase_behind(std::vector<Disk_candidate<Interval>>& candidates) const
   {
-    const Basic_oriented_element<Interval>& element = m_graph.elements()[m_part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[m_part.element];
     if (element.is_normal_cone || !m_graph.arcs()[element.object].is_straight() ||
         !m_graph.are_ends_exact(element.object))
       return;
     std::map<std::size_t, Range> ranges;   // of arcs
-    for (const Disk_candidate& c : candidates)
+    for (const Disk_candidate<Interval>& c : candidates)
       if (c.kind == Candidate_kind::ARC && m_graph.are_ends_exact(c.index))
         if (const auto [place, is_new] = ranges.try_emplace(c.index, c.range); !is_new)
           place->second = united(place->second, c.range);
     std::erase_if(ranges, [&](const auto& arc) { return !is_behind(arc.first, arc.second, element); });
-    std::erase_if(candidates,
-                  [&](const Disk_candidate& c) { return c.kind == Candidate_kind::ARC && ranges.count(c.index); });
+    std::erase_if(candidates, [&](const Disk_candidate<Interval>& c) {
+      return c.kind == Candidate_kind::ARC && ranges.count(c.index);
+    });
   }
 
   // Leaves out the candidates on segments of the line; a near end that no other arc has becomes one itself.
-  void replace_segments(std::vector<Disk_candidate>& candidates) const
+  void replace_segments(std::vector<Disk_candidate<Interval>>& candidates) const
   {
-    const Basic_oriented_element<Interval>& element = m_graph.elements()[m_part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[m_part.element];
     if (element.is_normal_cone || !m_graph.are_ends_exact(element.object) ||
-        std::none_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return is_segment(c); }))
+        std::none_of(candidates.begin(), candidates.end(),
+                     [&](const Disk_candidate<Interval>& c) { return is_segment(c); }))
       return;
     const Exact_rational u =
         simplest_rational_between(Exact_rational(m_part.range.begin), Exact_rational(m_part.range.end));
     const Exact_pair point = m_graph.exact_point_at(element, u), normal = m_graph.exact_normal(element, u);
     std::map<std::size_t, std::optional<Arc_end>> near_ends;   // of segments of the line
-    for (const Disk_candidate& c : candidates)
+    for (const Disk_candidate<Interval>& c : candidates)
       if (is_segment(c) && !near_ends.count(c.index))
         near_ends[c.index] = near_end(c.index, point, normal);
     std::erase_if(near_ends, [](const auto& segment) { return !segment.second; });
     if (near_ends.empty() || !is_in_front(normal))
       return;
-    std::erase_if(candidates, [&](const Disk_candidate& c) { return is_segment(c) && near_ends.count(c.index); });
+    std::erase_if(candidates,
+                  [&](const Disk_candidate<Interval>& c) { return is_segment(c) && near_ends.count(c.index); });
     for (const auto& [segment, end] : near_ends)
       if (const std::size_t vertex = m_graph.vertex_of(*end); m_graph.vertices()[vertex].ends.size() == 1)
         candidates.push_back({Candidate_kind::VERTEX, vertex});
   }
 
 private:
-  bool is_segment(const Disk_candidate& c) const
+  bool is_segment(const Disk_candidate<Interval>& c) const
   {
     return c.kind == Candidate_kind::ARC && m_graph.arcs()[c.index].is_straight() &&
         !m_graph.arcs()[c.index].turns_back() && m_graph.are_ends_exact(c.index);
@@ -102,9 +104,9 @@ private:
 
   // Whether a part of an arc is concave, and has the line of a straight element as its tangent where the parameter is
   // the simplest number.
-  bool is_behind(std::size_t index, const Range& range, const Basic_oriented_element<Interval>& element) const
+  bool is_behind(std::size_t index, const Range& range, const Oriented_element<Interval>& element) const
   {
-    const Basic_site_arc_2<Interval>& arc = m_graph.arcs()[index];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[index];
     const Exact_pair normal = m_graph.exact_normal(element, 0);
     if (!(dot(arc.jet(range, 2)[2], interval_pair_of<Interval>(normal)).sup() < 0))
       return false;

@@ -22,29 +22,26 @@ namespace Voronoi {
 The ways from an element to arcs and vertices, with a small relative error also where these are near: differences of
 coordinates lose it there.
 */
-template <Enclosing_number Interval>
-class Basic_element_ways
+template <Enclosing_number Interval = Common::Interval>
+class Element_ways
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
 
   static constexpr double small = 0x1p-16;   // ranges over which rounding matters
   // the relative error of a difference of points that cannot be much smaller
   static constexpr double accurate = 0x1p-46;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
 
 public:
-  explicit Basic_element_ways(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Element_ways(const Site_graph_2<Interval>& graph) : m_graph(graph) {}
 
   // From the element to an arc; also by way of their nearer ends, or of one that both have in common, which is as
   // accurate as the ways are short.
-  Interval_pair to_arc(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  Interval_pair to_arc(const Element_part<Interval>& part, std::size_t arc, const Range& range,
+                       const Curve_jet<Interval>& jet) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     Interval_pair result = jet[0] - part.jet.point;
     if (is_accurate(result) || (!element.is_normal_cone && element.object == arc))
       return result;
@@ -56,7 +53,7 @@ public:
   }
 
   // From the element to a vertex.
-  Interval_pair to_vertex(const Element_part& part, std::size_t vertex) const
+  Interval_pair to_vertex(const Element_part<Interval>& part, std::size_t vertex) const
   {
     const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
     const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact
@@ -68,9 +65,10 @@ public:
 private:
   // From the element to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an
   // end.
-  std::optional<Interval_pair> way_to_vertex(const Element_part& part, std::size_t vertex, bool is_any_vertex) const
+  std::optional<Interval_pair> way_to_vertex(const Element_part<Interval>& part, std::size_t vertex,
+                                             bool is_any_vertex) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     std::optional<Interval_pair> result;
     const auto add = [&](std::size_t from, const Interval_pair& way) {
       const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
@@ -98,8 +96,6 @@ private:
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 };
-
-using Element_ways = Basic_element_ways<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -26,11 +26,11 @@ namespace Voronoi {
 // time.
 class Fine_level
 {
-  const Site_graph_2& m_graph;
-  const Scaled_sites* m_scaled;
+  const Site_graph_2<>& m_graph;
+  const Scaled_sites<>* m_scaled;
   mutable std::once_flag m_is_made;
-  mutable std::optional<Basic_site_graph_2<Fine_interval>> m_fine_graph;
-  mutable std::optional<Basic_scaled_sites<Fine_interval>> m_fine_scaled;
+  mutable std::optional<Site_graph_2<Fine_interval>> m_fine_graph;
+  mutable std::optional<Scaled_sites<Fine_interval>> m_fine_scaled;
 
 public:
   // of sweeps along an element, and of one of them with many candidates
@@ -39,7 +39,7 @@ public:
   // of candidates along an element, where what was proved in surveys needed 7500 at most, and what a try costs besides
   static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;
 
-  explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr)
+  explicit Fine_level(const Site_graph_2<>& graph, const Scaled_sites<>* scaled = nullptr)
     : m_graph(graph), m_scaled(scaled)
   {}
 
@@ -54,7 +54,7 @@ public:
     return width < most_width && (range.width() == 1 || step(width) != step(width / (1 - split_ratio)));
   }
 
-  const Basic_site_graph_2<Fine_interval>& graph() const
+  const Site_graph_2<Fine_interval>& graph() const
   {
     std::call_once(m_is_made, [&] {
       m_fine_graph.emplace(m_graph);
@@ -64,27 +64,27 @@ public:
     return *m_fine_graph;
   }
 
-  Basic_disk_curvature<Fine_interval> curvature() const
+  Disk_curvature<Fine_interval> curvature() const
   {
     const auto& fine_graph = graph();
-    return Basic_disk_curvature<Fine_interval>(fine_graph, m_fine_scaled ? &*m_fine_scaled : nullptr);
+    return Disk_curvature<Fine_interval>(fine_graph, m_fine_scaled ? &*m_fine_scaled : nullptr);
   }
 
   // Candidates with enclosures of this level; neighbouring ones of an arc as one, as those are divided again that need
   // be.
-  std::vector<Basic_disk_candidate<Fine_interval>> candidates(std::vector<Disk_candidate> candidates) const
+  std::vector<Disk_candidate<Fine_interval>> candidates(std::vector<Disk_candidate<>> candidates) const
   {
-    std::sort(candidates.begin(), candidates.end(), [](const Disk_candidate& a, const Disk_candidate& b) {
+    std::sort(candidates.begin(), candidates.end(), [](const Disk_candidate<>& a, const Disk_candidate<>& b) {
       return std::tuple(a.kind, a.index, a.range.begin) < std::tuple(b.kind, b.index, b.range.begin);
     });
-    std::vector<Basic_disk_candidate<Fine_interval>> result;
-    for (const Disk_candidate& candidate : candidates)
+    std::vector<Disk_candidate<Fine_interval>> result;
+    for (const Disk_candidate<>& candidate : candidates)
       if (candidate.kind == Candidate_kind::ARC && !result.empty() && result.back().kind == Candidate_kind::ARC &&
           result.back().index == candidate.index && result.back().range.end == candidate.range.begin)
         result.back().range.end = candidate.range.end;
       else
         result.push_back({candidate.kind, candidate.index, candidate.range});
-    for (Basic_disk_candidate<Fine_interval>& candidate : result)
+    for (Disk_candidate<Fine_interval>& candidate : result)
       if (candidate.kind == Candidate_kind::ARC)
         candidate.jet = graph().arcs()[candidate.index].jet(candidate.range);
     return result;

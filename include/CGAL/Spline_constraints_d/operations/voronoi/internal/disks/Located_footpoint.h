@@ -38,7 +38,7 @@ struct Disk_footpoint
 };
 
 template <Enclosing_number Interval>
-bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
+bool is_scaled(const Disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
 {
   return footpoint.kind == Disk_footpoint::Kind::ARC
       ? curvature.is_arc_scaled(footpoint.index)
@@ -47,7 +47,7 @@ bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_footp
 
 // By which squared distances from a footpoint are divided.
 template <Enclosing_number Interval>
-Exact_rational squared_factor(const Basic_disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
+Exact_rational squared_factor(const Disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
 {
   return is_scaled(curvature, footpoint) ? curvature.scaled_sites()->squared_factor : Exact_rational(1);
 }
@@ -83,8 +83,8 @@ struct Located_footpoint
 
 // The curvature of a disk, and for footpoints in an arc a range that holds the parameter there, and one with the
 // greatest curvature that is known.
-template <Enclosing_number Interval>
-struct Basic_attained_curvature
+template <Enclosing_number Interval = Common::Interval>
+struct Attained_curvature
 {
   Interval curvature;
   Range range{};
@@ -92,13 +92,11 @@ struct Basic_attained_curvature
   bool is_attained = true;   // else it may be less than the lower bound, and does not matter then
 };
 
-using Attained_curvature = Basic_attained_curvature<Interval>;
-
 // A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where
 // that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is
 // returned, but for those of the whole range.
 template <Enclosing_number Interval, class Curvature_at>
-Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
+Attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
   constexpr int most_steps = 60;
   const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
@@ -141,7 +139,7 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
 // some number: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter
 // than doubles tell, or too many.
 template <Enclosing_number Interval, class Curvature_at>
-Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
+Attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
 {
   constexpr std::size_t most_pieces = 16;
   constexpr double least_width = 0x1p-50, infinity = std::numeric_limits<double>::infinity();
@@ -170,7 +168,7 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
     pieces = std::move(halves);
     is_only = has_one_maximum(all());
   }
-  const Basic_attained_curvature<Interval> top = maximal_curvature<Interval>(at, all());
+  const Attained_curvature<Interval> top = maximal_curvature<Interval>(at, all());
   add(top.parameter);
   double most = -infinity;
   for (const Range& piece : pieces)
@@ -183,40 +181,40 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
 
 // The only maximum of the curvature in a range of an arc that is not too low.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval>
-largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature,
-                         const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Attained_curvature<Interval>
+largest_curvature_on_arc(const Site_arc_2<Interval>& arc, const Disk_curvature<Interval>& curvature,
+                         const Element_part<Interval>& part, const Located_footpoint& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.footpoint.index, range, arc.jet(range)); };
   // the part is one point
   const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));
-  const auto is_known = [&](const Basic_attained_curvature<Interval>& k) {
+  const auto is_known = [&](const Attained_curvature<Interval>& k) {
     return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf());
   };
-  Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
+  Attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
   if (is_known(result))
     return result;
-  const Basic_attained_curvature<Interval> bounded = bounded_curvature<Interval>(at, located.range, least);
+  const Attained_curvature<Interval> bounded = bounded_curvature<Interval>(at, located.range, least);
   result = maximal_curvature<Interval>(at, bounded.range);
   return is_known(result) ? result : bounded;
 }
 
 // The disks of a part that touch a footpoint, if it is on a line or circle, and certainly in the inside of its arc.
 template <Enclosing_number Interval>
-std::optional<Basic_tangent_disks<Interval>>
-tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-              const Basic_element_part<Interval>& part, const Disk_footpoint& footpoint)
+std::optional<Tangent_disks<Interval>>
+tangent_disks(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+              const Element_part<Interval>& part, const Disk_footpoint& footpoint)
 {
   return footpoint.kind == Disk_footpoint::Kind::ARC
-      ? Basic_tangent_disks<Interval>::over(graph, curvature, part, footpoint.index)
+      ? Tangent_disks<Interval>::over(graph, curvature, part, footpoint.index)
       : std::nullopt;
 }
 
 // The curvature of the disk that touches an element in one point, and a footpoint.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval>
-largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                  const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Attained_curvature<Interval> largest_curvature(const Site_graph_2<Interval>& graph,
+                                               const Disk_curvature<Interval>& curvature,
+                                               const Element_part<Interval>& part, const Located_footpoint& located)
 {
   switch (located.footpoint.kind) {
   case Disk_footpoint::Kind::ARC:
@@ -229,9 +227,8 @@ largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_cu
 
 // The derivative of that curvature by the parameter of the element, over a part: where k_v = 0 it is k_u.
 template <Enclosing_number Interval>
-Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph,
-                                    const Basic_disk_curvature<Interval>& curvature,
-                                    const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Interval slope_of_largest_curvature(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                                    const Element_part<Interval>& part, const Located_footpoint& located)
 {
   const std::size_t index = located.footpoint.index;
   switch (located.footpoint.kind) {
@@ -250,10 +247,9 @@ Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph,
 // The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is
 // for k_v / m; k_uu where the largest one may be at an end of the range.
 template <Enclosing_number Interval>
-Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph,
-                                                const Basic_disk_curvature<Interval>& curvature,
-                                                const Basic_element_part<Interval>& part,
-                                                const Located_footpoint& located)
+Interval second_derivative_of_largest_curvature(const Site_graph_2<Interval>& graph,
+                                                const Disk_curvature<Interval>& curvature,
+                                                const Element_part<Interval>& part, const Located_footpoint& located)
 {
   const std::size_t index = located.footpoint.index;
   if (located.footpoint.kind == Disk_footpoint::Kind::NOTHING)
@@ -262,8 +258,8 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
     return second_derivative_of_curvature(graph, part, graph.vertices()[index].point, curvature(part, index));
   if (located.footpoint.kind != Disk_footpoint::Kind::ARC || curvature.is_arc_scaled(index))
     return any_number<Interval>();
-  const Basic_curve_jet<Interval> jet = graph.arcs()[index].jet(located.range);
-  const Basic_curvature_bounds<Interval> k = curvature(part, index, located.range, jet);
+  const Curve_jet<Interval> jet = graph.arcs()[index].jet(located.range);
+  const Curvature_bounds<Interval> k = curvature(part, index, located.range, jet);
   if (!(k.dvv.sup() < 0))
     return any_number<Interval>();
   const auto slope_at = [&](double v) { return curvature(part, index, {v, v}, graph.arcs()[index].jet({v, v})).dv; };
@@ -277,16 +273,16 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
 
 // By the disks of one footpoint; where it is on a line or circle, by those that touch that.
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval>
-curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                    const Basic_element_part<Interval>& part, const Located_footpoint& located)
+Curvature_expansion<Interval> curvature_expansion(const Site_graph_2<Interval>& graph,
+                                                  const Disk_curvature<Interval>& curvature,
+                                                  const Element_part<Interval>& part, const Located_footpoint& located)
 {
   if (const auto tangent = tangent_disks(graph, curvature, part, located.footpoint))
     return tangent->expansion();
   const double u = part.range.middle();
-  const Basic_element_part<Interval> middle = curvature.part(part.element, {u, u});
-  const Basic_attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
-  Basic_curvature_expansion<Interval> result;
+  const Element_part<Interval> middle = curvature.part(part.element, {u, u});
+  const Attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
+  Curvature_expansion<Interval> result;
   result.slope = slope_of_largest_curvature(graph, curvature, part, located);
   if (!greatest.is_attained || !std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
     return result;
@@ -321,9 +317,9 @@ positive function, over a part of an element where the disks of one of them touc
 none.
 */
 template <Enclosing_number Interval, class Sign_in>
-int sign_by_tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                          const Basic_element_part<Interval>& part, const Located_footpoint& a,
-                          const Located_footpoint& b, const Sign_in& sign_in)
+int sign_by_tangent_disks(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                          const Element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b,
+                          const Sign_in& sign_in)
 {
   const auto sign = [&](const Located_footpoint& tangent, const Located_footpoint& other) {
     const auto disks = tangent_disks(graph, curvature, part, tangent.footpoint);

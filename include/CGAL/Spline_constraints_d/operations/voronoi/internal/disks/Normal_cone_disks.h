@@ -36,16 +36,10 @@ for all w > 0, which moves into the vertex for w = 0 if a < 0 there. Its derivat
 So it is monotone, too, if a decreases, which may be positive first: then the curvature of the arc has its maximum next
 to the vertex.
 */
-template <Enclosing_number Interval>
-class Basic_normal_cone_disks
+template <Enclosing_number Interval = Common::Interval>
+class Normal_cone_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
   Interval m_t;
   Interval m_share;           // of m
@@ -57,12 +51,12 @@ class Basic_normal_cone_disks
 public:
   // For the normal in the begin or end of a normal cone, which is perpendicular to the arc, and points up to the end of
   // a range.
-  Basic_normal_cone_disks(const Site_graph_2& graph, const Element_part& part, bool normal, const Arc_end& end,
-                          const Range& range)
+  Normal_cone_disks(const Site_graph_2<Interval>& graph, const Element_part<Interval>& part, bool normal,
+                    const Arc_end& end, const Range& range)
   {
-    const Oriented_element& element = graph.elements()[part.element];
+    const Oriented_element<Interval>& element = graph.elements()[part.element];
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
-    Curve_jet y = graph.arcs()[end.arc].jet(to_vertex);
+    Curve_jet<Interval> y = graph.arcs()[end.arc].jet(to_vertex);
     m_direction = end.is_end ? -1 : 1;
     y[1] = Interval(m_direction) * y[1];
     y[3] = Interval(m_direction) * y[3];
@@ -86,17 +80,17 @@ public:
     m_is_regular = s.inf() > 0 && c.sup() < 0;
   }
 
-  Curvature_bounds bounds() const
+  Curvature_bounds<Interval> bounds() const
   {
     if (!m_is_regular)
       return {};
     if (!(m_t.inf() > 0)) {
-      Curvature_bounds result;
+      Curvature_bounds<Interval> result;
       result.value = Interval(-std::numeric_limits<double>::infinity(), (std::max)((Interval(2) * e / s).sup(), 0.0));
       return result;
     }
     const Interval two(2), way(m_direction), t = m_t, slope = c / t, slope1 = -slope / t;   // of c / t
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.f = two * (e + m_share * slope);
     k.q = s;
     k.fu = two * (eu + m_share_change * slope);
@@ -127,15 +121,13 @@ private:
   Interval one_plus() const { return Interval(1) + m_t * s1 / s; }   // b / -c
 };
 
-using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
-
 // Whether an arc lies on a circle through the vertex of a normal cone whose first or last normal points along a
 // diameter.
 template <Enclosing_number Interval>
-bool is_on_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph,
-                                      const Basic_oriented_element<Interval>& normal_cone, bool normal, std::size_t arc)
+bool is_on_circle_through_normal_cone(const Site_graph_2<Interval>& graph,
+                                      const Oriented_element<Interval>& normal_cone, bool normal, std::size_t arc)
 {
-  const Basic_site_arc_2<Interval>& y = graph.arcs()[arc];
+  const Site_arc_2<Interval>& y = graph.arcs()[arc];
   const auto& vertex = graph.vertices()[normal_cone.object];
   // most are elsewhere: this is cheap
   if (!y.circle() || y.turns_back() || y.has_singular_end() || !vertex.is_exact ||
@@ -156,9 +148,9 @@ along which Z moves in one direction T, and k = 2 <N, Z>. So
 has the sign of <m, T> for all w > 0, though the disk with w = 0 may touch all of the circle.
 */
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph,
-                                                                  const Basic_element_part<Interval>& part, bool normal,
-                                                                  std::size_t arc, const Basic_curve_jet<Interval>& y)
+Curvature_bounds<Interval> along_circle_through_normal_cone(const Site_graph_2<Interval>& graph,
+                                                            const Element_part<Interval>& part, bool normal,
+                                                            std::size_t arc, const Curve_jet<Interval>& y)
 {
   const auto& normal_cone = graph.elements()[part.element];
   const auto& circle = graph.arcs()[arc];
@@ -169,7 +161,7 @@ Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_si
   const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), normal_cone.normals[!normal]) /
       CGAL::sqrt(circle.squared_radius());
   const Interval u = interval_of<Interval>(part.range), way = squared_norm(y[0] - p);
-  Basic_curvature_bounds<Interval> k;
+  Curvature_bounds<Interval> k;
   if (direction == 0)   // not certain
     return k;
   if (way.inf() > 0) {

@@ -29,15 +29,10 @@ inside, their curvature in units of the normal is
 a function of u alone: it does not depend on how well it is known where the disks touch the arc, if that is in its
 inside.
 */
-template <Enclosing_number Interval>
-class Basic_tangent_disks
+template <Enclosing_number Interval = Common::Interval>
+class Tangent_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curvature_expansion = Basic_curvature_expansion<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
 
   // Numerator and denominator of k, and their derivatives.
   struct Quotient
@@ -55,31 +50,32 @@ class Basic_tangent_disks
   Quotient m_at_middle, m_over_part;
   Interval m_shift;   // from the middle
   Interval m_value;   // over the part
-  Curvature_expansion m_expansion;
+  Curvature_expansion<Interval> m_expansion;
 
 public:
   // Nothing where it is not certain that all of them touch the arc in its inside.
-  static std::optional<Basic_tangent_disks> over(const Site_graph_2& graph, const Disk_curvature& curvature,
-                                                 const Element_part& part, std::size_t arc)
+  static std::optional<Tangent_disks> over(const Site_graph_2<Interval>& graph,
+                                           const Disk_curvature<Interval>& curvature,
+                                           const Element_part<Interval>& part, std::size_t arc)
   {
-    const Site_arc_2& y = graph.arcs()[arc];
+    const Site_arc_2<Interval>& y = graph.arcs()[arc];
     const int side =
         y.is_on_line_or_circle() && !y.turns_back() && !curvature.is_arc_scaled(arc) ? side_of(y, part) : 0;
     if (side == 0 || !is_touched_inside(y, curvature, part, arc))
       return std::nullopt;
     const double u = part.range.middle();
-    const Basic_tangent_disks result(quotient(graph, y, side, curvature.part(part.element, {u, u})),
-                                     quotient(graph, y, side, part), interval_of<Interval>(part.range) - Interval(u));
+    const Tangent_disks result(quotient(graph, y, side, curvature.part(part.element, {u, u})),
+                               quotient(graph, y, side, part), interval_of<Interval>(part.range) - Interval(u));
     return result.value().inf() > 0 && std::isfinite(result.value().sup()) ? std::optional(result) : std::nullopt;
   }
 
   // The curvature over the part, and with its derivatives.
   const Interval& value() const { return m_value; }
-  const Curvature_expansion& expansion() const { return m_expansion; }
+  const Curvature_expansion<Interval>& expansion() const { return m_expansion; }
 
   // The difference of this curvature f / q and another one, times q: where the element is next to the line or circle,
   // and q small, derivatives of f and q change less than those of f / q.
-  Curvature_expansion difference(const Curvature_expansion& other) const
+  Curvature_expansion<Interval> difference(const Curvature_expansion<Interval>& other) const
   {
     const auto value = [](const Quotient& x, const Interval& k) { return x.f - k * x.q; };
     const auto slope = [](const Quotient& x, const Interval& k, const Interval& ku) {
@@ -93,7 +89,7 @@ public:
   }
 
 private:
-  Basic_tangent_disks(const Quotient& at_middle, const Quotient& over_part, const Interval& shift)
+  Tangent_disks(const Quotient& at_middle, const Quotient& over_part, const Interval& shift)
     : m_at_middle(at_middle), m_over_part(over_part), m_shift(shift), m_value(over_part.value())
   {
     constexpr int rounds = 2;   // of mean value forms, each of which makes the others better
@@ -112,8 +108,8 @@ private:
   are connected: the greatest one is between two points if it grows from each of them towards the other one; and between
   one outside of these and one of them, from which it grows towards the former.
   */
-  static bool is_touched_inside(const Site_arc_2& y, const Disk_curvature& curvature, const Element_part& part,
-                                std::size_t arc)
+  static bool is_touched_inside(const Site_arc_2<Interval>& y, const Disk_curvature<Interval>& curvature,
+                                const Element_part<Interval>& part, std::size_t arc)
   {
     const auto at = [&](double v) { return curvature(part, arc, {v, v}, y.jet({v, v})); };
     const auto begin = at(0), end = at(1);
@@ -123,16 +119,17 @@ private:
   }
 
   // On which side of the direction of a line, or of a circle, a part is.
-  static int side_of(const Site_arc_2& y, const Element_part& part)
+  static int side_of(const Site_arc_2<Interval>& y, const Element_part<Interval>& part)
   {
     if (y.is_straight())
       return certain_sign(dot(turned_left(along(y)), part.jet.point - y.point({0, 0})));
     return certain_sign(squared_norm(part.jet.point - y.center()) - y.squared_radius());
   }
 
-  static Interval_pair along(const Site_arc_2& y) { return y.point({1, 1}) - y.point({0, 0}); }
+  static Interval_pair along(const Site_arc_2<Interval>& y) { return y.point({1, 1}) - y.point({0, 0}); }
 
-  static Quotient quotient(const Site_graph_2& graph, const Site_arc_2& y, int side, const Element_part& part)
+  static Quotient quotient(const Site_graph_2<Interval>& graph, const Site_arc_2<Interval>& y, int side,
+                           const Element_part<Interval>& part)
   {
     const auto& [x, xu, n, nu] = part.jet;
     const auto [xuu, nuu] = second_derivatives(graph, part);
@@ -155,8 +152,6 @@ private:
             s * two * (squared_norm(xu) + dot(d, xuu))};
   }
 };
-
-using Tangent_disks = Basic_tangent_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

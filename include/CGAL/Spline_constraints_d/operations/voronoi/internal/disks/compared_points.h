@@ -24,19 +24,18 @@ The difference of the curvatures of the disks that pass through two points P and
 where the points are next to each other, it is known as well as E is, and as F changes.
 */
 template <Enclosing_number Interval>
-struct Basic_compared_points
+struct Compared_points
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Element_part = Basic_element_part<Interval>;
 
   Interval_pair p, way;   // P and E
 
-  int sign(const Element_part& x) const { return certain_sign(f(x)); }
+  int sign(const Element_part<Interval>& x) const { return certain_sign(f(x)); }
 
-  Interval difference(const Element_part& x) const { return Interval(2) * f(x) / weight(x); }
+  Interval difference(const Element_part<Interval>& x) const { return Interval(2) * f(x) / weight(x); }
 
   // The derivative of the difference by the parameter of the element, where both points stay.
-  Interval slope(const Element_part& x) const
+  Interval slope(const Element_part<Interval>& x) const
   {
     const Interval two(2);
     const Interval_pair d = p - x.jet.point, &xu = x.jet.point_derivative;
@@ -53,9 +52,9 @@ private:
     return (Interval(2) * dot(d, way) + squared_norm(way)) * d - squared_norm(d) * way;
   }
 
-  Interval f(const Element_part& x) const { return dot(x.jet.normal, w(p - x.jet.point)); }
+  Interval f(const Element_part<Interval>& x) const { return dot(x.jet.normal, w(p - x.jet.point)); }
 
-  Interval weight(const Element_part& x) const
+  Interval weight(const Element_part<Interval>& x) const
   {
     const Interval_pair d = p - x.jet.point;
     return squared_norm(d) * squared_norm(d + way);
@@ -64,7 +63,7 @@ private:
 
 // A point of an arc, and those of a range.
 template <Enclosing_number Interval>
-Basic_compared_points<Interval> compared_points(const Basic_site_arc_2<Interval>& arc, const Range& p, const Range& q)
+Compared_points<Interval> compared_points(const Site_arc_2<Interval>& arc, const Range& p, const Range& q)
 {
   const bool end = p.middle() + q.middle() > 1;
   return {arc.point(p), arc.way_from_end(end, q) - arc.way_from_end(end, p)};
@@ -75,9 +74,9 @@ The difference of the curvatures of two footpoints over a part of an element, wh
 exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
 */
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval>
-difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                     const Basic_element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b)
+Curvature_expansion<Interval>
+difference_of_points(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                     const Element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b)
 {
   using Kind = Disk_footpoint::Kind;
   // as a vertex may be, where an arc ends that is not
@@ -87,18 +86,17 @@ difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk
     return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact;
   };
   const double u = part.range.middle();
-  const Basic_element_part<Interval> middle = curvature.part(part.element, {u, u});
-  const auto expansion = [&](const Basic_compared_points<Interval>& there,
-                             const Basic_compared_points<Interval>& throughout) {
-    return Basic_curvature_expansion<Interval>{there.difference(middle), there.slope(middle), throughout.slope(part),
-                                               any_number<Interval>()};
+  const Element_part<Interval> middle = curvature.part(part.element, {u, u});
+  const auto expansion = [&](const Compared_points<Interval>& there, const Compared_points<Interval>& throughout) {
+    return Curvature_expansion<Interval>{there.difference(middle), there.slope(middle), throughout.slope(part),
+                                         any_number<Interval>()};
   };
   if (is_exact_point(a.footpoint) && is_exact_point(b.footpoint)) {
-    const Basic_compared_points<Interval> points{graph.vertices()[a.footpoint.index].point,
-                                                 graph.way_between(a.footpoint.index, b.footpoint.index)};
+    const Compared_points<Interval> points{graph.vertices()[a.footpoint.index].point,
+                                           graph.way_between(a.footpoint.index, b.footpoint.index)};
     return expansion(points, points);
   }
-  const Basic_oriented_element<Interval>& element = graph.elements()[part.element];
+  const Oriented_element<Interval>& element = graph.elements()[part.element];
   const std::size_t arc = (a.footpoint.kind == Kind::ARC ? a : b).footpoint.index;
   if ((a.footpoint.kind != Kind::ARC && b.footpoint.kind != Kind::ARC) ||
       (!element.is_normal_cone && element.object == arc))
@@ -120,7 +118,7 @@ difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk
              q_there = p && q ? range(b, false) : std::nullopt;
   return p_there && q_there
       ? expansion(compared_points(graph.arcs()[arc], *p_there, *q_there), compared_points(graph.arcs()[arc], *p, *q))
-      : Basic_curvature_expansion<Interval>();
+      : Curvature_expansion<Interval>();
 }
 
 } // namespace Voronoi

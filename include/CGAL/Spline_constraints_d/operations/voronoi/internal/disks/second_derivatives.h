@@ -16,16 +16,16 @@ namespace Voronoi {
 
 // Of the point of an element, and of its normal, over a part; of a normal cone they are zero.
 template <Enclosing_number Interval>
-std::array<std::array<Interval, 2>, 2> second_derivatives(const Basic_site_graph_2<Interval>& graph,
-                                                          const Basic_element_part<Interval>& part)
+std::array<std::array<Interval, 2>, 2> second_derivatives(const Site_graph_2<Interval>& graph,
+                                                          const Element_part<Interval>& part)
 {
-  const Basic_oriented_element<Interval>& element = graph.elements()[part.element];
+  const Oriented_element<Interval>& element = graph.elements()[part.element];
   if (element.is_normal_cone) {
     const std::array<Interval, 2> zero{Interval(0), Interval(0)};
     return {zero, zero};
   }
-  const Basic_site_arc_2<Interval>& arc = graph.arcs()[element.object];
-  const Basic_curve_jet<Interval> jet = arc.jet(part.range, 3);
+  const Site_arc_2<Interval>& arc = graph.arcs()[element.object];
+  const Curve_jet<Interval> jet = arc.jet(part.range, 3);
   return {jet[2],
           Interval(element.is_reversed ? -1 : 1) *
               turned_left(arc.has_singular_end() ? arc.second_derivative_of_tangent(part.range) : jet[3])};
@@ -34,9 +34,8 @@ std::array<std::array<Interval, 2>, 2> second_derivatives(const Basic_site_graph
 // Of the curvature of disks by the parameter of the element, for points in a box that is not scaled, where the
 // curvature and its first derivative are enclosed.
 template <Enclosing_number Interval>
-Interval second_derivative_of_curvature(const Basic_site_graph_2<Interval>& graph,
-                                        const Basic_element_part<Interval>& part, const std::array<Interval, 2>& box,
-                                        const Basic_curvature_bounds<Interval>& k)
+Interval second_derivative_of_curvature(const Site_graph_2<Interval>& graph, const Element_part<Interval>& part,
+                                        const std::array<Interval, 2>& box, const Curvature_bounds<Interval>& k)
 {
   const auto& [x, xu, n, nu] = part.jet;
   const auto [xuu, nuu] = second_derivatives(graph, part);

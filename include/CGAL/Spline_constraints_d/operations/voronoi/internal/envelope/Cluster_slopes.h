@@ -20,30 +20,25 @@ namespace Voronoi {
 What polynomials tell of the curvature of the disks through a cluster, near the ends of the element and of the arc,
 where intervals do not tell it (see Disk_slope).
 */
-template <Enclosing_number Interval>
-class Basic_cluster_slopes
+template <Enclosing_number Interval = Common::Interval>
+class Cluster_slopes
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Cluster = Basic_disk_cluster<Interval>;
+  using Cluster = Disk_cluster<Interval>;
   using End_state = Cluster::End_state;
 
   // between an end of the element and a part that is near it, in widths of the part
   static constexpr double most_gap = 4;
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
   Disk_slopes& m_slopes;
-  const Element_part& m_part;
-  const Oriented_element& m_element;
+  const Element_part<Interval>& m_part;
+  const Oriented_element<Interval>& m_element;
   double m_least;   // curvature of all maximal disks
 
 public:
-  Basic_cluster_slopes(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
-                       const Element_part& part, double least)
+  Cluster_slopes(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature, Disk_slopes& slopes,
+                 const Element_part<Interval>& part, double least)
     : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_element(graph.elements()[part.element]),
       m_least(least)
   {}
@@ -132,12 +127,10 @@ private:
   bool is_tie(bool element_end, const Arc_end& end) const
   {
     const double u = element_end ? 1 : 0, v = end.parameter();
-    const Curvature_bounds k = m_curvature(m_curvature.part(m_part.element, {u, u}), end.arc, {v, v});
+    const Curvature_bounds<Interval> k = m_curvature(m_curvature.part(m_part.element, {u, u}), end.arc, {v, v});
     return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
   }
 };
-
-using Cluster_slopes = Basic_cluster_slopes<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -27,27 +27,21 @@ A disk with a rational center and a rational squared radius that is a guess for 
 footpoints or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on
 lines and circles. Scaled sites are touched by the scaled disk.
 */
-template <Enclosing_number Interval>
-class Basic_common_disk
+template <Enclosing_number Interval = Common::Interval>
+class Common_disk
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
   Exact_pair m_center;
   Interval_pair m_enclosed_center;
   std::optional<Exact_rational> m_squared_radius;
 
 public:
   // The center is the simplest one in an enclosure.
-  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center,
-                    std::span<const Disk_branch> footpoints)
+  Common_disk(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+              const Interval_pair& center, std::span<const Disk_branch> footpoints)
     : m_graph(graph), m_curvature(curvature)
   {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -63,9 +57,9 @@ public:
   }
 
   // Whether it touches a part of an element, on the side of the normals.
-  bool touches(const Element_part& part) const
+  bool touches(const Element_part<Interval>& part) const
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     const Interval_pair away = m_enclosed_center - part.jet.point;
     if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
       return false;
@@ -109,7 +103,7 @@ private:
     return {m_center, Exact_rational(*m_squared_radius * squared_factor(m_curvature, footpoint))};
   }
 
-  static bool touches(const typename Site_graph_2::Vertex& vertex, const Rational_disk& disk)
+  static bool touches(const typename Site_graph_2<Interval>::Vertex& vertex, const Rational_disk& disk)
   {
     return vertex.is_exact && disk.touches(vertex.exact_point);
   }
@@ -149,17 +143,15 @@ private:
   }
 
   // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
-  bool touches_arc(const Site_arc_2& arc, const Range& range, const Rational_disk& disk) const
+  bool touches_arc(const Site_arc_2<Interval>& arc, const Range& range, const Rational_disk& disk) const
   {
     const auto approach = [&](double v) {
-      const Curve_jet y = arc.jet({v, v}, 1);
+      const Curve_jet<Interval> y = arc.jet({v, v}, 1);
       return certain_sign(dot(m_enclosed_center - y[0], y[1]));
     };
     return disk.touches_line_or_circle(arc) && approach(range.begin) > 0 && approach(range.end) < 0;
   }
 };
-
-using Common_disk = Basic_common_disk<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -26,22 +26,18 @@ Where <N(u), d> = 0, the half-plane of N has the points X(u) + s d on its bounda
 same parameter, where the copy has the same tangent: k = 0 and k_v = 0 there. Each branch has one maximum, which is that
 point if it holds it.
 */
-template <Enclosing_number Interval>
-class Basic_common_half_plane
+template <Enclosing_number Interval = Common::Interval>
+class Common_half_plane
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
 
 public:
-  Basic_common_half_plane(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part)
+  Common_half_plane(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                    const Element_part<Interval>& part)
     : m_graph(graph), m_curvature(curvature), m_part(part)
   {}
 
@@ -76,7 +72,7 @@ private:
   // The vector from the element to a footpoint that is a copy of it, and touched at the parameter of the element.
   std::optional<Exact_pair> way_to_copy(const Located_footpoint& located) const
   {
-    const Oriented_element& element = m_graph.elements()[m_part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[m_part.element];
     const Disk_footpoint own{element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC,
                              element.object},
         &other = located.footpoint;
@@ -102,8 +98,6 @@ private:
     return std::nullopt;
   }
 };
-
-using Common_half_plane = Basic_common_half_plane<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

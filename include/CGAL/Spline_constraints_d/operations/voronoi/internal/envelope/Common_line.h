@@ -28,14 +28,10 @@ arc, if the line is the tangent there. Any other arc is touched where a polynomi
 line times a constant and the weight, has a multiple root; its branch has one maximum, which is that point if it holds
 it.
 */
-template <Enclosing_number Interval>
-class Basic_common_line
+template <Enclosing_number Interval = Common::Interval>
+class Common_line
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
 
   struct Line
   {
@@ -44,13 +40,14 @@ class Basic_common_line
     bool holds(const Exact_pair& p) const { return sign_of(exact_cross(direction, exact_difference(p, point))) == 0; }
   };
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
-  const Oriented_element& m_element;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
+  const Oriented_element<Interval>& m_element;
 
 public:
-  Basic_common_line(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part)
+  Common_line(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+              const Element_part<Interval>& part)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_element(graph.elements()[part.element])
   {}
 
@@ -143,8 +140,6 @@ private:
         sign_of(exact_cross(line.direction, m_graph.direction(end))) == 0;
   }
 };
-
-using Common_line = Basic_common_line<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

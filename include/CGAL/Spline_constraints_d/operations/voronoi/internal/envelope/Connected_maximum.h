@@ -21,25 +21,20 @@ namespace Voronoi {
 Disks over a part of an element whose points on an arc are connected, so that their curvature has one maximum there: on
 lines and circles, and on arcs that are flatter than all disks.
 */
-template <Enclosing_number Interval>
-class Basic_connected_maximum
+template <Enclosing_number Interval = Common::Interval>
+class Connected_maximum
 {
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Cluster = Basic_disk_cluster<Interval>;
+  using Cluster = Disk_cluster<Interval>;
   using End_state = Cluster::End_state;
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
   double m_least;   // curvature of all maximal disks
 
 public:
-  Basic_connected_maximum(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
-                          double least)
+  Connected_maximum(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                    const Element_part<Interval>& part, double least)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_least(least)
   {}
 
@@ -48,7 +43,7 @@ public:
   // points through which there are disks of at least some positive curvature are connected.
   bool are_connected(std::size_t arc) const
   {
-    const Site_arc_2& y = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& y = m_graph.arcs()[arc];
     return m_least > 0 && !y.turns_back() &&
         (m_curvature.is_arc_scaled(arc) ? y.is_straight() : y.is_on_line_or_circle());
   }
@@ -73,10 +68,10 @@ private:
   */
   bool is_flat(const Cluster& cluster) const
   {
-    const Site_arc_2& arc = m_graph.arcs()[cluster.arc];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[cluster.arc];
     if (m_curvature.is_arc_scaled(cluster.arc) || arc.has_singular_end())
       return false;
-    const Basic_curve_jet<Interval> y = arc.jet(cluster.range, 2);
+    const Curve_jet<Interval> y = arc.jet(cluster.range, 2);
     if (!turns_by_less_than_right_angle(y[1]))
       return false;
     const Interval square = squared_norm(y[1]), turn = dot(turned_left(y[1]), y[2]),
@@ -94,7 +89,7 @@ private:
     int ends_among_them = 0;
     for (const bool end : {false, true})
       if (cluster.touches(end)) {
-        const Curvature_bounds k = m_curvature(m_part, Arc_end{cluster.arc, end});
+        const Curvature_bounds<Interval> k = m_curvature(m_part, Arc_end{cluster.arc, end});
         if (k.value.sup() < m_least) {   // the maximum in the next arc may still matter
           ends[end] = End_state::TOO_LOW;
           continue;
@@ -112,8 +107,6 @@ private:
     return true;
   }
 };
-
-using Connected_maximum = Basic_connected_maximum<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -28,16 +28,10 @@ and g is a smooth function with one maximum in m for small s, also for s = 0. If
 positive zero of |Z|^2 g^2 - 2 <N, Z> g - (c^2 - 1) |N|^2; the angle may have any size, and the maximum may be that of
 the vertex, m = 0.
 */
-template <Enclosing_number Interval>
-class Basic_corner_disks
+template <Enclosing_number Interval = Common::Interval>
+class Corner_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Curvature_quotient = Basic_curvature_quotient<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
 
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
@@ -61,10 +55,10 @@ private:
 public:
   // For the part of an element, which begins or ends in one end of its arc, and a range of the other arc that begins or
   // ends there too.
-  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
-                     const Arc_end& own, const Arc_end& other, const Range& range)
+  Corner_disks(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+               const Element_part<Interval>& part, const Arc_end& own, const Arc_end& other, const Range& range)
   {
-    const Curve_jet x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
+    const Curve_jet<Interval> x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
     const Interval own_way(own.is_end ? -1 : 1), way(other.is_end ? -1 : 1);
     m_s = Interval(0, (Interval(part.range.end) - Interval(part.range.begin)).sup());
     m_normal = part.jet.normal;
@@ -87,7 +81,7 @@ public:
     if (!(attained > 0) || !are_far_points_lower(attained) || !visit_near_points(attained, found))
       return std::nullopt;
     const bool is_in_vertex = found == Stationary_points::NONE;
-    if (const Curvature_bounds vertex = bounds(Interval(0));
+    if (const Curvature_bounds<Interval> vertex = bounds(Interval(0));
         !is_in_vertex && !(vertex.value.sup() < attained || vertex.dv.inf() > 0))
       return std::nullopt;
     return Maximum{(Interval(attained) / Interval(m_s.sup())).inf(), is_in_vertex};
@@ -102,18 +96,18 @@ public:
   }
 
 private:
-  Curvature_bounds of_disk(const Curvature_quotient& k) const
+  Curvature_bounds<Interval> of_disk(const Curvature_quotient<Interval>& k) const
   {
     return m_excess ? k.positive_zero(*m_excess, Interval(0)) : k.bounds();
   }
 
   // Of g, and of its derivatives by m.
-  Curvature_bounds bounds(const Interval& m) const
+  Curvature_bounds<Interval> bounds(const Interval& m) const
   {
     const Interval two(2);
     const Interval_pair z = m * m_b - m_a;
     // Products with m are formed last: what the vectors have in common cancels before.
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.q =
         common_part(squared_norm(z), CGAL::square(m) * squared_norm(m_b) - two * m * dot(m_a, m_b) + squared_norm(m_a));
     k.f = two * (m * dot(m_normal, m_b) - dot(m_normal, m_a));
@@ -129,7 +123,7 @@ private:
   {
     const Interval most = Interval(far_ratio) * Interval(m_speed_ratio), l(0, (Interval(1) / most).sup());
     const Interval_pair z = m_b - l * m_a;
-    Curvature_quotient k;
+    Curvature_quotient<Interval> k;
     k.f = Interval(2) * (dot(m_normal, m_b) - l * dot(m_normal, m_a));
     k.q = squared_norm(z);
     return (of_disk(k).value - Interval(attained) * most).sup() < 0;
@@ -154,7 +148,7 @@ private:
   // Visits a range of m. Returns false when there may be two maxima.
   bool visit(double begin, double end, double attained, int halvings, Stationary_points& found) const
   {
-    const Curvature_bounds k = bounds(Interval(begin, end));
+    const Curvature_bounds<Interval> k = bounds(Interval(begin, end));
     const auto slope = [&](double m) { return certain_sign(bounds(Interval(m)).dv); };
     if (k.value.sup() < attained || certain_sign(k.dv) != 0 ||
         (k.dvv.sup() < 0 && (slope(begin) < 0 || slope(end) > 0))) {
@@ -172,8 +166,6 @@ private:
         visit(middle, end, attained, halvings - 1, found);
   }
 };
-
-using Corner_disks = Basic_corner_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

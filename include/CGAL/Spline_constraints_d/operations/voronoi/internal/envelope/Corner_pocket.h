@@ -30,39 +30,32 @@ touches the element between X and the corner touches something else in the pocke
 other arc. Hence such points X form a range of the element that begins in the corner, and for this no disk has to be
 looked at.
 */
-template <Enclosing_number Interval>
-class Basic_corner_pocket
+template <Enclosing_number Interval = Common::Interval>
+class Corner_pocket
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Corner_pocket = Basic_corner_pocket<Interval>;
 
   static constexpr int most_halvings = 12, most_shrinkings = 60;
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
   Arc_end m_own, m_other;
   double m_scale;   // of the parameter of the other arc
   Range m_range;    // of that, with all that disks may touch there
 
 public:
   // The pocket at an end of a part of an element, if there is one.
-  static std::optional<Corner_pocket> at_end_of(const Element_part& part, const Site_graph_2& graph,
-                                                const Disk_curvature& curvature)
+  static std::optional<Corner_pocket<Interval>> at_end_of(const Element_part<Interval>& part,
+                                                          const Site_graph_2<Interval>& graph,
+                                                          const Disk_curvature<Interval>& curvature)
   {
-    const Oriented_element& element = graph.elements()[part.element];
+    const Oriented_element<Interval>& element = graph.elements()[part.element];
     for (const bool end : {false, true}) {
       if (element.is_normal_cone || (end ? part.range.end < 1 : part.range.begin > 0))
         continue;
       if (const Arc_end own{element.object, end}; graph.is_pocket(element, own))
-        return Corner_pocket(graph, curvature, part, own, *graph.nearly_smooth_continuation(own));
+        return Corner_pocket<Interval>(graph, curvature, part, own, *graph.nearly_smooth_continuation(own));
     }
     return std::nullopt;
   }
@@ -70,17 +63,18 @@ public:
   // Takes the candidates that belong to the pocket: those of the other arc, or the ones that are connected with the
   // corner; and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the
   // other arc. Returns whether the other arc has any.
-  bool take(std::vector<Disk_candidate>& candidates)
+  bool take(std::vector<Disk_candidate<Interval>>& candidates)
   {
     Range own{m_own.parameter(), m_own.parameter()};
     const int way = m_own.is_end ? 1 : -1;
-    take_connected(candidates, own,
-                   [&](const Disk_candidate& c) { return c.index == m_own.arc && certain_sign(c.bounds.dv) == way; });
-    const auto is_of_other = [&](const Disk_candidate& c) {
-      return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc;
+    take_connected(candidates, own, [&](const Disk_candidate<Interval>& c) {
+      return c.index == m_own.arc && certain_sign(c.bounds.dv) == way;
+    });
+    const auto is_of_other = [&](const Disk_candidate<Interval>& c) {
+      return c.kind == Disk_candidate<Interval>::Kind::ARC && c.index == m_other.arc;
     };
     Range all = m_range;
-    for (const Disk_candidate& candidate : candidates)
+    for (const Disk_candidate<Interval>& candidate : candidates)
       if (is_of_other(candidate))
         all = united(all, candidate.range);
     if (!m_graph.arcs()[m_other.arc].is_spiral(all))
@@ -98,7 +92,7 @@ public:
   // The same for the disks of a range of the element that are not larger than those of some curvature.
   Located_footpoint footpoint(const Range& range, double least) const
   {
-    const Element_part part = m_curvature.part(m_part.element, range);
+    const Element_part<Interval> part = m_curvature.part(m_part.element, range);
     Range result = m_range;
     for (int i = 0; i < most_shrinkings; ++i) {
       const double middle = result.middle();
@@ -135,7 +129,7 @@ public:
   // opposite.
   bool has_growing_disks() const
   {
-    const Curve_jet y = m_graph.arcs()[m_other.arc].jet(m_range, 1);
+    const Curve_jet<Interval> y = m_graph.arcs()[m_other.arc].jet(m_range, 1);
     const Interval way(m_other.is_end != m_own.is_end ? 1 : -1),
         side(m_graph.elements()[m_part.element].is_reversed ? -1 : 1);
     return dot(m_part.jet.normal, (way * side) * turned_left(y[1])).inf() > 0;
@@ -145,7 +139,7 @@ public:
   // curvature (-1); 0 if that is not certain.
   int sign(double u, const Interval& other_curvature) const
   {
-    const Element_part point = m_curvature.part(m_part.element, {u, u});
+    const Element_part<Interval> point = m_curvature.part(m_part.element, {u, u});
     const double distance = std::abs(u - m_own.parameter()) * m_scale, v = m_other.is_end ? 1 - distance : distance;
     if (m_range.begin < v && v < m_range.end && (at(point, {v, v}) - other_curvature).inf() > 0)
       return 1;
@@ -153,20 +147,21 @@ public:
   }
 
 private:
-  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
-                      const Arc_end& own, const Nearly_smooth_continuation& next)
+  Corner_pocket(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                const Element_part<Interval>& part, const Arc_end& own,
+                const Nearly_smooth_continuation<Interval>& next)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end),
       m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
   {}
 
   Located_footpoint footpoint(const Range& range) const { return {{Disk_footpoint::Kind::ARC, m_other.arc}, range}; }
 
-  Interval at(const Element_part& point, const Range& range) const
+  Interval at(const Element_part<Interval>& point, const Range& range) const
   {
     return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value;
   }
 
-  bool is_below(const Element_part& point, const Range& range, double curvature, int halvings) const
+  bool is_below(const Element_part<Interval>& point, const Range& range, double curvature, int halvings) const
   {
     if (at(point, range).sup() < curvature)
       return true;
@@ -174,8 +169,6 @@ private:
         is_below(point, {range.middle(), range.end}, curvature, halvings - 1);
   }
 };
-
-using Corner_pocket = Basic_corner_pocket<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -25,21 +25,15 @@ at the vertex are those of the curvature of one of them: the diagram has a tip t
 smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the
 arc with the larger curvature.
 */
-template <Enclosing_number Interval>
-class Basic_corner_tip
+template <Enclosing_number Interval = Common::Interval>
+class Corner_tip
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-
-  const Site_graph_2& m_graph;
-  const Element_part& m_part;
-  const Oriented_element& m_element;
+  const Site_graph_2<Interval>& m_graph;
+  const Element_part<Interval>& m_part;
+  const Oriented_element<Interval>& m_element;
 
 public:
-  Basic_corner_tip(const Site_graph_2& graph, const Element_part& part)
+  Corner_tip(const Site_graph_2<Interval>& graph, const Element_part<Interval>& part)
     : m_graph(graph), m_part(part), m_element(graph.elements()[part.element])
   {}
 
@@ -47,12 +41,12 @@ public:
   The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk
   touches it twice: so the disks leave no part of it out.
   */
-  std::optional<Located_footpoint> only_footpoint(const std::vector<Disk_candidate>& candidates) const
+  std::optional<Located_footpoint> only_footpoint(const std::vector<Disk_candidate<Interval>>& candidates) const
   {
     for (const Arc_end& other : other_ends()) {
       Range range{other.parameter(), other.parameter()};
-      for (const Disk_candidate& candidate : candidates)
-        if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
+      for (const Disk_candidate<Interval>& candidate : candidates)
+        if (candidate.kind == Disk_candidate<Interval>::Kind::ARC && candidate.index == other.arc)
           range = united(range, candidate.range);
         else
           range = Range();
@@ -73,7 +67,7 @@ public:
   The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which
   curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
   */
-  std::optional<Footpoints> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
+  std::optional<Footpoints> vertex_and_arc(const std::vector<Disk_candidate<Interval>>& candidates) const
   {
     if (m_element.is_normal_cone)
       return std::nullopt;
@@ -83,13 +77,14 @@ public:
       Range range{other.parameter(), other.parameter()}, own_range{own.parameter(), own.parameter()};
       const int way = own.is_end ? 1 : -1;
       // without those of the own arc on which the curvature grows up to the vertex
-      std::vector<Disk_candidate> left(candidates);
-      take_connected(left, own_range,
-                     [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
-      for (const Disk_candidate& candidate : left)
-        if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
+      std::vector<Disk_candidate<Interval>> left(candidates);
+      take_connected(left, own_range, [&](const Disk_candidate<Interval>& c) {
+        return c.index == own.arc && certain_sign(c.bounds.dv) == way;
+      });
+      for (const Disk_candidate<Interval>& candidate : left)
+        if (candidate.kind == Disk_candidate<Interval>::Kind::ARC && candidate.index == other.arc)
           range = united(range, candidate.range);
-        else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
+        else if (candidate.kind != Disk_candidate<Interval>::Kind::VERTEX || candidate.index != vertex)
           range = Range();
       if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
         return Footpoints{
@@ -100,11 +95,11 @@ public:
 
   // Whether the disk that touches the element in a point touches the vertex (1) or the arc (-1); 0 if that is not
   // certain.
-  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Footpoints& footpoints, double u,
+  int sign(const Disk_curvature<Interval>& curvature, Disk_slopes& slopes, const Footpoints& footpoints, double u,
            double least) const
   {
     if (u == footpoints.own.parameter()) {
-      const Element_part point = curvature.part(m_part.element, {u, u});
+      const Element_part<Interval> point = curvature.part(m_part.element, {u, u});
       const Interval arc = curvature(point, footpoints.other.arc, footpoints.arc.range,
                                      m_graph.arcs()[footpoints.other.arc].jet(footpoints.arc.range))
                                .value;
@@ -144,8 +139,6 @@ private:
     return result;
   }
 };
-
-using Corner_tip = Basic_corner_tip<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -25,49 +25,41 @@ namespace Voronoi {
 The branches of footpoints over a part of an element, from the clusters of candidates with one maximum each: footpoints
 in an arc or a vertex, and those that go over from one to the other.
 */
-template <Enclosing_number Interval>
-class Basic_disk_branches
+template <Enclosing_number Interval = Common::Interval>
+class Disk_branches
 {
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_clusters = Basic_disk_clusters<Interval>;
+  using Cluster = Disk_clusters<Interval>::Cluster;
+  using End_state = Disk_clusters<Interval>::End_state;
 
-  using Cluster = Disk_clusters::Cluster;
-  using End_state = Disk_clusters::End_state;
-
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
-  const Oriented_element& m_element;
-  Disk_clusters m_clusters;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
+  const Oriented_element<Interval>& m_element;
+  Disk_clusters<Interval> m_clusters;
   std::vector<Disk_branch> m_branches;
   bool m_are_known;
 
 public:
-  Basic_disk_branches(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
-                      const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  Disk_branches(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature, Disk_slopes& slopes,
+                const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+                double least)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_element(graph.elements()[part.element]),
       m_clusters(graph, curvature, slopes, part, candidates, least), m_are_known(m_clusters.are_known())
   {
     if (!m_are_known)
       return;
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::VERTEX)
+    for (const Disk_candidate<Interval>& candidate : candidates)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::VERTEX)
         m_branches.push_back(branch_to(Disk_footpoint::Kind::VERTEX, candidate.index));
     for (const Cluster& cluster : m_clusters)
       if (!add_nearly_smooth_joint(cluster))
         add_branches(cluster);
     if (!(least > 0))
       m_branches.push_back(Disk_branch());
-    const auto is_inside = [&](const Disk_candidate& c) {
+    const auto is_inside = [&](const Disk_candidate<Interval>& c) {
       return curvature.side_of_own_circle(
                  part,
-                 c.kind == Disk_candidate::Kind::VERTEX
+                 c.kind == Disk_candidate<Interval>::Kind::VERTEX
                      ? graph.vertices()[c.index].point
                      : graph.arcs()[c.index].point(Range{c.range.middle(), c.range.middle()})) < 0;
     };
@@ -106,7 +98,7 @@ private:
   }
 
   void add_nearly_smooth_joint(const Cluster& cluster, const Cluster& other, const Arc_end& own,
-                               const Nearly_smooth_continuation& next)
+                               const Nearly_smooth_continuation<Interval>& next)
   {
     const int side = side_of_disks(cluster, own, false), other_side = side_of_disks(other, next.end, true);
     m_are_known = m_are_known && side != 0 && side == other_side;
@@ -137,7 +129,7 @@ private:
   // right; 0 if that is not certain. It is that of the point in which they touch the element.
   int side_of_disks(const Cluster& cluster, const Arc_end& end, bool is_away) const
   {
-    const Curve_jet y = m_graph.arcs()[cluster.arc].jet(cluster.range, 1);
+    const Curve_jet<Interval> y = m_graph.arcs()[cluster.arc].jet(cluster.range, 1);
     return certain_sign(dot(turned_left(y[1]), m_part.jet.point - y[0])) * (end.is_end != is_away ? 1 : -1);
   }
 
@@ -252,8 +244,6 @@ private:
       m_branches.push_back(branch);
   }
 };
-
-using Disk_branches = Basic_disk_branches<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

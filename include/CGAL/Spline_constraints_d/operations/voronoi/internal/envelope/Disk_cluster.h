@@ -19,15 +19,21 @@ namespace Voronoi {
 
 // A range of an arc that disks may touch over a part of an element, and what is known of the maximum of their
 // curvature.
-template <Enclosing_number Interval>
-struct Basic_disk_cluster
+template <Enclosing_number Interval = Common::Interval>
+struct Disk_cluster
 {
   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
-  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };
+  enum class End_state
+  {
+    NOT_A_MAXIMUM,
+    MAXIMUM,
+    TOO_LOW,
+    UNKNOWN
+  };
 
   std::size_t arc;
   Range range;
-  Basic_curvature_bounds<Interval> bounds{};
+  Curvature_bounds<Interval> bounds{};
   bool is_known = false;   // to have one maximum inside
   bool is_too_low = false;
   double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
@@ -36,8 +42,6 @@ struct Basic_disk_cluster
   bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
   bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
 };
-
-using Disk_cluster = Basic_disk_cluster<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -30,40 +30,31 @@ namespace Voronoi {
 The ranges of arcs that disks may touch over a part of an element, by what is left when candidates have been pruned; and
 whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
 */
-template <Enclosing_number Interval>
-class Basic_disk_clusters
+template <Enclosing_number Interval = Common::Interval>
+class Disk_clusters
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Cluster_slopes = Basic_cluster_slopes<Interval>;
-  using Connected_maximum = Basic_connected_maximum<Interval>;
-  using Corner_disks = Basic_corner_disks<Interval>;
-  using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
 public:
-  using Cluster = Basic_disk_cluster<Interval>;
+  using Cluster = Disk_cluster<Interval>;
   using End_state = Cluster::End_state;
 
 private:
   static constexpr double most_reach = 64;   // of a cluster at a corner, in units of the length of the part
 
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
-  const Oriented_element& m_element;
-  Cluster_slopes m_cluster_slopes;
-  Connected_maximum m_maximum;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
+  const Oriented_element<Interval>& m_element;
+  Cluster_slopes<Interval> m_cluster_slopes;
+  Connected_maximum<Interval> m_maximum;
   std::vector<Cluster> m_clusters;
   bool m_are_known = true, m_is_one_part = false;   // the latter: all that is left is one range of one arc
 
 public:
-  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
-                      const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  Disk_clusters(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature, Disk_slopes& slopes,
+                const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+                double least)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_element(graph.elements()[part.element]),
       m_cluster_slopes(graph, curvature, slopes, part, least), m_maximum(graph, curvature, part, least)
   {
@@ -100,12 +91,12 @@ public:
 
 private:
   // Neighbouring candidates form one cluster, as do all of a segment.
-  void collect(const std::vector<Disk_candidate>& candidates)
+  void collect(const std::vector<Disk_candidate<Interval>>& candidates)
   {
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::ARC)
+    for (const Disk_candidate<Interval>& candidate : candidates)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::ARC)
         m_clusters.push_back({candidate.index, candidate.range, candidate.bounds});
-      else if (candidate.kind == Disk_candidate::Kind::NODE)
+      else if (candidate.kind == Disk_candidate<Interval>::Kind::NODE)
         m_are_known = false;
     std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) {
       return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin);
@@ -121,8 +112,9 @@ private:
         merged.push_back(cluster);
     m_clusters = std::move(merged);
     m_is_one_part = m_clusters.size() == 1 &&
-        std::all_of(candidates.begin(), candidates.end(),
-                    [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
+        std::all_of(candidates.begin(), candidates.end(), [](const Disk_candidate<Interval>& candidate) {
+                      return candidate.kind == Disk_candidate<Interval>::Kind::ARC;
+                    });
   }
 
   // Also finds out about maxima in the ends.
@@ -180,12 +172,12 @@ private:
   // segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
   std::optional<bool> nearest_end_on_line_through_normal_cone(std::size_t arc) const
   {
-    const Site_arc_2& segment = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& segment = m_graph.arcs()[arc];
     if (!m_element.is_normal_cone || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) ||
         !m_graph.vertices()[m_element.object].is_exact)
       return std::nullopt;
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
-    const typename Site_graph_2::Vertex& normal_cone = m_graph.vertices()[m_element.object];
+    const typename Site_graph_2<Interval>::Vertex& normal_cone = m_graph.vertices()[m_element.object];
     const Interval_pair to_begin = m_graph.vertices()[begin].point - normal_cone.point,
                         to_end = m_graph.vertices()[end].point - normal_cone.point;
     if (begin == m_element.object || end == m_element.object || certain_sign(dot(to_begin, to_end)) <= 0 ||
@@ -253,7 +245,7 @@ private:
       std::erase_if(m_clusters, [&](const Cluster& cluster) {
         return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) &&
             cluster.corner.least < greatest &&
-            Corner_disks(m_graph, m_curvature, m_part, own, other, cluster.range).are_all_lower(greatest);
+            Corner_disks<Interval>(m_graph, m_curvature, m_part, own, other, cluster.range).are_all_lower(greatest);
       });
   }
 
@@ -269,8 +261,9 @@ private:
     };
     const Cluster* first = cluster_at(other);
     auto all = first != nullptr && is_part(*first) ? united_at(other, is_part) : std::nullopt;
-    const auto maximum =
-        all ? Corner_disks(m_graph, m_curvature, m_part, own, other, all->range).only_maximum() : std::nullopt;
+    const auto maximum = all
+        ? Corner_disks<Interval>(m_graph, m_curvature, m_part, own, other, all->range).only_maximum()
+        : std::nullopt;
     if (!maximum)
       return 0;
     all->least = maximum->least_curvature;
@@ -331,13 +324,11 @@ private:
   {
     for (const bool normal : {false, true})
       if (m_graph.is_perpendicular(m_element, normal, other) &&
-          Normal_cone_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
+          Normal_cone_disks<Interval>(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
         return true;
     return false;
   }
 };
-
-using Disk_clusters = Basic_disk_clusters<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -27,26 +27,18 @@ namespace Voronoi {
 The branches of footpoints over a part of an element that are left when candidates have been pruned, compared with each
 other by the curvatures of their disks.
 */
-template <Enclosing_number Interval>
-class Basic_disk_footpoints
+template <Enclosing_number Interval = Common::Interval>
+class Disk_footpoints
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_branches = Basic_disk_branches<Interval>;
-  using Exact_end_disks = Basic_exact_end_disks<Interval>;
-  using Curvature_expansion = Basic_curvature_expansion<Interval>;
-
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
-  const Disk_branches m_branches;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
+  const Disk_branches<Interval> m_branches;
 
 public:
-  Basic_disk_footpoints(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes,
-                        const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  Disk_footpoints(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature, Disk_slopes& slopes,
+                  const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+                  double least)
     : m_graph(graph), m_curvature(curvature), m_part(part),
       m_branches(graph, curvature, slopes, part, candidates, least)
   {}
@@ -60,7 +52,7 @@ public:
   {
     if (m_branches.all().size() < 2)
       return m_branches.all();
-    std::vector<std::pair<Disk_branch, std::vector<Curvature_expansion>>> highest;
+    std::vector<std::pair<Disk_branch, std::vector<Curvature_expansion<Interval>>>> highest;
     for (const Disk_branch& branch : m_branches.all()) {
       const std::pair next(branch,
                            branch.move ? std::vector{expansion(branch.move->positive), expansion(branch.move->negative)}
@@ -82,7 +74,7 @@ public:
 
   int sign_of_move(const Disk_branch& branch, double u) const
   {
-    const Element_part point = m_curvature.part(m_part.element, {u, u});
+    const Element_part<Interval> point = m_curvature.part(m_part.element, {u, u});
     if (branch.move->joined_ends)
       return common_sign(*branch.move->joined_ends, [&](const Arc_end& end) { return m_curvature(point, end).dv; });
     const double v = branch.move->event == Disk_event::TIP ? u : branch.move->parameter;
@@ -96,7 +88,7 @@ public:
     if (branch.move->event != Disk_event::TIP)
       return certain_sign(
                  m_curvature(m_part, branch.move->arc, {branch.move->parameter, branch.move->parameter}).duv) != 0;
-    const Curvature_bounds k = m_curvature(m_part, branch.move->arc, m_part.range);
+    const Curvature_bounds<Interval> k = m_curvature(m_part, branch.move->arc, m_part.range);
     return certain_sign(k.duv + k.dvv) != 0;
   }
 
@@ -130,11 +122,13 @@ public:
   // The sign of the difference of the curvatures of two branches.
   int compare(const Disk_branch& a, const Disk_branch& b, double u) const
   {
-    const Element_part part = m_curvature.part(m_part.element, {u, u});
+    const Element_part<Interval> part = m_curvature.part(m_part.element, {u, u});
     const auto x = footpoint_at(a, u), y = footpoint_at(b, u);
     if (!x || !y)
       return 0;
-    const auto sign_in = [](const Curvature_expansion& difference) { return certain_sign(difference.at_middle); };
+    const auto sign_in = [](const Curvature_expansion<Interval>& difference) {
+      return certain_sign(difference.at_middle);
+    };
     if (const int order_of_points = sign_in(difference_of_points(m_graph, m_curvature, part, *x, *y));
         order_of_points != 0)
       return order_of_points;
@@ -173,7 +167,7 @@ public:
   {
     if (!a.move && !b.move && certain_sign(difference_of_points(m_graph, m_curvature, m_part, a, b).slope) != 0)
       return true;
-    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion& difference) {
+    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion<Interval>& difference) {
       return certain_sign(difference.derivative(shift));
     };
     return certain_sign(slope(a) - slope(b)) != 0 ||
@@ -183,13 +177,13 @@ public:
   }
 
 private:
-  Exact_end_disks exact_end_disks() const { return {m_graph, m_curvature, m_part.element}; }
+  Exact_end_disks<Interval> exact_end_disks() const { return {m_graph, m_curvature, m_part.element}; }
 
   // Which of two branches has the greater curvature throughout the part, 0 if that is not certain.
-  int order_over_part(const std::pair<Disk_branch, std::vector<Curvature_expansion>>& a,
-                      const std::pair<Disk_branch, std::vector<Curvature_expansion>>& b) const
+  int order_over_part(const std::pair<Disk_branch, std::vector<Curvature_expansion<Interval>>>& a,
+                      const std::pair<Disk_branch, std::vector<Curvature_expansion<Interval>>>& b) const
   {
-    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion& difference) {
+    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion<Interval>& difference) {
       return difference.sign(shift);
     };
     const bool do_move = a.first.move || b.first.move;
@@ -237,20 +231,18 @@ private:
                        : slope_with(branch);
   }
 
-  Interval maximum(const Element_part& part, const Located_footpoint& footpoint) const
+  Interval maximum(const Element_part<Interval>& part, const Located_footpoint& footpoint) const
   {
     return largest_curvature(m_graph, m_curvature, part, footpoint).curvature;
   }
 
   Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }
 
-  Curvature_expansion expansion(const Located_footpoint& footpoint) const
+  Curvature_expansion<Interval> expansion(const Located_footpoint& footpoint) const
   {
     return curvature_expansion(m_graph, m_curvature, m_part, footpoint);
   }
 };
-
-using Disk_footpoints = Basic_disk_footpoints<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -23,7 +23,7 @@ namespace Voronoi {
 // A disk that touches an element in a point: its center, its radius, and the parameter of its other footpoint. Infinite
 // where it is a half-plane.
 template <Enclosing_number Interval>
-struct Basic_envelope_arc_disk
+struct Envelope_arc_disk
 {
   std::array<Interval, 2> center;
   Interval curvature;   // 1 / radius, in units of the length of the normal
@@ -52,14 +52,14 @@ class Envelope_arc_disks
 {
   static constexpr double most_error = 1e-10;   // of curvatures in doubles, relative
 
-  const Site_graph_2& m_graph;
-  Disk_curvature m_curvature;
+  const Site_graph_2<>& m_graph;
+  Disk_curvature<> m_curvature;
   const Fine_level& m_fine_level;
 
 public:
-  using Disk = Basic_envelope_arc_disk<Interval>;
+  using Disk = Envelope_arc_disk<Interval>;
 
-  Envelope_arc_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Fine_level& fine_level)
+  Envelope_arc_disks(const Site_graph_2<>& graph, const Disk_curvature<>& curvature, const Fine_level& fine_level)
     : m_graph(graph), m_curvature(curvature), m_fine_level(fine_level)
   {}
 
@@ -91,7 +91,7 @@ public:
         ? greatest_curvature_at_joint(m_curvature.part(element, {u, u}), envelope_arc.located(u))
         : std::nullopt;
     const Disk result = (*this)(element, envelope_arc, u);
-    const auto estimate = [&](const Attained_curvature& k, const Interval& bounds) {
+    const auto estimate = [&](const Attained_curvature<>& k, const Interval& bounds) {
       return bounded(with_curvature(m_curvature.part(element, {u, u}), k), bounds);
     };
     if (joint && m_graph.elements()[element].is_normal_cone)
@@ -119,7 +119,7 @@ public:
 
 private:
   template <Enclosing_number Number>
-  static Disk in_doubles(const Basic_envelope_arc_disk<Number>& disk)
+  static Disk in_doubles(const Envelope_arc_disk<Number>& disk)
   {
     return {internal::Voronoi::in_doubles(disk.center), internal::Voronoi::in_doubles(disk.curvature), disk.other_range,
             disk.parameter, internal::Voronoi::in_doubles(disk.bounds)};
@@ -137,30 +137,28 @@ private:
   }
 
   template <Enclosing_number Number>
-  static Basic_envelope_arc_disk<Number> disk(const Basic_site_graph_2<Number>& graph,
-                                              const Basic_disk_curvature<Number>& curvature, std::size_t element,
-                                              const Envelope_arc& envelope_arc, double u)
+  static Envelope_arc_disk<Number> disk(const Site_graph_2<Number>& graph, const Disk_curvature<Number>& curvature,
+                                        std::size_t element, const Envelope_arc& envelope_arc, double u)
   {
-    const Basic_element_part<Number> point = curvature.part(element, {u, u});
+    const Element_part<Number> point = curvature.part(element, {u, u});
     return with_curvature(point,
                           envelope_arc.corner ? curvature_in_corner<Number>(envelope_arc, u)
                                               : largest_curvature(graph, curvature, point, envelope_arc.located(u)));
   }
 
   template <Enclosing_number Number>
-  static Basic_envelope_arc_disk<Number>
-  disk_through_point_of_arc(const Basic_site_graph_2<Number>& graph, const Basic_disk_curvature<Number>& curvature,
-                            std::size_t element, std::size_t arc, double u, double v)
+  static Envelope_arc_disk<Number> disk_through_point_of_arc(const Site_graph_2<Number>& graph,
+                                                             const Disk_curvature<Number>& curvature,
+                                                             std::size_t element, std::size_t arc, double u, double v)
   {
-    const Basic_element_part<Number> point = curvature.part(element, {u, u});
+    const Element_part<Number> point = curvature.part(element, {u, u});
     return with_curvature(
-        point,
-        Basic_attained_curvature<Number>{curvature(point, arc, {v, v}, graph.arcs()[arc].jet({v, v})).value, {v, v}});
+        point, Attained_curvature<Number>{curvature(point, arc, {v, v}, graph.arcs()[arc].jet({v, v})).value, {v, v}});
   }
 
   template <Enclosing_number Number>
-  static Basic_envelope_arc_disk<Number> with_curvature(const Basic_element_part<Number>& point,
-                                                        const Basic_attained_curvature<Number>& k)
+  static Envelope_arc_disk<Number> with_curvature(const Element_part<Number>& point,
+                                                  const Attained_curvature<Number>& k)
   {
     const auto &x = point.jet.point, &n = point.jet.normal;
     return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range, k.parameter, k.curvature};
@@ -169,7 +167,7 @@ private:
   // In the corner of a pocket there is no disk; the other end of the envelope arc has one. Between, nothing can be
   // told.
   template <Enclosing_number Number>
-  static Basic_attained_curvature<Number> curvature_in_corner(const Envelope_arc& envelope_arc, double u)
+  static Attained_curvature<Number> curvature_in_corner(const Envelope_arc& envelope_arc, double u)
   {
     const double event = envelope_arc.corner->is_end ? envelope_arc.range.begin : envelope_arc.range.end;
     return {u == event ? Number(envelope_arc.corner->curvature) : any_number<Number>(),
@@ -182,10 +180,10 @@ private:
   {
     if ((u != 0 && u != 1) || envelope_arc.footpoint.kind != Disk_footpoint::Kind::ARC)
       return std::nullopt;
-    const Oriented_element& element = m_graph.elements()[f];
+    const Oriented_element<>& element = m_graph.elements()[f];
     const bool is_normal_cone = element.is_normal_cone;
     const Arc_end own{element.object, u == 1};
-    const Site_graph_2::Vertex& vertex = m_graph.vertices()[is_normal_cone ? element.object : m_graph.vertex_of(own)];
+    const Site_graph_2<>::Vertex& vertex = m_graph.vertices()[is_normal_cone ? element.object : m_graph.vertex_of(own)];
     const Interval_pair normal = m_graph.element_jet(element, {u, u}).normal;
     const std::optional<Arc_end> across = is_normal_cone ? std::nullopt : m_graph.across_cusp(element, own);
     for (const Arc_end& end : vertex.ends) {
@@ -204,7 +202,7 @@ private:
 
   // Whether an arc leaves the vertex in which an element begins or ends into the half-plane of its normal there (1), or
   // out of it (-1): exactly, where the ends are known so.
-  int side_of_normal(const Oriented_element& element, double u, const Arc_end& end) const
+  int side_of_normal(const Oriented_element<>& element, double u, const Arc_end& end) const
   {
     if (m_graph.is_exact(end) && (element.is_normal_cone || m_graph.is_exact({element.object, u == 1})))
       return sign_of(exact_dot(m_graph.exact_normal(element, Exact_rational(u)), m_graph.direction(end)));
@@ -222,19 +220,19 @@ private:
 
   // Of the element and of another arc, in the point where they join; of an arc alone if the element is a small normal
   // cone between two, where the footpoint is next to the vertex.
-  std::optional<Attained_curvature> greatest_curvature_at_joint(const Element_part& point,
-                                                                const Located_footpoint& located) const
+  std::optional<Attained_curvature<>> greatest_curvature_at_joint(const Element_part<>& point,
+                                                                  const Located_footpoint& located) const
   {
-    const Oriented_element& element = m_graph.elements()[point.element];
+    const Oriented_element<>& element = m_graph.elements()[point.element];
     const std::size_t other = located.footpoint.index;
     const auto curvature = [&](const Arc_end& end) {
-      const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
+      const Curve_jet<> x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
       return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
     };
     if (m_graph.is_in_nearly_smooth_joint(element))
       for (const Arc_end& end : m_graph.vertices()[element.object].ends)
         if (end.arc == other && located.range.meets({end.parameter(), end.parameter()}))
-          return Attained_curvature{curvature(end), {end.parameter(), end.parameter()}};
+          return Attained_curvature<>{curvature(end), {end.parameter(), end.parameter()}};
     if (element.is_normal_cone || !point.range.is_number())
       return std::nullopt;
     const Arc_end own{element.object, point.range.begin == 1};
@@ -244,7 +242,7 @@ private:
       if (next.arc == other && m_graph.continuations(own).hold(next) &&
           located.range.meets({next.parameter(), next.parameter()})) {
         const Interval a = curvature(own), b = curvature(next);
-        return Attained_curvature{a.inf() > b.inf() ? a : b, {next.parameter(), next.parameter()}};
+        return Attained_curvature<>{a.inf() > b.inf() ? a : b, {next.parameter(), next.parameter()}};
       }
     return std::nullopt;
   }

@@ -25,22 +25,16 @@ namespace Voronoi {
 Disks that touch an element in its begin or end, and what branches of footpoints touch there, by exact computation:
 where curvatures are equal there, enclosures cannot tell.
 */
-template <Enclosing_number Interval>
-class Basic_exact_end_disks
+template <Enclosing_number Interval = Common::Interval>
+class Exact_end_disks
 {
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
   std::size_t m_index;   // of the element
-  const Oriented_element& m_element;
+  const Oriented_element<Interval>& m_element;
 
 public:
-  Basic_exact_end_disks(const Site_graph_2& graph, const Disk_curvature& curvature, std::size_t element)
+  Exact_end_disks(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature, std::size_t element)
     : m_graph(graph), m_curvature(curvature), m_index(element), m_element(graph.elements()[element])
   {}
 
@@ -60,7 +54,10 @@ public:
   }
 
 private:
-  Element_part end_of_element(bool end) const { return m_curvature.part(m_index, end ? Range{1, 1} : Range{0, 0}); }
+  Element_part<Interval> end_of_element(bool end) const
+  {
+    return m_curvature.part(m_index, end ? Range{1, 1} : Range{0, 0});
+  }
 
   // Whether two branches are mirror images of each other in the normal at an end of the element, in which disks are so,
   // too.
@@ -72,7 +69,7 @@ private:
       return false;
     const auto mirror = Reflection_2::in_line(m_graph.exact_point(m_element, end),
                                               m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0)));
-    const Element_part point = end_of_element(end);
+    const Element_part<Interval> point = end_of_element(end);
     const auto image =
         mirrored(m_graph, mirror, {a.footpoint, largest_curvature(m_graph, m_curvature, point, a).range}, b.footpoint);
     return image && is_only_maximum(m_graph, m_curvature, point, *image, b);
@@ -113,7 +110,7 @@ private:
         : Arc_parameter(m_graph, branch.footpoint.index).simplest_of_piece_within(branch.range);
     if (!v || (!m_element.is_normal_cone && !m_graph.is_exact({m_element.object, end})))
       return std::nullopt;
-    const Site_arc_2& arc = m_graph.arcs()[branch.footpoint.index];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[branch.footpoint.index];
     const Exact_pair q = arc.at(*v), &p = m_graph.exact_point(m_element, end);
     if (p == q || !is_touched(branch.footpoint.index, q, arc.derivative_at(*v), end) ||
         !is_only_maximum(m_graph, m_curvature, end_of_element(end), {branch.footpoint, branch.range}, branch))
@@ -175,7 +172,7 @@ private:
       return std::nullopt;
     if (!m_element.is_normal_cone && factor == 1 &&
         footpoint == Disk_footpoint{Disk_footpoint::Kind::VERTEX, m_graph.vertex_of({m_element.object, end})}) {
-      const Site_arc_2& own = m_graph.arcs()[m_element.object];
+      const Site_arc_2<Interval>& own = m_graph.arcs()[m_element.object];
       const Exact_rational k =
           own.has_singular_end() ? Exact_rational(0) : own.curvature_at(Exact_rational(end ? 1 : 0));
       return own.has_singular_end() ? std::nullopt
@@ -187,15 +184,13 @@ private:
       return curvature_of_disk_through(m_graph.vertices()[footpoint.index].exact_point, p, n, factor);
     if (footpoint.kind != Disk_footpoint::Kind::ARC)
       return std::nullopt;
-    const Site_arc_2& arc = m_graph.arcs()[footpoint.index];
+    const Site_arc_2<Interval>& arc = m_graph.arcs()[footpoint.index];
     if (arc.is_straight())
       return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n, factor);
     return arc.circle() && factor == 1 ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n)
                                        : std::nullopt;
   }
 };
-
-using Exact_end_disks = Basic_exact_end_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

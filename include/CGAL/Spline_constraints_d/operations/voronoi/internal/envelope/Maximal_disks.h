@@ -44,20 +44,10 @@ between.
 What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least
 width. What these cannot decide is left unresolved.
 */
-template <Enclosing_number Interval>
-class Basic_maximal_disks
+template <Enclosing_number Interval = Common::Interval>
+class Maximal_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_candidates = Basic_disk_candidates<Interval>;
-  using Disk_footpoints = Basic_disk_footpoints<Interval>;
-  using Maximal_disks = Basic_maximal_disks<Interval>;
-  using Corner_pocket = Basic_corner_pocket<Interval>;
-  using Corner_tip = Basic_corner_tip<Interval>;
-  using Element_tangent = Basic_element_tangent<Interval>;
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
@@ -76,13 +66,13 @@ class Basic_maximal_disks
   static constexpr std::size_t most_bounds = 1500000;
 
   template <Enclosing_number Other>
-  friend class Basic_maximal_disks;
+  friend class Maximal_disks;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
   const Site_tree_2& m_tree;
-  Disk_curvature m_curvature;
+  Disk_curvature<Interval> m_curvature;
   const Cusps_2* m_cusps;
-  Disk_candidates m_candidates;
+  Disk_candidates<Interval> m_candidates;
   const Fine_level* m_fine_level;   // none on that level
   Disk_slopes* m_slopes = nullptr;   // of the element
   Swept_envelope m_swept;
@@ -91,14 +81,14 @@ class Basic_maximal_disks
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
 public:
-  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps,
-                      const Fine_level* fine_level = nullptr)
-    : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps, fine_level)
+  Maximal_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Cusps_2& cusps,
+                const Fine_level* fine_level = nullptr)
+    : Maximal_disks<Interval>(graph, tree, Disk_curvature<Interval>(graph), &cusps, fine_level)
   {}
 
   // With scaled sites. Where no disk touches these, footpoints are not told apart: they are said to be with nothing.
-  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature,
-                      const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
+  Maximal_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Disk_curvature<Interval>& curvature,
+                const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
     : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps),
       m_fine_level(fine_level)
   {}
@@ -133,7 +123,7 @@ public:
 
   // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been
   // bounded than another one. Returns whether all of it is resolved.
-  bool resolve_part(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates,
+  bool resolve_part(std::size_t element, const Range& range, std::vector<Disk_candidate<Interval>> candidates,
                     Disk_slopes& slopes, int nodes, std::size_t bounds)
   {
     m_slopes = &slopes;
@@ -158,19 +148,21 @@ private:
       append_unresolved(cusp->range);
   }
 
-  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates)
+  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate<Interval>> candidates)
   {
-    const Element_part part = m_curvature.part(element, range);
+    const Element_part<Interval> part = m_curvature.part(element, range);
     if (range.width() < exact_width && m_curvature.scaled_sites() == nullptr)
-      Element_tangent(m_graph, part).replace_segments(candidates);
+      Element_tangent<Interval>(m_graph, part).replace_segments(candidates);
     const double least = m_candidates.prune(part, candidates, m_slopes->attained_curvature(range));
-    const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
+    const auto is_scaled = [&](const Disk_candidate<Interval>& candidate) {
+      return m_candidates.may_be_scaled(candidate);
+    };
     if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
       m_swept.append({}, range);
       return;
     }
     if (!(least > 0) && m_curvature.scaled_sites() == nullptr)
-      Element_tangent(m_graph, part).erase_behind(candidates);
+      Element_tangent<Interval>(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
     const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.elements()[element]),
@@ -183,7 +175,7 @@ private:
       return;
     if (is_last) {
       // as in rounded circles, where disks nearly touch everything
-      if (candidates.size() > Disk_candidates::most_candidates)
+      if (candidates.size() > Disk_candidates<Interval>::most_candidates)
         m_most_nodes = (std::min)(m_most_nodes, m_nodes);
       append_unresolved(range);
       return;
@@ -195,8 +187,8 @@ private:
 
   // Sweeps a range with numbers of higher precision, with what is left to touch there. Returns whether it is resolved,
   // but for smaller ranges of one that is not to be divided.
-  bool resolve_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates,
-                             bool is_divided)
+  bool resolve_on_fine_level(std::size_t element, const Range& range,
+                             const std::vector<Disk_candidate<Interval>>& candidates, bool is_divided)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || m_fine_bounds >= Fine_level::most_bounds)
@@ -205,7 +197,7 @@ private:
       const int nodes = !is_divided ? 0
                                     : (std::min)(Fine_level::most_nodes - m_fine_nodes,
                                                  are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
-      Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
+      Maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
       const bool is_resolved = disks.resolve_part(element, range, m_fine_level->candidates(candidates), *m_slopes,
                                                   nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;
@@ -223,9 +215,10 @@ private:
   }
 
   // Finds the envelope arcs within a range, if there is at most one event.
-  bool resolve(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  bool resolve(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+               double least)
   {
-    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    const Disk_footpoints<Interval> footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!footpoints.are_known())
       return append_pocket(part, candidates, least) || append_tip(part, candidates, least);
     const std::vector<Disk_branch> highest = footpoints.highest();
@@ -240,7 +233,7 @@ private:
   One disk that touches all footpoints of a small part, those that go over from one arc to the next one in the point
   between both. As differences of curvatures are monotone, the footpoints change places in that disk only.
   */
-  bool append_common_disk(const Disk_footpoints& footpoints, const Element_part& part,
+  bool append_common_disk(const Disk_footpoints<Interval>& footpoints, const Element_part<Interval>& part,
                           const std::vector<Disk_branch>& branches)
   {
     const auto all = [&](const auto& has_property) {
@@ -281,16 +274,16 @@ private:
   /*
   A part with a pocket at its end. Where the disks do not touch its other arc, they touch one footpoint outside of it.
   */
-  bool append_pocket(const Element_part& part, std::vector<Disk_candidate> candidates, double least)
+  bool append_pocket(const Element_part<Interval>& part, std::vector<Disk_candidate<Interval>> candidates, double least)
   {
     if (m_curvature.scaled_sites() != nullptr)   // a pocket excludes sites at their distance
       return false;
-    auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
+    auto pocket = Corner_pocket<Interval>::at_end_of(part, m_graph, m_curvature);
     if (!pocket || !pocket->take(candidates) ||
         !std::all_of(candidates.begin(), candidates.end(),
-                     [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
+                     [&](const Disk_candidate<Interval>& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
-    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    const Disk_footpoints<Interval> footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!footpoints.are_known())
       return false;
     const std::vector<Disk_branch> outside = footpoints.highest();
@@ -333,12 +326,13 @@ private:
   }
 
   // A part at the tip in a corner, between arcs that are not scaled.
-  bool append_tip(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  bool append_tip(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+                  double least)
   {
     if (std::any_of(candidates.begin(), candidates.end(),
-                    [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); }))
+                    [&](const Disk_candidate<Interval>& candidate) { return m_candidates.may_be_scaled(candidate); }))
       return false;
-    const Corner_tip tip(m_graph, part);
+    const Corner_tip<Interval> tip(m_graph, part);
     if (const auto only = tip.only_footpoint(candidates)) {
       m_swept.append(*only, part.range);
       return true;
@@ -348,7 +342,8 @@ private:
     return footpoints && append_change(part, true, sign_at, footpoints->vertex, footpoints->arc, Disk_event::JOINT);
   }
 
-  bool append_branch(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& branch)
+  bool append_branch(const Disk_footpoints<Interval>& footpoints, const Element_part<Interval>& part,
+                     const Disk_branch& branch)
   {
     if (!branch.move) {
       m_swept.append(branch, part.range);
@@ -363,8 +358,8 @@ private:
                          branch.move->negative, branch.move->event, branch.move->between);
   }
 
-  bool append_crossing(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& first,
-                       const Disk_branch& second)
+  bool append_crossing(const Disk_footpoints<Interval>& footpoints, const Element_part<Interval>& part,
+                       const Disk_branch& first, const Disk_branch& second)
   {
     if (first.move || second.move)
       return false;
@@ -391,8 +386,8 @@ private:
   // Where a function is positive the footpoint is the first one, where it is negative the second one; there may be
   // another one between, if only in the range where the sign is not known, which has to be small.
   template <class Sign>
-  bool append_change(const Element_part& part, bool is_monotone, const Sign& sign_at, const Located_footpoint& positive,
-                     const Located_footpoint& negative, Disk_event event,
+  bool append_change(const Element_part<Interval>& part, bool is_monotone, const Sign& sign_at,
+                     const Located_footpoint& positive, const Located_footpoint& negative, Disk_event event,
                      const std::optional<Located_footpoint>& between = std::nullopt)
   {
     if (!is_monotone)
@@ -428,8 +423,6 @@ private:
     m_swept.append_unresolved(range);
   }
 };
-
-using Maximal_disks = Basic_maximal_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

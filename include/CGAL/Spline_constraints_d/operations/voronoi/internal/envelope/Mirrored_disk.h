@@ -27,29 +27,24 @@ image of that point is its own image, so that the branch of the footpoint has th
 it, one disk touches both, and the images of all that it touches; if the second one is on an axis as well, its images in
 that axis too. Each branch has one maximum, which is the image if it holds it.
 */
-template <Enclosing_number Interval>
-class Basic_mirrored_disk
+template <Enclosing_number Interval = Common::Interval>
+class Mirrored_disk
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
-  const Element_part& m_part;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
+  const Element_part<Interval>& m_part;
   const std::vector<Disk_branch>& m_branches;
 
 public:
-  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part,
-                      const std::vector<Disk_branch>& branches)
+  Mirrored_disk(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                const Element_part<Interval>& part, const std::vector<Disk_branch>& branches)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_branches(branches)
   {}
 
   // Whether it is proved that one disk over the part touches all footpoints, those that move in the end of an arc.
   bool touches_all() const
   {
-    const Oriented_element& element = m_graph.elements()[m_part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[m_part.element];
     if (element.is_normal_cone && m_curvature.is_vertex_scaled(element.object))
       return false;
     for (const Disk_branch& image : m_branches)
@@ -63,7 +58,7 @@ public:
 private:
   Touched_point touched_on_element(const Range& range) const
   {
-    const Oriented_element& element = m_graph.elements()[m_part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[m_part.element];
     return {{element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC, element.object}, range};
   }
 
@@ -85,7 +80,7 @@ private:
     const auto zero = crossing(image, fixed(other));
     if (!zero)
       return false;
-    const Element_part point = m_curvature.part(m_part.element, *zero);
+    const Element_part<Interval> point = m_curvature.part(m_part.element, *zero);
     const Touched_point on_element = touched_on_element(*zero),
                         on_other{fixed(other).footpoint,
                                  largest_curvature(m_graph, m_curvature, point, fixed(other)).range};
@@ -122,7 +117,7 @@ private:
   std::optional<Range> crossing(const Located_footpoint& a, const Located_footpoint& b) const
   {
     const auto sign_at = [&](double u) {
-      const Element_part point = m_curvature.part(m_part.element, {u, u});
+      const Element_part<Interval> point = m_curvature.part(m_part.element, {u, u});
       return certain_sign(largest_curvature(m_graph, m_curvature, point, a).curvature -
                           largest_curvature(m_graph, m_curvature, point, b).curvature);
     };
@@ -141,7 +136,7 @@ private:
   }
 
   std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point,
-                                             const Disk_branch& branch, const Element_part& part) const
+                                             const Disk_branch& branch, const Element_part<Interval>& part) const
   {
     const auto image =
         branch.move || is_scaled(m_curvature, point.footpoint) != is_scaled(m_curvature, branch.footpoint)
@@ -150,8 +145,6 @@ private:
     return image && is_only_maximum(m_graph, m_curvature, part, *image, branch) ? image : std::nullopt;
   }
 };
-
-using Mirrored_disk = Basic_mirrored_disk<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -26,7 +26,7 @@ struct Touched_point
 };
 
 template <Enclosing_number Interval>
-bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& footpoint)
+bool is_exact_vertex(const Site_graph_2<Interval>& graph, const Disk_footpoint& footpoint)
 {
   return footpoint.kind == Disk_footpoint::Kind::VERTEX && graph.vertices()[footpoint.index].is_exact;
 }
@@ -34,7 +34,7 @@ bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_footp
 // Whether two arcs, which are not cut, are certain to have their ends at different distances: no reflection maps one to
 // the other then.
 template <Enclosing_number Interval>
-bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_t a, std::size_t b)
+bool have_different_chords(const Site_graph_2<Interval>& graph, std::size_t a, std::size_t b)
 {
   if (graph.arcs()[a].piece().whole || graph.arcs()[b].piece().whole)
     return false;
@@ -47,7 +47,7 @@ bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_
 
 // The reflections that map a footpoint to another one.
 template <Enclosing_number Interval>
-std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& from,
+std::vector<Reflection_2> reflections(const Site_graph_2<Interval>& graph, const Disk_footpoint& from,
                                       const Disk_footpoint& to)
 {
   std::vector<Reflection_2> result;
@@ -72,7 +72,7 @@ std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph,
 // The range of the parameter of an arc whose points have the parameters of those of another one in the pieces before
 // they were cut, or 1 minus these.
 template <Enclosing_number Number>
-Range corresponding_range(const Basic_site_graph_2<Number>& graph, std::size_t from, const Range& range, std::size_t to,
+Range corresponding_range(const Site_graph_2<Number>& graph, std::size_t from, const Range& range, std::size_t to,
                           bool is_reversed)
 {
   const Interval t = Arc_parameter(graph, from).to_uncut(range.interval()),
@@ -82,8 +82,8 @@ Range corresponding_range(const Basic_site_graph_2<Number>& graph, std::size_t f
 
 // The range of the parameter of an arc that is the image of one of another arc; of segments as much as on their lines.
 template <Enclosing_number Number>
-std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, const Reflection_2& mirror,
-                                    std::size_t arc, const Range& range, std::size_t image_arc)
+std::optional<Range> mirrored_range(const Site_graph_2<Number>& graph, const Reflection_2& mirror, std::size_t arc,
+                                    const Range& range, std::size_t image_arc)
 {
   const Exact_arc_2 &from = graph.arcs()[arc], &to = graph.arcs()[image_arc];
   if (from.is_segment() && to.is_segment()) {
@@ -106,7 +106,7 @@ std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, con
 
 // The image of a point if it is on another footpoint.
 template <Enclosing_number Interval>
-std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror,
+std::optional<Touched_point> mirrored(const Site_graph_2<Interval>& graph, const Reflection_2& mirror,
                                       const Touched_point& point, const Disk_footpoint& footpoint)
 {
   if (is_exact_vertex(graph, point.footpoint) && is_exact_vertex(graph, footpoint) &&
@@ -121,9 +121,8 @@ std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph,
 // Whether a point in which the curvature of disks through an arc is stationary is that of a footpoint: its range holds
 // it, and the curvature is concave there.
 template <Enclosing_number Interval>
-bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                     const Basic_element_part<Interval>& part, const Touched_point& point,
-                     const Located_footpoint& located)
+bool is_only_maximum(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                     const Element_part<Interval>& part, const Touched_point& point, const Located_footpoint& located)
 {
   if (located.footpoint.kind != Disk_footpoint::Kind::ARC)
     return true;

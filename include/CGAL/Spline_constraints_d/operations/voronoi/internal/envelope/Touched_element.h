@@ -25,7 +25,7 @@ struct Touched_element
 
 // Whether the disks of a footpoint may touch an element.
 template <Enclosing_number Interval>
-bool is_footpoint_with(const Disk_footpoint& footpoint, const Basic_oriented_element<Interval>& element)
+bool is_footpoint_with(const Disk_footpoint& footpoint, const Oriented_element<Interval>& element)
 {
   return footpoint.index == element.object &&
       footpoint.kind == (element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC);
@@ -35,12 +35,11 @@ bool is_footpoint_with(const Disk_footpoint& footpoint, const Basic_oriented_ele
 // vertex that may have the normal towards it; nothing if that is not certain. The range is that of the parameter of an
 // arc.
 template <Enclosing_number Interval>
-std::optional<Touched_element> touched_element(const Basic_site_graph_2<Interval>& graph,
-                                               const Disk_footpoint& footpoint, const Range& range,
-                                               const std::array<Interval, 2>& center)
+std::optional<Touched_element> touched_element(const Site_graph_2<Interval>& graph, const Disk_footpoint& footpoint,
+                                               const Range& range, const std::array<Interval, 2>& center)
 {
   if (footpoint.kind == Disk_footpoint::Kind::ARC) {
-    const Basic_site_arc_2<Interval>& arc = graph.arcs()[footpoint.index];
+    const Site_arc_2<Interval>& arc = graph.arcs()[footpoint.index];
     const int side = certain_sign(dot(turned_left(arc.direction_over(range)), center - arc.point(range)));
     return side == 0 ? std::nullopt : std::optional(Touched_element{2 * footpoint.index + (side < 0), range});
   }

@@ -28,13 +28,12 @@ One disk that touches an element and all of several footpoints.
 // About the centers of the disks over a part of an element, with one footpoint where it begins and another one where
 // it ends; between, they may go a little farther than there.
 template <Enclosing_number Interval>
-std::array<Interval, 2> enclosed_centers(const Basic_site_graph_2<Interval>& graph,
-                                         const Basic_disk_curvature<Interval>& curvature,
-                                         const Basic_element_part<Interval>& part, const Located_footpoint& first,
+std::array<Interval, 2> enclosed_centers(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                                         const Element_part<Interval>& part, const Located_footpoint& first,
                                          const Located_footpoint& last)
 {
   const auto at = [&](double u, const Located_footpoint& footpoint) {
-    const Basic_element_part<Interval> point = curvature.part(part.element, {u, u});
+    const Element_part<Interval> point = curvature.part(part.element, {u, u});
     const Interval k = largest_curvature(graph, curvature, point, footpoint).curvature;
     return std::array<Interval, 2>{point.jet.point[0] + point.jet.normal[0] / k,
                                    point.jet.point[1] + point.jet.normal[1] / k};
@@ -47,18 +46,18 @@ std::array<Interval, 2> enclosed_centers(const Basic_site_graph_2<Interval>& gra
 // Whether a disk with its center in an enclosure touches a part and all footpoints: by the simplest rational numbers,
 // by symmetry, or as a half-plane that touches copies, or has a rational border.
 template <Enclosing_number Interval>
-bool is_disk_common(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature,
-                    const Basic_element_part<Interval>& part, const std::vector<Disk_branch>& branches,
+bool is_disk_common(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                    const Element_part<Interval>& part, const std::vector<Disk_branch>& branches,
                     const std::array<Interval, 2>& center)
 {
-  const Basic_common_disk<Interval> disk(graph, curvature, center, branches);
+  const Common_disk<Interval> disk(graph, curvature, center, branches);
   const auto touches = [&](const Disk_branch& branch) {
     return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch);
   };
   return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) ||
-      Basic_mirrored_disk<Interval>(graph, curvature, part, branches).touches_all() ||
-      Basic_common_half_plane<Interval>(graph, curvature, part).touches_all(branches) ||
-      Basic_common_line<Interval>(graph, curvature, part).touches_all(branches);
+      Mirrored_disk<Interval>(graph, curvature, part, branches).touches_all() ||
+      Common_half_plane<Interval>(graph, curvature, part).touches_all(branches) ||
+      Common_line<Interval>(graph, curvature, part).touches_all(branches);
 }
 
 } // namespace Voronoi

@@ -19,8 +19,8 @@ namespace Voronoi {
 // Whether an arc is proved to be tangent to the line through a point inside of a range, whose ends are no such points:
 // the polynomial of the distance from the line, times the weight and a constant, has a multiple root there.
 template <Enclosing_number Interval>
-bool touches_line(const Basic_site_graph_2<Interval>& graph, std::size_t arc, const Range& range,
-                  const Exact_pair& point, const Exact_pair& direction)
+bool touches_line(const Site_graph_2<Interval>& graph, std::size_t arc, const Range& range, const Exact_pair& point,
+                  const Exact_pair& direction)
 {
   const auto inside = Arc_parameter(graph, arc).range_of_piece_within(range);
   const auto& [x, y, w] = graph.arcs()[arc].piece().coordinates;

@@ -32,20 +32,20 @@ simplest one in a range as small as this, in drawings.
 */
 class Covering_sites
 {
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<>& m_graph;
+  const Oriented_element<>& m_element;
   Exact_rational m_radius;
   std::vector<std::size_t> m_vertices, m_segments;
 
 public:
-  Covering_sites(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius,
-                 const std::vector<Disk_candidate>& candidates)
+  Covering_sites(const Site_graph_2<>& graph, std::size_t element, const Exact_rational& radius,
+                 const std::vector<Disk_candidate<>>& candidates)
     : m_graph(graph), m_element(graph.elements()[element]), m_radius(radius)
   {
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::VERTEX)
+    for (const Disk_candidate<>& candidate : candidates)
+      if (candidate.kind == Disk_candidate<>::Kind::VERTEX)
         add_vertex(candidate.index);
-      else if (candidate.kind == Disk_candidate::Kind::ARC &&
+      else if (candidate.kind == Disk_candidate<>::Kind::ARC &&
                (m_element.is_normal_cone || candidate.index != m_element.object) &&
                graph.are_ends_exact(candidate.index)) {
         add_vertex(graph.vertex_of({candidate.index, false}));

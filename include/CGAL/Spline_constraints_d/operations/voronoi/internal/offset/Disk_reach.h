@@ -28,7 +28,7 @@ inline Held held_by_any(Held a, Held b) { return a == Held::YES || b == Held::YE
 // The point of an element, its normal and the length of that over a range, each with two derivatives. The normal is not
 // zero where the derivative is.
 template <Enclosing_number Interval>
-struct Basic_element_expansion
+struct Element_expansion
 {
   using Interval_pair = std::array<Interval, 2>;
 
@@ -37,17 +37,16 @@ struct Basic_element_expansion
   std::array<Interval_pair, 3> point{no_way, no_way, no_way}, normal{no_way, no_way, no_way};
   std::array<Interval, 3> length;
 
-  Basic_element_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_oriented_element<Interval>& element,
-                          const Range& range)
+  Element_expansion(const Site_graph_2<Interval>& graph, const Oriented_element<Interval>& element, const Range& range)
   {
     if (element.is_normal_cone) {
-      const Basic_element_jet<Interval> x = graph.element_jet(element, range);
+      const Element_jet<Interval> x = graph.element_jet(element, range);
       point[0] = x.point;
       normal[0] = x.normal;
       normal[1] = x.normal_derivative;
     } else {
-      const Basic_site_arc_2<Interval>& arc = graph.arcs()[element.object];
-      const Basic_curve_jet<Interval> x = arc.jet(range, 3);
+      const Site_arc_2<Interval>& arc = graph.arcs()[element.object];
+      const Curve_jet<Interval> x = arc.jet(range, 3);
       const auto [tangent, change] = arc.tangent_jet(range);
       const Interval side(element.is_reversed ? -1 : 1);
       point = {x[0], x[1], x[2]};
@@ -68,23 +67,18 @@ those of the element.
 From them, H is bounded by a polynomial of degree two in the distance from the middle of the part of the element, with
 second derivatives from the box: errors are of the third order.
 */
-template <Enclosing_number Interval>
-class Basic_disk_reach
+template <Enclosing_number Interval = Common::Interval>
+class Disk_reach
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_expansion = Basic_element_expansion<Interval>;
 
   inline static const Interval_pair no_way{Interval(0), Interval(0)};
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
   Interval m_two_r;
   Range m_range;
   Interval m_shift;   // from the middle of the part
-  Element_expansion m_over, m_middle;
+  Element_expansion<Interval> m_over, m_middle;
 
 public:
   struct Jet
@@ -92,8 +86,8 @@ public:
     Interval value{0}, u{0}, v{0}, uu{0}, uv{0}, vv{0};
   };
 
-  Basic_disk_reach(const Site_graph_2& graph, const Oriented_element& element, const Interval& radius,
-                   const Range& range)
+  Disk_reach(const Site_graph_2<Interval>& graph, const Oriented_element<Interval>& element, const Interval& radius,
+             const Range& range)
     : m_graph(graph), m_two_r(Interval(2) * radius), m_range(range),
       m_shift(interval_of<Interval>(range) - Interval(range.middle())), m_over(graph, element, range),
       m_middle(graph, element, {range.middle(), range.middle()})
@@ -108,7 +102,7 @@ public:
   // limit.
   int growth(std::size_t arc, const Range& range) const
   {
-    const Site_arc_2& y = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& y = m_graph.arcs()[arc];
     return certain_sign(jet(m_over, y.point(range), y.direction_over(range), no_way).v);
   }
 
@@ -158,19 +152,19 @@ public:
   }
 
 private:
-  Jet of_vertex(const Element_expansion& element, std::size_t index) const
+  Jet of_vertex(const Element_expansion<Interval>& element, std::size_t index) const
   {
     return jet(element, m_graph.vertices()[index].point, no_way, no_way);
   }
 
-  Jet of_point(const Element_expansion& element, std::size_t arc, const Range& location) const
+  Jet of_point(const Element_expansion<Interval>& element, std::size_t arc, const Range& location) const
   {
     return jet(element, m_graph.arcs()[arc].jet(location, 0)[0], no_way, no_way);
   }
 
-  Jet of_arc(const Element_expansion& element, std::size_t index, const Range& range) const
+  Jet of_arc(const Element_expansion<Interval>& element, std::size_t index, const Range& range) const
   {
-    const Curve_jet y = m_graph.arcs()[index].jet(range, 2);
+    const Curve_jet<Interval> y = m_graph.arcs()[index].jet(range, 2);
     return jet(element, y[0], y[1], y[2]);
   }
 
@@ -214,7 +208,7 @@ private:
     return sign > 0 ? Held::NO : sign < 0 ? Held::YES : Held::UNKNOWN;
   }
 
-  Jet jet(const Element_expansion& element, const Interval_pair& y, const Interval_pair& y_v,
+  Jet jet(const Element_expansion<Interval>& element, const Interval_pair& y, const Interval_pair& y_v,
           const Interval_pair& y_vv) const
   {
     const auto& [n, n_u, n_uu] = element.normal;
@@ -233,8 +227,6 @@ private:
             dd_vv * length - m_two_r * dot(n, y_vv)};
   }
 };
-
-using Disk_reach = Basic_disk_reach<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -26,22 +26,17 @@ namespace Voronoi {
 The disks of a radius r that touch an element: their curvature T(u) = |N(u)| / r in units of the normal N(u), beside the
 largest curvature K(u) of the disks that touch something else.
 */
-template <Enclosing_number Interval>
-class Basic_disks_of_radius
+template <Enclosing_number Interval = Common::Interval>
+class Disks_of_radius
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_reach = Basic_disk_reach<Interval>;
-
-  const Site_graph_2& m_graph;
-  const Disk_curvature& m_curvature;
+  const Site_graph_2<Interval>& m_graph;
+  const Disk_curvature<Interval>& m_curvature;
   Exact_rational m_exact_radius;
   Interval m_radius;
 
 public:
-  Basic_disks_of_radius(const Site_graph_2& graph, const Disk_curvature& curvature, const Exact_rational& radius)
+  Disks_of_radius(const Site_graph_2<Interval>& graph, const Disk_curvature<Interval>& curvature,
+                  const Exact_rational& radius)
     : m_graph(graph), m_curvature(curvature), m_exact_radius(radius), m_radius(interval_of<Interval>(radius))
   {}
 
@@ -49,9 +44,12 @@ public:
   const Interval& radius() const { return m_radius; }
 
   // T(u), and its derivative.
-  Interval curvature(const Element_part& part) const { return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius; }
+  Interval curvature(const Element_part<Interval>& part) const
+  {
+    return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius;
+  }
 
-  Interval slope(const Element_part& part) const
+  Interval slope(const Element_part<Interval>& part) const
   {
     return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius);
   }
@@ -69,17 +67,17 @@ public:
   // The sign of K - T in a point, if K belongs to a footpoint.
   int sign_at(std::size_t element, const Located_footpoint& located, double u) const
   {
-    const Element_part point = m_curvature.part(element, {u, u});
+    const Element_part<Interval> point = m_curvature.part(element, {u, u});
     return certain_sign(largest_curvature(m_graph, m_curvature, point, located).curvature - curvature(point));
   }
 
   // Whether K - T, which belongs to a footpoint, has one zero at most: where K' - T' has a sign, or, where disks and
   // elements are nearly parallel, by expansions of second order.
-  bool is_touched_once(const Element_part& part, const Located_footpoint& located) const
+  bool is_touched_once(const Element_part<Interval>& part, const Located_footpoint& located) const
   {
     if (certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, located) - slope(part)) != 0)
       return true;
-    const Disk_reach reach(m_graph, m_graph.elements()[part.element], m_radius, part.range);
+    const Disk_reach<Interval> reach(m_graph, m_graph.elements()[part.element], m_radius, part.range);
     const auto& [kind, index, side] = located.footpoint;
     return kind == Disk_footpoint::Kind::VERTEX
         ? reach.growth_where_vertex_is_touched(index) != 0
@@ -88,21 +86,19 @@ public:
 
   // Whether the disks of a part hold points near the one that the smallest disk touches in the middle of what has been
   // divided: before candidates are bounded.
-  bool hold_nearest(const Element_part& part, const std::vector<Disk_candidate>& candidates) const
+  bool hold_nearest(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates) const
   {
-    const auto height = [](const Disk_candidate& c) {
+    const auto height = [](const Disk_candidate<Interval>& c) {
       return c.kind == Candidate_kind::ARC ? c.at_middle.inf() : -std::numeric_limits<double>::infinity();
     };
-    const auto nearest =
-        std::max_element(candidates.begin(), candidates.end(),
-                         [&](const Disk_candidate& a, const Disk_candidate& b) { return height(a) < height(b); });
+    const auto nearest = std::max_element(
+        candidates.begin(), candidates.end(),
+        [&](const Disk_candidate<Interval>& a, const Disk_candidate<Interval>& b) { return height(a) < height(b); });
     return nearest != candidates.end() && height(*nearest) > 0 &&
-        Disk_reach(m_graph, m_graph.elements()[part.element], m_radius, part.range)
+        Disk_reach<Interval>(m_graph, m_graph.elements()[part.element], m_radius, part.range)
             .hold_point_near(nearest->index, nearest->range.middle());
   }
 };
-
-using Disks_of_radius = Basic_disks_of_radius<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -25,12 +25,12 @@ The centers O(u) = X + r N / |N| of the disks of one radius that touch an elemen
 */
 class Element_offset
 {
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<>& m_graph;
+  const Oriented_element<>& m_element;
   Interval m_radius;
 
 public:
-  Element_offset(const Site_graph_2& graph, std::size_t element, const Interval& radius)
+  Element_offset(const Site_graph_2<>& graph, std::size_t element, const Interval& radius)
     : m_graph(graph), m_element(graph.elements()[element]), m_radius(radius)
   {}
 
@@ -46,7 +46,7 @@ public:
 
   Interval_pair derivative(const Range& range) const
   {
-    const Element_jet x = m_graph.element_jet(m_element, range);
+    const Element_jet<> x = m_graph.element_jet(m_element, range);
     const Interval square = squared_norm(x.normal);
     if (!(square.inf() > 0))
       return {any_number(), any_number()};
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  Interval_pair center(const Element_jet& x) const
+  Interval_pair center(const Element_jet<>& x) const
   {
     return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal;
   }

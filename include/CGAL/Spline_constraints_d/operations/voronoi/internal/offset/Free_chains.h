@@ -49,7 +49,7 @@ public:
   };
 
 private:
-  const Site_graph_2& m_graph;
+  const Site_graph_2<>& m_graph;
   std::vector<Free_ranges> m_ranges;             // of each element
   std::vector<std::size_t> m_first_piece_of;     // of each element, and the number of pieces
   std::vector<Piece> m_pieces;
@@ -58,7 +58,7 @@ private:
 public:
   // An enclosure of the disk where a piece has a second footpoint has the center `center(element, end)`.
   template <class Center>
-  Free_chains(const Site_graph_2& graph, std::vector<Free_ranges> ranges, const Center& center)
+  Free_chains(const Site_graph_2<>& graph, std::vector<Free_ranges> ranges, const Center& center)
     : m_graph(graph), m_ranges(std::move(ranges))
   {
     for (std::size_t f = 0; f < m_ranges.size(); ++f) {
@@ -72,7 +72,7 @@ public:
 
   const std::vector<Piece>& pieces() const { return m_pieces; }
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Oriented_element& element(const Piece& piece) const { return m_graph.elements()[piece.element]; }
+  const Oriented_element<>& element(const Piece& piece) const { return m_graph.elements()[piece.element]; }
 
   // The parts of elements that are not decided, and those with the ends of chains that are not closed.
   std::vector<Element_range> undecided() const
@@ -171,10 +171,10 @@ private:
   // next arc instead, along the other side of that.
   std::size_t piece_around_point(std::size_t f) const
   {
-    const Oriented_element& last = m_graph.elements()[f];
+    const Oriented_element<>& last = m_graph.elements()[f];
     Arc_end end{last.object, !last.is_reversed};
     for (std::size_t k = 0; k < m_graph.vertices()[m_graph.vertex_of(end)].ends.size(); ++k) {
-      const Oriented_element other{false, end.arc, end.is_end};   // departs from the vertex
+      const Oriented_element<> other{false, end.arc, end.is_end};   // departs from the vertex
       const std::size_t index = 2 * end.arc + end.is_end;
       if (const std::size_t piece = first_piece(index, Free_end::Kind::POINT);
           piece != none || !m_ranges[index].undecided.empty())
@@ -223,10 +223,10 @@ private:
   // simplest number.
   bool touches_elsewhere(const Exact_disk& disk, std::size_t element, const Range& range) const
   {
-    const Oriented_element& f = m_graph.elements()[element];
+    const Oriented_element<>& f = m_graph.elements()[element];
     const auto jet = m_graph.element_jet(f, range);
     const Interval_pair center{interval_of(disk.center[0]), interval_of(disk.center[1])};
-    if (!Touching_disk::is_defined(m_graph, element) ||
+    if (!Touching_disk<>::is_defined(m_graph, element) ||
         certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
       return false;
     const Exact_rational u = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));

@@ -47,20 +47,9 @@ Rolling_disks, Opposite_sites, Covering_sites).
 What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot
 tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
 */
-template <Enclosing_number Interval>
-class Basic_free_disks
+template <Enclosing_number Interval = Common::Interval>
+class Free_disks
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_candidates = Basic_disk_candidates<Interval>;
-  using Disk_footpoints = Basic_disk_footpoints<Interval>;
-  using Corner_pocket = Basic_corner_pocket<Interval>;
-  using Disk_reach = Basic_disk_reach<Interval>;
-  using Touching_disk = Basic_touching_disk<Interval>;
-
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
   static constexpr double least_width = is_in_doubles ? 0x1p-33 : 0x1p-48;
@@ -72,27 +61,27 @@ class Basic_free_disks
   // of which it is tried to find out that one of them is touched: with more, that succeeds rarely
   static constexpr std::size_t most_sites = 3;
 
-  const Site_graph_2& m_graph;
+  const Site_graph_2<Interval>& m_graph;
   const Site_tree_2& m_tree;
-  Disk_curvature m_curvature;
+  Disk_curvature<Interval> m_curvature;
   const Cusps_2& m_cusps;
-  Disk_candidates m_candidates;
+  Disk_candidates<Interval> m_candidates;
   const Fine_level* m_fine_level;   // none on that level
   Disk_slopes* m_slopes = nullptr;             // of the element
   Opposite_sites* m_opposite_sites = nullptr;
   Rolling_disks* m_rolling_disks = nullptr;    // none on the fine level
-  Basic_disks_of_radius<Interval> m_disks;
+  Disks_of_radius<Interval> m_disks;
   Swept_ranges m_swept;
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
   // of parts for which the fine level is tried, as doubles have not decided smaller ones next to them
   double m_fine_width = 0;
 
   template <Enclosing_number Other>
-  friend class Basic_free_disks;
+  friend class Free_disks;
 
 public:
-  Basic_free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps,
-                   const Exact_rational& radius, const Fine_level* fine_level = nullptr)
+  Free_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Cusps_2& cusps,
+             const Exact_rational& radius, const Fine_level* fine_level = nullptr)
     : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps),
       m_fine_level(fine_level), m_disks(graph, m_curvature, radius)
   {}
@@ -120,9 +109,9 @@ public:
   }
 
   // Goes on with a part of an element, if all of it can be decided, and is divided no more often than some number.
-  std::optional<Swept_ranges> decided(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates,
-                                      Swept_ranges swept, Disk_slopes& slopes, Opposite_sites& opposite_sites,
-                                      int nodes)
+  std::optional<Swept_ranges> decided(std::size_t element, const Range& range,
+                                      std::vector<Disk_candidate<Interval>> candidates, Swept_ranges swept,
+                                      Disk_slopes& slopes, Opposite_sites& opposite_sites, int nodes)
   {
     const std::size_t undecided = swept.ranges().undecided.size();
     m_slopes = &slopes;
@@ -165,20 +154,21 @@ private:
       m_swept.append_covered();
   }
 
-  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates)
+  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate<Interval>> candidates)
   {
     if (m_opposite_sites->touch(range)) {
       m_swept.append_tie(range);
       return;
     }
-    const Element_part part = m_curvature.part(element, range);
+    const Element_part<Interval> part = m_curvature.part(element, range);
     const auto least = m_disks.hold_nearest(part, candidates) ? std::nullopt : prune(part, candidates);
     if (!least) {
       m_swept.append_covered();
       return;
     }
     if (range.width() < width_of_ties)
-      std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_opposite_sites->contain(candidate); });
+      std::erase_if(candidates,
+                    [&](const Disk_candidate<Interval>& candidate) { return m_opposite_sites->contain(candidate); });
     erase_below_rolling_disks(range, candidates);
     if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) ||
         resolve(part, candidates, *least))
@@ -203,14 +193,15 @@ private:
   // be told apart.
   void append_undecided(const Range& range, std::size_t candidates)
   {
-    m_most_nodes =
-        (std::min)(m_most_nodes, m_nodes + (candidates > Disk_candidates::most_candidates ? 0 : most_undecided_nodes));
+    m_most_nodes = (std::min)(
+        m_most_nodes, m_nodes + (candidates > Disk_candidates<Interval>::most_candidates ? 0 : most_undecided_nodes));
     m_swept.append_undecided(range);
   }
 
   // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters;
   // nothing if all of the disks hold something.
-  std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates) const
+  std::optional<double> prune(const Element_part<Interval>& part,
+                              std::vector<Disk_candidate<Interval>>& candidates) const
   {
     const double u = part.range.middle();
     const Interval wanted = m_disks.curvature(part);
@@ -220,7 +211,7 @@ private:
     return least && *least <= wanted.sup() ? least : std::nullopt;
   }
 
-  void erase_below_rolling_disks(const Range& range, std::vector<Disk_candidate>& candidates)
+  void erase_below_rolling_disks(const Range& range, std::vector<Disk_candidate<Interval>>& candidates)
   {
     if constexpr (is_in_doubles) {
       if (range.width() < width_of_ties)
@@ -230,7 +221,8 @@ private:
   }
 
   // Decides a part that is not divided any more, where doubles are left: whether some sites cover it all.
-  bool append_covered_exactly(const Element_part& part, const std::vector<Disk_candidate>& candidates)
+  bool append_covered_exactly(const Element_part<Interval>& part,
+                              const std::vector<Disk_candidate<Interval>>& candidates)
   {
     if constexpr (is_in_doubles) {
       const Covering_sites sites(m_graph, part.element, m_disks.exact_radius(), candidates);
@@ -246,14 +238,14 @@ private:
 
   // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is
   // not the last one.
-  bool decide_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates,
-                            bool is_last)
+  bool decide_on_fine_level(std::size_t element, const Range& range,
+                            const std::vector<Disk_candidate<Interval>>& candidates, bool is_last)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes ||
           candidates.size() > Fine_level::most_candidates)
         return false;
-      Basic_free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_disks.exact_radius());
+      Free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_disks.exact_radius());
       auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes,
                                  *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;
@@ -266,7 +258,8 @@ private:
   }
 
   // Whether the disk in an end of the element touches a vertex, and those behind it hold that.
-  bool is_covered_behind_end(const Element_part& part, const Covering_sites& sites) const requires(is_in_doubles)
+  bool is_covered_behind_end(const Element_part<Interval>& part, const Covering_sites& sites) const
+      requires(is_in_doubles)
   {
     const auto holds_behind = [&](bool end, std::size_t vertex) {
       return certain_sign(m_curvature(part, vertex).du - m_disks.slope(part)) == (end ? -1 : 1) &&
@@ -283,15 +276,17 @@ private:
   }
 
   // Parts of arcs, and vertices.
-  static std::size_t number_of_sites(const std::vector<Disk_candidate>& candidates)
+  static std::size_t number_of_sites(const std::vector<Disk_candidate<Interval>>& candidates)
   {
-    return Touching_disk::parts_of_arcs(candidates).size() +
-        static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(),
-                                               [](const Disk_candidate& c) { return c.kind != Candidate_kind::ARC; }));
+    return Touching_disk<Interval>::parts_of_arcs(candidates).size() +
+        static_cast<std::size_t>(
+            std::count_if(candidates.begin(), candidates.end(),
+                          [](const Disk_candidate<Interval>& c) { return c.kind != Candidate_kind::ARC; }));
   }
 
   // Decides a range with one footpoint that may be reached, or none.
-  bool resolve(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  bool resolve(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
+               double least)
   {
     if (candidates.empty()) {
       m_swept.append_free(part.range);
@@ -299,7 +294,7 @@ private:
     }
     if (number_of_sites(candidates) > most_sites)
       return false;
-    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    const Disk_footpoints<Interval> footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!footpoints.are_known())
       return false;
     std::vector<Disk_branch> branches = footpoints.highest();
@@ -318,14 +313,14 @@ private:
 
   // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are
   // monotone.
-  bool append_pocket(const Element_part& part, const std::vector<Disk_candidate>& candidates)
+  bool append_pocket(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates)
   {
-    auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
-    std::vector<Disk_candidate> others(candidates);
+    auto pocket = Corner_pocket<Interval>::at_end_of(part, m_graph, m_curvature);
+    std::vector<Disk_candidate<Interval>> others(candidates);
     if (!pocket || !pocket->take(others) || !pocket->has_growing_disks())
       return false;
     const double wanted = m_disks.curvature(part).inf();
-    if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) {
+    if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate<Interval>& c) {
           return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted;
         }))
       return false;
@@ -337,21 +332,21 @@ private:
   }
 
   // Decides a part by expansions of second order. Candidates that are not held are removed.
-  bool append_by_reach(const Element_part& part, std::vector<Disk_candidate>& candidates)
+  bool append_by_reach(const Element_part<Interval>& part, std::vector<Disk_candidate<Interval>>& candidates)
   {
-    const Oriented_element& element = m_graph.elements()[part.element];
+    const Oriented_element<Interval>& element = m_graph.elements()[part.element];
     if (candidates.empty())
       return false;
-    const Disk_reach reach(m_graph, element, m_disks.radius(), part.range);
-    std::erase_if(candidates, [&](const Disk_candidate& c) {
-      return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO;
+    const Disk_reach<Interval> reach(m_graph, element, m_disks.radius(), part.range);
+    std::erase_if(candidates, [&](const Disk_candidate<Interval>& c) {
+      return c.kind == Disk_candidate<Interval>::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO;
     });
-    for (const auto& [arc, range] : Touching_disk::parts_of_arcs(candidates))
+    for (const auto& [arc, range] : Touching_disk<Interval>::parts_of_arcs(candidates))
       switch (reach.hold_arc(arc, range)) {
       case Held::YES: m_swept.append_covered(); return true;
       case Held::NO:
-        std::erase_if(candidates, [&, &arc = arc, &range = range](const Disk_candidate& c) {
-          return c.kind == Disk_candidate::Kind::ARC && c.index == arc && c.range.begin >= range.begin &&
+        std::erase_if(candidates, [&, &arc = arc, &range = range](const Disk_candidate<Interval>& c) {
+          return c.kind == Disk_candidate<Interval>::Kind::ARC && c.index == arc && c.range.begin >= range.begin &&
               c.range.end <= range.end;
         });
       default: break;
@@ -363,25 +358,25 @@ private:
 
   // Decides a part that holds a disk with an exact footpoint: at an end of the element, or, if the part is short, where
   // the parameter is the simplest number.
-  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates)
+  bool append_touching(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates)
   {
     const auto& [begin, end] = part.range;
-    if (part.range.width() > width_of_ties || !Touching_disk::is_defined(m_graph, part.element))
+    if (part.range.width() > width_of_ties || !Touching_disk<Interval>::is_defined(m_graph, part.element))
       return false;
     if (begin == 0 || end == 1)
       return append_touching(part, candidates, Exact_rational(begin == 0 ? 0 : 1));
     if (part.range.width() > width_of_inner_ties)
       return false;
     const std::vector<Exact_rational> parameters =
-        Touching_disk::simple_parameters(m_graph, part, m_disks.exact_radius(), candidates);
+        Touching_disk<Interval>::simple_parameters(m_graph, part, m_disks.exact_radius(), candidates);
     return std::any_of(parameters.begin(), parameters.end(),
                        [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
   }
 
-  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates,
+  bool append_touching(const Element_part<Interval>& part, const std::vector<Disk_candidate<Interval>>& candidates,
                        const Exact_rational& parameter)
   {
-    Touching_disk touching(m_graph, part.element, m_disks.exact_radius(), parameter);
+    Touching_disk<Interval> touching(m_graph, part.element, m_disks.exact_radius(), parameter);
     const auto sides = touching.sides(part.range, candidates);
     if (!sides)
       return false;
@@ -402,7 +397,7 @@ private:
     return true;
   }
 
-  bool append_monotone(const Element_part& part, const Located_footpoint& located)
+  bool append_monotone(const Element_part<Interval>& part, const Located_footpoint& located)
   {
     return append_change(
         part.range, [&](double u) { return m_disks.sign_at(part.element, located, u); },
@@ -443,8 +438,6 @@ private:
     return true;
   }
 };
-
-using Free_disks = Basic_free_disks<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

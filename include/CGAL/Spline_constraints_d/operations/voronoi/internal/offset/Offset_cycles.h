@@ -49,14 +49,14 @@ public:
   };
 
 private:
-  std::shared_ptr<const Site_graph_2> m_graph;
+  std::shared_ptr<const Site_graph_2<>> m_graph;
   Interval m_radius;
   Free_chains m_free;
   std::vector<Chain> m_chains;
   std::vector<Element_range> m_not_nested;   // points of curves that are nearest to chains that are not
 
 public:
-  Offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Interval& radius, std::vector<Free_ranges> ranges,
+  Offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const Interval& radius, std::vector<Free_ranges> ranges,
                 bool is_set_free)
     : m_graph(std::move(graph)), m_radius(radius), m_free(free_chains(std::move(ranges)))
   {
@@ -66,10 +66,10 @@ public:
     nest_chains(is_set_free);
   }
 
-  const Site_graph_2& graph() const { return *m_graph; }
+  const Site_graph_2<>& graph() const { return *m_graph; }
   const std::vector<Piece>& pieces() const { return m_free.pieces(); }
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Oriented_element& element(const Piece& piece) const { return m_free.element(piece); }
+  const Oriented_element<>& element(const Piece& piece) const { return m_free.element(piece); }
   Element_offset offset(const Piece& piece) const { return {*m_graph, piece.element, m_radius}; }
 
   // Where elements are not decided, or chains not closed or nested.
@@ -146,7 +146,7 @@ private:
 // The offset on some of the elements of a graph: of the set that is free, or of the other one. With a tag for parallel
 // work, elements are handed to all cores.
 template <class Concurrency_tag>
-Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius,
+Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const Exact_rational& radius,
                             const std::vector<std::size_t>& elements, bool is_set_free)
 {
   check_magnitude(*graph, "trimmed_offset");
@@ -156,13 +156,13 @@ Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exa
   std::vector<Free_ranges> ranges(graph->elements().size());
   parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    ranges[elements[i]] = Free_disks(*graph, tree, cusps, radius, &fine_level)(elements[i]);
+    ranges[elements[i]] = Free_disks<>(*graph, tree, cusps, radius, &fine_level)(elements[i]);
   });
   return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
 }
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>,
+extern template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>,
                                                                   const Exact_rational&,
                                                                   const std::vector<std::size_t>&, bool);
 #endif

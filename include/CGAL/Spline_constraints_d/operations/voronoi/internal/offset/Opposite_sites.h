@@ -53,15 +53,15 @@ class Opposite_sites
 
   static constexpr std::array<bool, 2> both_ends{false, true};
 
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<>& m_graph;
+  const Oriented_element<>& m_element;
   Exact_rational m_square;   // of 2 r
   std::vector<bool> m_ends;  // of an arc, behind the tangents in which it lies
-  std::map<std::pair<Disk_candidate::Kind, std::size_t>, bool> m_is_beyond;
+  std::map<std::pair<Disk_candidate<>::Kind, std::size_t>, bool> m_is_beyond;
   std::vector<Tie> m_ties;
 
 public:
-  Opposite_sites(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius)
+  Opposite_sites(const Site_graph_2<>& graph, std::size_t element, const Exact_rational& radius)
     : m_graph(graph), m_element(graph.elements()[element]), m_square(4 * radius * radius)
   {
     if (!m_element.is_normal_cone)
@@ -72,7 +72,7 @@ public:
 
   // Whether no disk holds a candidate. The places where it is touched are kept.
   template <Enclosing_number Number>
-  bool contain(const Basic_disk_candidate<Number>& candidate)
+  bool contain(const Disk_candidate<Number>& candidate)
   {
     const auto [position, is_new] = m_is_beyond.try_emplace({candidate.kind, candidate.index}, false);
     if (is_new)
@@ -95,7 +95,7 @@ public:
           sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0;
     };
     const auto is_opposite = [&](std::size_t index) {
-      const Site_arc_2& arc = m_graph.arcs()[index];
+      const Site_arc_2<>& arc = m_graph.arcs()[index];
       if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside ||
           !m_graph.are_ends_exact(index))
         return false;
@@ -136,7 +136,7 @@ public:
   }
 
 private:
-  const Site_arc_2& own_arc() const { return m_graph.arcs()[m_element.object]; }
+  const Site_arc_2<>& own_arc() const { return m_graph.arcs()[m_element.object]; }
   bool is_segment() const { return !m_element.is_normal_cone && own_arc().is_segment(); }
   bool is_own_end_exact(bool end) const { return m_graph.is_exact({m_element.object, end}); }
   Exact_pair own_end(bool end) const { return own_arc().at(Exact_rational(end ? 1 : 0)); }   // of the piece
@@ -169,7 +169,7 @@ private:
         : std::nullopt;
   }
 
-  static int side_of_chord(const Site_arc_2& arc)
+  static int side_of_chord(const Site_arc_2<>& arc)
   {
     return sign_of(exact_cross(exact_difference(arc.at(1), arc.at(0)),
                                exact_difference(arc.at(Exact_rational(1) / 2), arc.at(0))));
@@ -282,7 +282,7 @@ private:
 
   bool add_arc_beside_normal_cone(std::size_t index)
   {
-    const Site_arc_2& arc = m_graph.arcs()[index];
+    const Site_arc_2<>& arc = m_graph.arcs()[index];
     const Exact_pair& p = m_graph.vertices()[m_element.object].exact_point;
     const std::vector<int> sides = sides_of_circle(index, p, m_square);
     if (!arc.is_straight())
@@ -413,7 +413,7 @@ private:
     };
     if (footpoint.kind != Disk_footpoint::Kind::ARC)
       return footpoint.kind == Disk_footpoint::Kind::VERTEX && is_touched(footpoint.index);
-    const Site_arc_2& arc = m_graph.arcs()[footpoint.index];
+    const Site_arc_2<>& arc = m_graph.arcs()[footpoint.index];
     if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
           return is_touched(m_graph.vertex_of({footpoint.index, end}));
         }))

@@ -44,14 +44,14 @@ class Rolling_disks
     int side;
   };
 
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<>& m_graph;
+  const Oriented_element<>& m_element;
   Exact_rational m_squared_radius;
   Interval m_radius;
   std::vector<Place> m_places;   // of the element, with the curvature of the disks
 
 public:
-  Rolling_disks(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius)
+  Rolling_disks(const Site_graph_2<>& graph, std::size_t element, const Exact_rational& radius)
     : m_graph(graph), m_element(graph.elements()[element]), m_squared_radius(radius * radius),
       m_radius(interval_of<Interval>(radius))
   {
@@ -68,7 +68,7 @@ public:
   }
 
   // Removes the candidates that disks of a part of the element roll along.
-  void erase_below(const Range& range, std::vector<Disk_candidate>& candidates) const
+  void erase_below(const Range& range, std::vector<Disk_candidate<>>& candidates) const
   {
     for (const Place& place : m_places) {
       const Range own = range_with(place, range, candidates);
@@ -77,7 +77,7 @@ public:
       erase(place, own, candidates);
       for (const bool end : {false, true})
         if (place.parameter == Exact_rational(end ? 1 : 0))
-          for (const Smooth_continuation& next : m_graph.continuations({place.arc, end}).smooth)
+          for (const Smooth_continuation<>& next : m_graph.continuations({place.arc, end}).smooth)
             erase_beyond(place, next.end, range, candidates);
     }
   }
@@ -85,7 +85,7 @@ public:
 private:
   // Those of the arc that goes on where a place is.
   void erase_beyond(const Place& place, const Arc_end& next, const Range& range,
-                    std::vector<Disk_candidate>& candidates) const
+                    std::vector<Disk_candidate<>>& candidates) const
   {
     if (!m_graph.is_exact(next))
       return;
@@ -96,7 +96,7 @@ private:
       erase(beyond, other, candidates);
   }
 
-  const Site_arc_2& arc() const { return m_graph.arcs()[m_element.object]; }
+  const Site_arc_2<>& arc() const { return m_graph.arcs()[m_element.object]; }
 
   bool are_places_exact() const
   {
@@ -122,14 +122,14 @@ private:
   }
 
   // k - 1/r, times r S^(3/2).
-  Interval excess_of_curvature(const Place& place, const Curve_jet& x) const
+  Interval excess_of_curvature(const Place& place, const Curve_jet<>& x) const
   {
     const Interval square = squared_norm(x[1]);
     return Interval(place.side) * m_radius * dot(turned_left(x[1]), x[2]) - square * CGAL::sqrt(square);
   }
 
   // G and its derivative.
-  static std::array<Interval, 2> slope_of_curvature(const Curve_jet& x)
+  static std::array<Interval, 2> slope_of_curvature(const Curve_jet<>& x)
   {
     const auto cross = [&](std::size_t i, std::size_t j) { return dot(turned_left(x[i]), x[j]); };
     const Interval square = squared_norm(x[1]), along = dot(x[1], x[2]), turn = cross(1, 2), three(3);
@@ -139,26 +139,26 @@ private:
   }
 
   // The range of an arc from a place to what is left of it nearby.
-  static Range range_with(const Place& place, Range range, const std::vector<Disk_candidate>& candidates)
+  static Range range_with(const Place& place, Range range, const std::vector<Disk_candidate<>>& candidates)
   {
     const Interval t = interval_of<Interval>(place.parameter);
     range = united(range, {t.inf(), t.sup()});
-    for (const Disk_candidate& c : candidates)
+    for (const Disk_candidate<>& c : candidates)
       if (is_near(place, c))
         range = united(range, c.range);
     return range;
   }
 
-  static bool is_near(const Place& place, const Disk_candidate& c)
+  static bool is_near(const Place& place, const Disk_candidate<>& c)
   {
     const Interval t = interval_of<Interval>(place.parameter);
     return c.kind == Candidate_kind::ARC && c.index == place.arc && c.range.begin > t.sup() - most_way &&
         c.range.end < t.inf() + most_way;
   }
 
-  static void erase(const Place& place, const Range& range, std::vector<Disk_candidate>& candidates)
+  static void erase(const Place& place, const Range& range, std::vector<Disk_candidate<>>& candidates)
   {
-    std::erase_if(candidates, [&](const Disk_candidate& c) {
+    std::erase_if(candidates, [&](const Disk_candidate<>& c) {
       return is_near(place, c) && c.range.begin >= range.begin && c.range.end <= range.end;
     });
   }
@@ -167,17 +167,17 @@ private:
   // smoothly in a place. The part is in the range, or the disks are known to roll as far as that place.
   bool roll(const Range& part, const Place& place, const Range& range) const
   {
-    const Site_arc_2& other = m_graph.arcs()[place.arc];
+    const Site_arc_2<>& other = m_graph.arcs()[place.arc];
     const Interval way(place.side * (m_element.is_reversed ? -1 : 1));   // whether the other arc has the same direction
     if (other.has_singular_end() || !(dot(arc().jet(part, 1)[1], way * other.jet(range, 1)[1]).inf() > 0))
       return false;
-    const Curve_jet x = other.jet(range);
+    const Curve_jet<> x = other.jet(range);
     return excess_of_curvature(place, x).sup() <= 0 ||
         (sign_of_excess(place) <= 0 && (other.is_on_line_or_circle() || is_curvature_less_beside(place, range, x)));
   }
 
   // Whether the curvature falls on both sides of a place, as far as the range goes.
-  bool is_curvature_less_beside(const Place& place, const Range& range, const Curve_jet& x) const
+  bool is_curvature_less_beside(const Place& place, const Range& range, const Curve_jet<>& x) const
   {
     const auto [slope, change] = slope_of_curvature(x);
     const int sign = place.side * certain_sign(slope);

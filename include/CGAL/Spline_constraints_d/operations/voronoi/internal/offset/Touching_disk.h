@@ -33,16 +33,10 @@ the disk. Where they are not, bounds over a box tell their signs, and where they
 tell the signs of H in all quadrants around (a,b): whether H is positive but in (a,b), so that the site is never held;
 or negative for some v, whatever u.
 */
-template <Enclosing_number Interval>
-class Basic_touching_disk
+template <Enclosing_number Interval = Common::Interval>
+class Touching_disk
 {
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_part = Basic_element_part<Interval>;
-  using Disk_candidate = Basic_disk_candidate<Interval>;
-  using Disk_reach = Basic_disk_reach<Interval>;
-  using Jet = typename Disk_reach::Jet;
+  using Jet = typename Disk_reach<Interval>::Jet;
 
   static constexpr double most_way = 0x1p-4;   // between a point of an arc and the part of it that is looked at
 
@@ -53,8 +47,8 @@ class Basic_touching_disk
     Interval width;
   };
 
-  const Site_graph_2& m_graph;
-  const Oriented_element& m_element;
+  const Site_graph_2<Interval>& m_graph;
+  const Oriented_element<Interval>& m_element;
   Interval m_radius;
   Exact_rational m_square;   // of 2 r
   Exact_rational m_parameter;
@@ -64,16 +58,16 @@ class Basic_touching_disk
 
 public:
   // At a parameter of an element that ends exactly.
-  Basic_touching_disk(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius,
-                      const Exact_rational& parameter)
+  Touching_disk(const Site_graph_2<Interval>& graph, std::size_t element, const Exact_rational& radius,
+                const Exact_rational& parameter)
     : m_graph(graph), m_element(graph.elements()[element]), m_radius(interval_of<Interval>(radius)),
       m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_element, parameter)),
       m_normal(graph.exact_normal(m_element, parameter))
   {}
 
-  static bool is_defined(const Site_graph_2& graph, std::size_t element)
+  static bool is_defined(const Site_graph_2<Interval>& graph, std::size_t element)
   {
-    const Oriented_element& f = graph.elements()[element];
+    const Oriented_element<Interval>& f = graph.elements()[element];
     return f.is_normal_cone ? graph.vertices()[f.object].is_exact : graph.are_ends_exact(f.object);
   }
 
@@ -84,11 +78,11 @@ public:
   };
 
   // Candidates that are next to each other, as one.
-  static std::vector<Arc_part> parts_of_arcs(const std::vector<Disk_candidate>& candidates)
+  static std::vector<Arc_part> parts_of_arcs(const std::vector<Disk_candidate<Interval>>& candidates)
   {
     std::vector<Arc_part> parts, result;
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::ARC)
+    for (const Disk_candidate<Interval>& candidate : candidates)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::ARC)
         parts.push_back({candidate.index, candidate.range});
     std::sort(parts.begin(), parts.end(), [](const Arc_part& a, const Arc_part& b) {
       return a.arc != b.arc ? a.arc < b.arc : a.range.begin < b.range.begin;
@@ -103,13 +97,13 @@ public:
 
   // Where an exact disk of a small part may be: at the simplest number, or, on a segment, where it touches an end of an
   // arc.
-  static std::vector<Exact_rational> simple_parameters(const Site_graph_2& graph, const Element_part& part,
-                                                       const Exact_rational& radius,
-                                                       const std::vector<Disk_candidate>& candidates)
+  static std::vector<Exact_rational> simple_parameters(const Site_graph_2<Interval>& graph,
+                                                       const Element_part<Interval>& part, const Exact_rational& radius,
+                                                       const std::vector<Disk_candidate<Interval>>& candidates)
   {
     const Exact_rational begin(part.range.begin), end(part.range.end);
     std::vector<Exact_rational> result{simplest_rational_between(begin, end)};
-    const Oriented_element& element = graph.elements()[part.element];
+    const Oriented_element<Interval>& element = graph.elements()[part.element];
     const auto add = [&](std::size_t vertex) {
       for (const Exact_rational& u :
            touching_parameters(graph.vertices()[vertex].exact_point, graph.arcs()[element.object], radius))
@@ -118,19 +112,19 @@ public:
     };
     if (element.is_normal_cone || !graph.arcs()[element.object].is_segment())
       return result;
-    for (const Disk_candidate& candidate : candidates) {
-      if (candidate.kind == Disk_candidate::Kind::VERTEX)
+    for (const Disk_candidate<Interval>& candidate : candidates) {
+      if (candidate.kind == Disk_candidate<Interval>::Kind::VERTEX)
         add(candidate.index);
-      if (candidate.kind == Disk_candidate::Kind::ARC && candidate.range.begin < most_way)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::ARC && candidate.range.begin < most_way)
         add(graph.vertex_of({candidate.index, false}));
-      if (candidate.kind == Disk_candidate::Kind::ARC && candidate.range.end > 1 - most_way)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::ARC && candidate.range.end > 1 - most_way)
         add(graph.vertex_of({candidate.index, true}));
     }
     return result;
   }
 
   // Where disks touch the line of a segment and a point, if that is opposite, or the numbers are rational.
-  static std::vector<Exact_rational> touching_parameters(const Exact_pair& p, const Site_arc_2& segment,
+  static std::vector<Exact_rational> touching_parameters(const Exact_pair& p, const Site_arc_2<Interval>& segment,
                                                          const Exact_rational& radius)
   {
     const Exact_rational foot = segment.parameter_of_foot(p);
@@ -148,18 +142,18 @@ public:
 
   // What the disks of a part of the element that holds the parameter do before and behind it, if the disk touches one
   // of some sites, and others are not held.
-  std::optional<std::array<Held, 2>> sides(const Range& range, const std::vector<Disk_candidate>& candidates)
+  std::optional<std::array<Held, 2>> sides(const Range& range, const std::vector<Disk_candidate<Interval>>& candidates)
   {
-    const Disk_reach reach(m_graph, m_element, m_radius, range);
+    const Disk_reach<Interval> reach(m_graph, m_element, m_radius, range);
     m_ways = ways_to_ends(range, m_parameter);
     std::array<Held, 2> result{Held::NO, Held::NO};
     const auto add = [&](const std::array<Held, 2>& sides) {
       result = {held_by_any(result[0], sides[0]), held_by_any(result[1], sides[1])};
     };
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::VERTEX)
+    for (const Disk_candidate<Interval>& candidate : candidates)
+      if (candidate.kind == Disk_candidate<Interval>::Kind::VERTEX)
         add(sides_with_vertex(reach, candidate.index));
-      else if (candidate.kind == Disk_candidate::Kind::NODE)
+      else if (candidate.kind == Disk_candidate<Interval>::Kind::NODE)
         add({Held::UNKNOWN, Held::UNKNOWN});
     for (const auto& [arc, part] : parts_of_arcs(candidates))
       add(sides_with_arc(reach, arc, part));
@@ -190,7 +184,7 @@ private:
     return sign_of(exact_cross(m_normal, exact_difference(y, m_point))) == 0;
   }
 
-  std::array<Held, 2> sides_with_vertex(const Disk_reach& reach, std::size_t index)
+  std::array<Held, 2> sides_with_vertex(const Disk_reach<Interval>& reach, std::size_t index)
   {
     const auto& vertex = m_graph.vertices()[index];
     if (!vertex.is_exact || !touches(vertex.exact_point)) {
@@ -209,14 +203,14 @@ private:
     return sign > 0 ? Held::NO : sign < 0 ? Held::YES : Held::UNKNOWN;
   }
 
-  std::array<Held, 2> sides_with_arc(const Disk_reach& reach, std::size_t arc, const Range& part)
+  std::array<Held, 2> sides_with_arc(const Disk_reach<Interval>& reach, std::size_t arc, const Range& part)
   {
     const std::optional<Exact_rational> b = m_graph.are_ends_exact(arc) ? touched_parameter(arc, part) : std::nullopt;
     if (!b) {
       const Held held = reach.hold_arc(arc, part);
       return {held, held};
     }
-    const Site_arc_2& site = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& site = m_graph.arcs()[arc];
     const Range location{interval_of(*b).inf(), interval_of(*b).sup()}, range = united(part, location);
     const Exact_pair y = site.at(*b), center = m_disk->center;
     const bool is_tangent = sign_of(exact_dot(site.tangent_at(*b), exact_difference(y, center))) == 0;
@@ -263,7 +257,7 @@ private:
   // point with a simple parameter.
   std::optional<Exact_rational> touched_parameter(std::size_t arc, const Range& part)
   {
-    const Site_arc_2& site = m_graph.arcs()[arc];
+    const Site_arc_2<Interval>& site = m_graph.arcs()[arc];
     std::vector<Exact_rational> parameters;
     if (part.begin < most_way)
       parameters.emplace_back(0);
@@ -282,8 +276,6 @@ private:
     return position == parameters.end() ? std::nullopt : std::optional(*position);
   }
 };
-
-using Touching_disk = Basic_touching_disk<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -28,7 +28,7 @@ class Arc_parameter
 
 public:
   template <Enclosing_number Number>
-  Arc_parameter(const Basic_site_graph_2<Number>& graph, std::size_t arc) : m_piece(graph.arcs()[arc].piece())
+  Arc_parameter(const Site_graph_2<Number>& graph, std::size_t arc) : m_piece(graph.arcs()[arc].piece())
   {
     const double error = interval_of<Interval>(graph.arcs()[arc].error()).sup();
     const auto end = [&](bool is_end) {

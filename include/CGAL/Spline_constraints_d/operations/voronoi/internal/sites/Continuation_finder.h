@@ -25,11 +25,7 @@ How arcs go on beyond the vertices of a planar graph, smoothly or nearly so.
 template <Enclosing_number Interval, class Graph>
 class Continuation_finder
 {
-  using Vertex = Basic_site_vertex<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Arc_continuations = Basic_arc_continuations<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Vertex = Site_vertex<Interval>;
 
   const Graph& m_graph;
 
@@ -37,7 +33,7 @@ public:
   explicit Continuation_finder(const Graph& graph) : m_graph(graph) {}
 
   // Adds them to `continuations`, of each arc and end.
-  void append(const Vertex& vertex, std::vector<std::array<Arc_continuations, 2>>& continuations) const
+  void append(const Vertex& vertex, std::vector<std::array<Arc_continuations<Interval>, 2>>& continuations) const
   {
     for (const Arc_end& a : vertex.ends)
       for (const Arc_end& b : vertex.ends) {
@@ -53,10 +49,11 @@ public:
           continue;
         const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
         if (turn == 0) {
-          const Smooth_continuation next{b,
-                                         !has_ratio                                       ? any_number<Interval>()
-                                             : m_graph.is_exact(a) && m_graph.is_exact(b) ? interval_of<Interval>(ratio)
-                                                                                          : ratio_of_speeds(a, b, k)};
+          const Smooth_continuation<Interval> next{b,
+                                                   !has_ratio ? any_number<Interval>()
+                                                       : m_graph.is_exact(a) && m_graph.is_exact(b)
+                                                       ? interval_of<Interval>(ratio)
+                                                       : ratio_of_speeds(a, b, k)};
           const bool goes_on = goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a);
           if (goes_on)
             continuations[a.arc][a.is_end].only = next;
@@ -78,7 +75,7 @@ private:
     };
     if (std::count_if(vertex.ends.begin(), vertex.ends.end(), is_opposite) == 1)
       return true;
-    const Oriented_element left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
+    const Oriented_element<Interval> left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
     const Arc_end &next = m_graph.next_around_vertex(left, a), &last = m_graph.next_around_vertex(right, a);
     return (b == next || b == last) &&
         (!is_opposite(next) || !is_opposite(last) ||
@@ -96,8 +93,9 @@ private:
   }
 
   // From the derivatives of both arcs.
-  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s,
-                                                               const Exact_pair& t, double scale, bool is_left_reflex)
+  static Nearly_smooth_continuation<Interval> nearly_smooth_continuation(const Arc_end& a, const Arc_end& b,
+                                                                         const Exact_pair& s, const Exact_pair& t,
+                                                                         double scale, bool is_left_reflex)
   {
     const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
     const auto jump = [&](std::size_t k) { return interval_of<Interval>(Exact_rational(away * t[k] - to_end * s[k])); };

@@ -96,7 +96,7 @@ private:
     if (!(parameters[0].first < parameters[0].second && parameters[1].first < parameters[1].second))
       return false;
     const Homogeneous_piece first = piece(m_first, parameters[0]), second = piece(m_second, parameters[1]);
-    const Site_arc_2 a(first), b(second);
+    const Site_arc_2<> a(first), b(second);
     for (const bool is_reversed : {false, true})
       if (a.at(0) == b.at(is_reversed) && a.at(1) == b.at(!is_reversed) &&
           (are_equal(first, is_reversed ? reversed(second) : second) || is_part_of_segment(b, a) ||
@@ -110,10 +110,10 @@ private:
   // Whether both pieces run along one curve, at different speeds: next to their common point they have more
   // coefficients in common than different curves of their degrees may have (Bezout), and as they go on in this
   // direction, they end there, too, in one place of the curve.
-  static bool are_on_one_curve(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed)
+  static bool are_on_one_curve(const Site_arc_2<>& a, const Site_arc_2<>& b, bool is_reversed)
   {
     const Upward_rounding_guard guard;
-    const auto goes_on = [](const Site_arc_2& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)[1]); };
+    const auto goes_on = [](const Site_arc_2<>& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)[1]); };
     if (!are_same_directions(outgoing_direction(a, false), outgoing_direction(b, is_reversed)) || !goes_on(a) ||
         !goes_on(b))
       return false;
@@ -138,7 +138,7 @@ private:
 
   // Whether the points of a straight piece are on the segment between its ends, which are those of another straight
   // piece.
-  static bool is_part_of_segment(const Site_arc_2& part, const Site_arc_2& whole)
+  static bool is_part_of_segment(const Site_arc_2<>& part, const Site_arc_2<>& whole)
   {
     if (!part.is_straight() || !whole.is_straight())
       return false;
@@ -153,9 +153,9 @@ private:
 
   // Whether pieces of a circle with the same ends are on the same side of these. Of degree two, they pass no point
   // twice.
-  static bool are_equal_circular_arcs(const Site_arc_2& a, const Site_arc_2& b)
+  static bool are_equal_circular_arcs(const Site_arc_2<>& a, const Site_arc_2<>& b)
   {
-    const auto is_quadratic = [](const Site_arc_2& arc) {
+    const auto is_quadratic = [](const Site_arc_2<>& arc) {
       return std::all_of(arc.piece().coordinates.begin(), arc.piece().coordinates.end(),
                          [](const Tensor& tensor) { return tensor.degree(0) <= 2; });
     };
@@ -163,7 +163,7 @@ private:
       return false;
     const Exact_pair begin = a.at(0), end = a.at(1),
                      chord{Exact_rational(end[0] - begin[0]), Exact_rational(end[1] - begin[1])};
-    const auto side = [&](const Site_arc_2& arc) {
+    const auto side = [&](const Site_arc_2<>& arc) {
       const Exact_pair middle = arc.at(one_half());
       return sign_of(
           exact_cross(chord, Exact_pair{Exact_rational(middle[0] - begin[0]), Exact_rational(middle[1] - begin[1])}));

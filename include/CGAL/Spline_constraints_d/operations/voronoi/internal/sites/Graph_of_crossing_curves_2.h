@@ -24,7 +24,7 @@ namespace Voronoi {
 class Graph_of_crossing_curves
 {
   const Curve_crossings_2& m_crossings;
-  std::shared_ptr<Site_graph_2> m_graph = std::make_shared<Site_graph_2>();
+  std::shared_ptr<Site_graph_2<>> m_graph = std::make_shared<Site_graph_2<>>();
   std::vector<std::optional<std::size_t>> m_vertices;   // of the crossings, made when they are needed
 
 public:
@@ -43,7 +43,7 @@ public:
     m_graph->close(m_crossings.are_complete(), m_crossings.are_cut());
   }
 
-  std::shared_ptr<const Site_graph_2> operator()() const { return m_graph; }
+  std::shared_ptr<const Site_graph_2<>> operator()() const { return m_graph; }
 
 private:
   using Cut = Curve_crossings_2::Cut;
@@ -67,8 +67,8 @@ private:
         continue;
       Homogeneous_piece part = piece.within({begin, end});
       const auto place = [&](const Limit& limit) {
-        return limit.cut ? std::optional(Site_graph_2::Place_of_end{vertex(limit.cut->crossing),
-                                                                    Exact_rational(limit.cut->width() / (end - begin))})
+        return limit.cut ? std::optional(Site_graph_2<>::Place_of_end{
+                               vertex(limit.cut->crossing), Exact_rational(limit.cut->width() / (end - begin))})
                          : std::nullopt;
       };
       m_graph->add_arc(std::move(part), curve, {place(limits[i - 1]), place(limits[i])});
@@ -112,8 +112,8 @@ std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& p
 }
 
 template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves,
-                                                             const std::vector<CGAL::Point_2<Kernel>>& points)
+std::shared_ptr<const Site_graph_2<>> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves,
+                                                               const std::vector<CGAL::Point_2<Kernel>>& points)
 {
   const std::vector<Exact_pair> exact = exact_points(points);
   return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves, exact), curves, exact)();
@@ -121,8 +121,8 @@ std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<S
 
 // The same without cuts at crossings, unless curves touch.
 template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves,
-                                                           const std::vector<CGAL::Point_2<Kernel>>& points)
+std::shared_ptr<const Site_graph_2<>> graph_without_overlaps(const std::vector<Site_curve_2>& curves,
+                                                             const std::vector<CGAL::Point_2<Kernel>>& points)
 {
   return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag>(curves), curves,
                                   exact_points(points))();

@@ -37,8 +37,8 @@ One side of an arc, or the normals of a vertex between two sides: what disks tou
 side on the left: an arc on its left side from 0 to 1, on its right side from 1 to 0; and a normal cone clockwise from
 its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
 */
-template <Enclosing_number Interval>
-struct Basic_oriented_element
+template <Enclosing_number Interval = Common::Interval>
+struct Oriented_element
 {
   using Interval_pair = std::array<Interval, 2>;
 
@@ -52,34 +52,28 @@ struct Basic_oriented_element
   std::size_t cycle = 0, component = 0;   // of the traversal, and of the connected arcs that it belongs to
 };
 
-using Oriented_element = Basic_oriented_element<Interval>;
-
 // Enclosures of the point of an element, its normal, which has any length, and their derivatives.
-template <Enclosing_number Interval>
-struct Basic_element_jet
+template <Enclosing_number Interval = Common::Interval>
+struct Element_jet
 {
   using Interval_pair = std::array<Interval, 2>;
 
   Interval_pair point, point_derivative, normal, normal_derivative;
 };
 
-using Element_jet = Basic_element_jet<Interval>;
-
 // The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one
 // there; of any size, if one of them is zero.
-template <Enclosing_number Interval>
-struct Basic_smooth_continuation
+template <Enclosing_number Interval = Common::Interval>
+struct Smooth_continuation
 {
   Arc_end end;
   Interval speed_ratio;
 };
 
-using Smooth_continuation = Basic_smooth_continuation<Interval>;
-
 // The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small
 // jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
-template <Enclosing_number Interval>
-struct Basic_nearly_smooth_continuation
+template <Enclosing_number Interval = Common::Interval>
+struct Nearly_smooth_continuation
 {
   using Interval_pair = std::array<Interval, 2>;
 
@@ -89,24 +83,19 @@ struct Basic_nearly_smooth_continuation
   bool is_left_reflex;
 };
 
-using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
-
 // How an arc goes on: smoothly, as each of those that leave the vertex in the direction in which it arrives, of which
 // one may be that which is meant; or nearly so.
 template <Enclosing_number Interval>
-struct Basic_arc_continuations
+struct Arc_continuations
 {
-  using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  std::optional<Smooth_continuation<Interval>> only;
+  std::vector<Smooth_continuation<Interval>> smooth;
+  std::optional<Nearly_smooth_continuation<Interval>> nearly_smooth;
 
-  std::optional<Smooth_continuation> only;
-  std::vector<Smooth_continuation> smooth;
-  std::optional<Nearly_smooth_continuation> nearly_smooth;
-
-  const Smooth_continuation* smooth_at(const Arc_end& end) const
+  const Smooth_continuation<Interval>* smooth_at(const Arc_end& end) const
   {
-    const auto result =
-        std::find_if(smooth.begin(), smooth.end(), [&](const Smooth_continuation& next) { return next.end == end; });
+    const auto result = std::find_if(smooth.begin(), smooth.end(),
+                                     [&](const Smooth_continuation<Interval>& next) { return next.end == end; });
     return result == smooth.end() ? nullptr : &*result;
   }
 

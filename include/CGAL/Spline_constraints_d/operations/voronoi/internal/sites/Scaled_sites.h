@@ -21,22 +21,20 @@ namespace Voronoi {
 
 // Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one
 // does so when scaled by that number about its center.
-template <Enclosing_number Interval>
-struct Basic_scaled_sites
+template <Enclosing_number Interval = Common::Interval>
+struct Scaled_sites
 {
-  using Site_graph_2 = Basic_site_graph_2<Interval>;
-
   Exact_rational squared_factor;
   std::vector<bool> arcs, vertices;   // which are
   Interval excess;                    // squared_factor - 1
 
-  Basic_scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
+  Scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
     : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)),
       excess(interval_of<Interval>(Exact_rational(square - 1)))
   {}
 
   // The vertices that are not on scaled arcs.
-  std::vector<bool> points(const Site_graph_2& graph) const
+  std::vector<bool> points(const Site_graph_2<Interval>& graph) const
   {
     std::vector<bool> result(vertices);
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -47,7 +45,7 @@ struct Basic_scaled_sites
 
   // How an arc goes on smoothly in an exact vertex, whatever others are between on which the factor is another one: if
   // there is no choice.
-  std::optional<Arc_end> continuation(const Site_graph_2& graph, const Arc_end& end) const
+  std::optional<Arc_end> continuation(const Site_graph_2<Interval>& graph, const Arc_end& end) const
   {
     std::vector<Arc_end> before, after;
     for (const Arc_end& other : graph.vertices()[graph.vertex_of(end)].ends)
@@ -57,8 +55,6 @@ struct Basic_scaled_sites
     return before.size() == 1 && after.size() == 1 ? std::optional(after[0]) : std::nullopt;
   }
 };
-
-using Scaled_sites = Basic_scaled_sites<Interval>;
 
 } // namespace Voronoi
 } // namespace internal

@@ -36,20 +36,13 @@ has a next one on each of its sides.
 Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so
 that it has no normal cones; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
-template <Enclosing_number Interval>
-class Basic_site_graph_2
+template <Enclosing_number Interval = Common::Interval>
+class Site_graph_2
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Curve_jet = Basic_curve_jet<Interval>;
-  using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Oriented_element = Basic_oriented_element<Interval>;
-  using Element_jet = Basic_element_jet<Interval>;
-  using Smooth_continuation = Basic_smooth_continuation<Interval>;
-  using Arc_continuations = Basic_arc_continuations<Interval>;
-  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
 
 public:
-  using Vertex = Basic_site_vertex<Interval>;
+  using Vertex = Site_vertex<Interval>;
 
   // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of
   // that.
@@ -60,27 +53,27 @@ public:
   };
 
 private:
-  std::vector<Site_arc_2> m_arcs;
+  std::vector<Site_arc_2<Interval>> m_arcs;
   std::vector<std::size_t> m_curve_of_arc;
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
   std::vector<std::array<bool, 2>> m_is_end_exact;
   std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
-  std::vector<std::array<Arc_continuations, 2>> m_continuations;
+  std::vector<std::array<Arc_continuations<Interval>, 2>> m_continuations;
   std::vector<Vertex> m_vertices;
-  std::vector<Oriented_element> m_elements;   // the sides of arc i are 2 i and 2 i + 1; normal cones behind them
+  std::vector<Oriented_element<Interval>> m_elements;   // the sides of arc i are 2 i and 2 i + 1, then normal cones
   std::map<Exact_pair, std::size_t> m_vertex_at;
   std::vector<Coincident_parts_2> m_coincident_parts;
   bool m_is_proved = true, m_is_planar = true;
 
   template <Enclosing_number Other>
-  friend class Basic_site_graph_2;
+  friend class Site_graph_2;
 
 public:
-  Basic_site_graph_2() = default;
+  Site_graph_2() = default;
 
   // The same graph with enclosures of another precision.
   template <Enclosing_number Other>
-  explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
+  explicit Site_graph_2(const Site_graph_2<Other>& other)
     : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc),
       m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions), m_continuations(other.m_arcs.size()),
       m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved),
@@ -132,7 +125,7 @@ public:
                const std::array<std::optional<Place_of_end>, 2>& places = {})
   {
     const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
-    Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
+    Site_arc_2<Interval> arc(std::move(piece), (std::max)(error(false), error(true)));
     const Exact_pair a = arc.at(0), b = arc.at(1);
     check_is_no_point(arc.piece().coordinates, arc.piece().domain, curve, "");
     m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
@@ -162,7 +155,7 @@ public:
       m_elements.push_back({false, i, true});
     }
     m_continuations.resize(m_arcs.size());
-    const Order_around_vertex<Interval, Basic_site_graph_2> order(*this);
+    const Order_around_vertex<Interval, Site_graph_2> order(*this);
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       const bool is_ordered = order.sort(m_vertices[v].ends);
       m_is_proved = m_is_proved && is_ordered && order.is_proved(m_vertices[v].ends);
@@ -172,9 +165,9 @@ public:
     number_cycles(m_elements);
   }
 
-  const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
+  const std::vector<Site_arc_2<Interval>>& arcs() const { return m_arcs; }
   const std::vector<Vertex>& vertices() const { return m_vertices; }
-  const std::vector<Oriented_element>& elements() const { return m_elements; }
+  const std::vector<Oriented_element<Interval>>& elements() const { return m_elements; }
   std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
   const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
 
@@ -220,9 +213,15 @@ public:
   // Whether, besides, arcs meet in their ends only.
   bool is_planar() const { return m_is_proved && m_is_planar; }
 
-  const Arc_continuations& continuations(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
-  const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return continuations(end).only; }
-  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const
+  const Arc_continuations<Interval>& continuations(const Arc_end& end) const
+  {
+    return m_continuations[end.arc][end.is_end];
+  }
+  const std::optional<Smooth_continuation<Interval>>& continuation(const Arc_end& end) const
+  {
+    return continuations(end).only;
+  }
+  const std::optional<Nearly_smooth_continuation<Interval>>& nearly_smooth_continuation(const Arc_end& end) const
   {
     return continuations(end).nearly_smooth;
   }
@@ -237,7 +236,7 @@ public:
   }
 
   // Whether an element ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
-  bool is_pocket(const Oriented_element& element, const Arc_end& end) const
+  bool is_pocket(const Oriented_element<Interval>& element, const Arc_end& end) const
   {
     const auto& next = nearly_smooth_continuation(end);
     // on the left of the way to the corner
@@ -246,7 +245,7 @@ public:
 
   // The end of the arc on the other side of the cusp in which an element ends: that arc leaves the vertex in the same
   // direction, and nothing is between.
-  std::optional<Arc_end> across_cusp(const Oriented_element& element, const Arc_end& end) const
+  std::optional<Arc_end> across_cusp(const Oriented_element<Interval>& element, const Arc_end& end) const
   {
     const Arc_end& next = next_around_vertex(element, end);
     return !is_last_around_vertex(element, end) && are_same_directions(direction(end), direction(next))
@@ -255,7 +254,7 @@ public:
   }
 
   // Whether the next arc around the vertex is on the other side of all others, if all leave in one direction.
-  bool is_last_around_vertex(const Oriented_element& element, const Arc_end& end) const
+  bool is_last_around_vertex(const Oriented_element<Interval>& element, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
     return end == (is_left_of_way_to(element, end) ? ends.front() : ends.back());
@@ -263,7 +262,7 @@ public:
 
   // That of the next arc around the vertex in which an element ends, on the side of the element; and the element on the
   // other side of the angle between them.
-  const Arc_end& next_around_vertex(const Oriented_element& element, const Arc_end& end) const
+  const Arc_end& next_around_vertex(const Oriented_element<Interval>& element, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
     const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()),
@@ -271,7 +270,7 @@ public:
     return ends[(i + (is_left_of_way_to(element, end) ? n - 1 : 1)) % n];
   }
 
-  std::size_t element_across(const Oriented_element& element, const Arc_end& end) const
+  std::size_t element_across(const Oriented_element<Interval>& element, const Arc_end& end) const
   {
     return is_left_of_way_to(element, end) ? departing(next_around_vertex(element, end))
                                            : arriving(next_around_vertex(element, end));
@@ -288,7 +287,7 @@ public:
   }
 
   // Whether an element is a normal cone between arcs that join nearly smoothly.
-  bool is_in_nearly_smooth_joint(const Oriented_element& element) const
+  bool is_in_nearly_smooth_joint(const Oriented_element<Interval>& element) const
   {
     return element.is_normal_cone && !m_vertices[element.object].ends.empty() &&
         nearly_smooth_continuation(m_vertices[element.object].ends.front()).has_value();
@@ -297,7 +296,7 @@ public:
   // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
   const Exact_pair& direction(const Arc_end& end) const { return m_directions[end.arc][end.is_end]; }
 
-  Element_jet element_jet(const Oriented_element& element, const Range& range) const
+  Element_jet<Interval> element_jet(const Oriented_element<Interval>& element, const Range& range) const
   {
     if (element.is_normal_cone) {
       const Interval u = interval_of<Interval>(range);
@@ -307,8 +306,8 @@ public:
               {element.normals[0][0] + u * difference[0], element.normals[0][1] + u * difference[1]},
               difference};
     }
-    const Site_arc_2& arc = m_arcs[element.object];
-    const Curve_jet jet = arc.jet(range, 2);
+    const Site_arc_2<Interval>& arc = m_arcs[element.object];
+    const Curve_jet<Interval> jet = arc.jet(range, 2);
     const Interval side(element.is_reversed ? -1 : 1);
     const auto [tangent, change] = arc.has_singular_end() ? arc.tangent_jet(range) : std::array{jet[1], jet[2]};
     return {jet[0], jet[1], side * turned_left(tangent), side * turned_left(change)};
@@ -320,7 +319,7 @@ public:
   {
     if (m_elements[element].is_normal_cone)
       return false;
-    const Site_arc_2& arc = m_arcs[m_elements[element].object];
+    const Site_arc_2<Interval>& arc = m_arcs[m_elements[element].object];
     if (!arc.is_straight() && !arc.circle())
       return false;
     if (arc.is_straight()) {
@@ -337,11 +336,11 @@ public:
   }
 
   // A point of an element, of an arc by the parameter of its piece, and the normal there.
-  Exact_pair exact_point_at(const Oriented_element& element, const Exact_rational& u) const
+  Exact_pair exact_point_at(const Oriented_element<Interval>& element, const Exact_rational& u) const
   {
     return element.is_normal_cone ? m_vertices[element.object].exact_point : m_arcs[element.object].at(u);
   }
-  Exact_pair exact_normal(const Oriented_element& element, const Exact_rational& u) const
+  Exact_pair exact_normal(const Oriented_element<Interval>& element, const Exact_rational& u) const
   {
     if (element.is_normal_cone) {
       const auto& [from, to] = element.exact_normals;
@@ -353,13 +352,13 @@ public:
   }
 
   // Whether the first or last normal of a normal cone is perpendicular to an arc there.
-  static bool is_perpendicular(const Oriented_element& normal_cone, bool normal, const Arc_end& end)
+  static bool is_perpendicular(const Oriented_element<Interval>& normal_cone, bool normal, const Arc_end& end)
   {
     const std::vector<Arc_end>& ends = normal_cone.perpendicular_ends[normal];
     return std::find(ends.begin(), ends.end(), end) != ends.end();
   }
 
-  const Exact_pair& exact_point(const Oriented_element& element, bool end) const
+  const Exact_pair& exact_point(const Oriented_element<Interval>& element, bool end) const
   {
     return m_vertices[element.is_normal_cone ? element.object : vertex_of({element.object, end})].exact_point;
   }
@@ -369,7 +368,7 @@ public:
   {
     if (m_elements[element].is_normal_cone)
       return false;
-    const Site_arc_2 &own = m_arcs[m_elements[element].object], &other = m_arcs[arc];
+    const Site_arc_2<Interval> &own = m_arcs[m_elements[element].object], &other = m_arcs[arc];
     if (own.is_straight())
       return other.is_straight() && own.is_on_line_or_circle(other.at(0)) && own.is_on_line_or_circle(other.at(1));
     return own.circle() && own.circle() == other.circle();
@@ -388,9 +387,9 @@ public:
 
 private:
   // Whether a straight arc lies on the line of another one, on the same side of an end of that.
-  bool is_on_ray_of(const Site_arc_2& arc, const Arc_end& end) const
+  bool is_on_ray_of(const Site_arc_2<Interval>& arc, const Arc_end& end) const
   {
-    const Site_arc_2& segment = m_arcs[end.arc];
+    const Site_arc_2<Interval>& segment = m_arcs[end.arc];
     if (!segment.is_straight() || !segment.is_on_line_or_circle(arc.at(0)) || !segment.is_on_line_or_circle(arc.at(1)))
       return false;
     const Exact_pair p = segment.at(end.is_end), q = arc.at(Exact_rational(1) / 2);
@@ -399,10 +398,10 @@ private:
 
   void find_continuations(const Vertex& vertex)
   {
-    Continuation_finder<Interval, Basic_site_graph_2>(*this).append(vertex, m_continuations);
+    Continuation_finder<Interval, Site_graph_2>(*this).append(vertex, m_continuations);
   }
 
-  static bool is_left_of_way_to(const Oriented_element& element, const Arc_end& end)
+  static bool is_left_of_way_to(const Oriented_element<Interval>& element, const Arc_end& end)
   {
     return end.is_end != element.is_reversed;
   }
@@ -436,7 +435,7 @@ private:
 
   std::size_t add_normal_cone(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
-    Oriented_element normal_cone{
+    Oriented_element<Interval> normal_cone{
         true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
@@ -448,9 +447,7 @@ private:
   }
 };
 
-using Site_graph_2 = Basic_site_graph_2<Interval>;
-
-inline std::vector<std::size_t> all_elements(const Site_graph_2& graph)
+inline std::vector<std::size_t> all_elements(const Site_graph_2<>& graph)
 {
   std::vector<std::size_t> result(graph.elements().size());
   std::iota(result.begin(), result.end(), 0);

@@ -47,7 +47,7 @@ private:
 
 public:
   // Vertices on arcs are sites as well if that is asked for.
-  explicit Site_tree_2(const Site_graph_2& graph, const std::vector<bool>& are_sites = {})
+  explicit Site_tree_2(const Site_graph_2<>& graph, const std::vector<bool>& are_sites = {})
   {
     const Upward_rounding_guard guard;
     for (std::size_t i = 0; i < graph.arcs().size(); ++i) {

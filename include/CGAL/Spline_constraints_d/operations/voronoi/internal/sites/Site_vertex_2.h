@@ -18,7 +18,7 @@ namespace Voronoi {
 
 // A point that is a site, or in which arcs end. Of one that is not known exactly, the exact point is next to it.
 template <Enclosing_number Interval>
-struct Basic_site_vertex
+struct Site_vertex
 {
   using Interval_pair = std::array<Interval, 2>;
 
@@ -40,7 +40,7 @@ struct Basic_site_vertex
   }
 
   // If it is not, by an arc that ends there.
-  void enclose_by_end(const Basic_site_arc_2<Interval>& arc, bool is_end)
+  void enclose_by_end(const Site_arc_2<Interval>& arc, bool is_end)
   {
     if (!is_exact)
       point = common_part(point, arc.point({is_end ? 1.0 : 0.0, is_end ? 1.0 : 0.0}));

@@ -18,7 +18,7 @@ namespace internal {
 namespace Voronoi {
 
 // Refuses sites whose greatest coordinate is too great, or too small, for bounds in doubles.
-inline void check_magnitude(const Site_graph_2& graph, const std::string& operation)
+inline void check_magnitude(const Site_graph_2<>& graph, const std::string& operation)
 {
   const Upward_rounding_guard guard;
   double greatest = 0;
@@ -26,9 +26,9 @@ inline void check_magnitude(const Site_graph_2& graph, const std::string& operat
     for (const Interval& x : points)
       greatest = (std::max)({greatest, x.sup(), -x.inf()});
   };
-  for (const Site_arc_2& arc : graph.arcs())
+  for (const Site_arc_2<>& arc : graph.arcs())
     add(arc.point(Range()));
-  for (const Site_graph_2::Vertex& vertex : graph.vertices())
+  for (const Site_graph_2<>::Vertex& vertex : graph.vertices())
     add(vertex.point);
   check_greatest_coordinate(greatest, operation);
 }

@@ -19,7 +19,7 @@ namespace internal {
 namespace Voronoi {
 
 // Of each vertex of a graph, the index of the connected set of arcs and vertices that it belongs to.
-inline std::vector<std::size_t> components_of_vertices(const Site_graph_2& graph)
+inline std::vector<std::size_t> components_of_vertices(const Site_graph_2<>& graph)
 {
   boost::disjoint_sets_with_storage<> sets(graph.vertices().size());
   for (std::size_t arc = 0; arc < graph.arcs().size(); ++arc)

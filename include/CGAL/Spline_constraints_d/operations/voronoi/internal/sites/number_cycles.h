@@ -20,7 +20,7 @@ namespace Voronoi {
 // Numbers the cycles in which elements follow each other, and the connected sets that they belong to: those of both
 // sides of an arc are connected. The sides of arc i are elements 2 i and 2 i + 1.
 template <Enclosing_number Interval>
-void number_cycles(std::vector<Basic_oriented_element<Interval>>& elements)
+void number_cycles(std::vector<Oriented_element<Interval>>& elements)
 {
   std::vector<char> is_visited(elements.size(), false);
   std::size_t cycles = 0;
@@ -35,7 +35,7 @@ void number_cycles(std::vector<Basic_oriented_element<Interval>>& elements)
   boost::disjoint_sets_with_storage<> sets(cycles);
   for (std::size_t f = 0; f < elements.size() && !elements[f].is_normal_cone; f += 2)
     sets.union_set(elements[f].cycle, elements[f + 1].cycle);
-  for (Basic_oriented_element<Interval>& element : elements)
+  for (Oriented_element<Interval>& element : elements)
     element.component = sets.find_set(element.cycle);
 }
 

@@ -21,10 +21,10 @@ namespace Voronoi {
 
 // The graph of the boundaries of a region.
 template <class Region>
-std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
+std::shared_ptr<const Site_graph_2<>> region_graph(const Region& region)
 {
   const Upward_rounding_guard guard;
-  auto graph = std::make_shared<Site_graph_2>();
+  auto graph = std::make_shared<Site_graph_2<>>();
   for (std::size_t c = 0; c < region.curves().size(); ++c)
     for (const Homogeneous_piece& piece : pieces_between_stops(region.curves()[c]))
       for (const auto& arc : region.arcs_of_curves()[c])
@@ -37,7 +37,7 @@ std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
 // The elements inside or outside of a region, of which this is the graph: the sides of arcs there, and the normal cones
 // that they lead to.
 template <class Region>
-std::vector<std::size_t> region_elements(const Site_graph_2& graph, const Region& region, bool is_inside)
+std::vector<std::size_t> region_elements(const Site_graph_2<>& graph, const Region& region, bool is_inside)
 {
   const auto is_reversed = [&](std::size_t arc) {   // against the direction that has the region on the left
     const auto& arcs = region.arcs_of_curves()[graph.curve_of_arc(arc)];

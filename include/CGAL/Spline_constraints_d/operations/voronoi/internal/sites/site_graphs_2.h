@@ -25,24 +25,24 @@ Exact_pair exact_coordinates(const CGAL::Point_2<Kernel>& point)
 }
 
 template <ParametricCurve_2 Curve>
-void add_sites(Site_graph_2& graph, const Curve& curve, std::size_t index)
+void add_sites(Site_graph_2<>& graph, const Curve& curve, std::size_t index)
 {
   for (Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve)))
     graph.add_arc(std::move(piece), index);
 }
 
 template <SplineKernel Kernel>
-void add_sites(Site_graph_2& graph, const CGAL::Point_2<Kernel>& point, std::size_t)
+void add_sites(Site_graph_2<>& graph, const CGAL::Point_2<Kernel>& point, std::size_t)
 {
   graph.add_point(exact_coordinates(point));
 }
 
 // The graph of curves and isolated points.
 template <class Curves, class Points>
-std::shared_ptr<const Site_graph_2> site_graph(const Curves& curves, const Points& points)
+std::shared_ptr<const Site_graph_2<>> site_graph(const Curves& curves, const Points& points)
 {
   const Upward_rounding_guard guard;
-  auto graph = std::make_shared<Site_graph_2>();
+  auto graph = std::make_shared<Site_graph_2<>>();
   std::size_t index = 0;
   for (const auto& curve : curves)
     add_sites(*graph, curve, index++);

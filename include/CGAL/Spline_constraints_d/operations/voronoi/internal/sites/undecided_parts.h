@@ -28,9 +28,9 @@ struct Element_range
 
 // The part of a curve that a part of an element belongs to: of a normal cone, the end of one of the arcs there; of an
 // isolated point, no curve.
-inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Element_range& part)
+inline Undecided_part_2 part_of_curve(const Site_graph_2<>& graph, const Element_range& part)
 {
-  const Oriented_element& element = graph.elements()[part.element];
+  const Oriented_element<>& element = graph.elements()[part.element];
   if (!element.is_normal_cone)
     return {graph.curve_of_arc(element.object), graph.curve_parameter(element.object, part.range.begin),
             graph.curve_parameter(element.object, part.range.end)};
@@ -43,7 +43,7 @@ inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Element_r
 
 // Those parts of curves, in order, where parts that meet are one. Of a graph that is not proved, where curves may
 // overlap, all of each curve.
-inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2& graph, std::vector<Element_range> ranges)
+inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2<>& graph, std::vector<Element_range> ranges)
 {
   for (std::size_t f = 0; f < graph.elements().size() && !graph.is_proved(); ++f)
     ranges.push_back({f, Range()});

@@ -19,7 +19,7 @@ namespace Voronoi {
 
 // The curve of the lowest index that ends or has a joint in a vertex, with its lowest parameter there; none for an
 // isolated point.
-inline std::optional<std::pair<std::size_t, double>> vertex_origin(const Site_graph_2& graph, std::size_t vertex)
+inline std::optional<std::pair<std::size_t, double>> vertex_origin(const Site_graph_2<>& graph, std::size_t vertex)
 {
   std::optional<std::pair<std::size_t, double>> result;
   for (const Arc_end& end : graph.vertices()[vertex].ends) {
