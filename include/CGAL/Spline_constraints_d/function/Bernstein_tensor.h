@@ -11,6 +11,9 @@
 #include <CGAL/Spline_constraints_d/function/internal/tensor_layers.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#endif
 
 #include <CGAL/assertions.h>
 #include <CGAL/use.h>
@@ -469,6 +472,10 @@ private:
     return *this;
   }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Bernstein_tensor<Exact_rational>;
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

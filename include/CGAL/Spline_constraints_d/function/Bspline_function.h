@@ -467,6 +467,10 @@ private:
   }
 };
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Bspline_function<Exact_rational>;
+#endif
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

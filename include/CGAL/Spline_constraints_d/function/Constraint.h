@@ -6,8 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
-#include <CGAL/Spline_constraints_d/function/internal/Formula_expansion.h>
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/function/internal/expanded.h>
+#endif
 
 #include <memory>
 #include <ostream>
@@ -38,16 +40,8 @@ inline std::vector<std::string> symbol_names(const Symbol_table& symbols)
   return names;
 }
 
-// As a function of the unknowns: exact when no spline occurs, else times a positive integer.
-inline Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial)
-{
-  if (symbols == nullptr)
-    return polynomial;
-  const Power_polynomial without_formulas = symbols->without_formulas(polynomial);
-  if (symbols->has_only_unknowns(without_formulas))
-    return without_formulas;
-  return Formula_expansion(*symbols, without_formulas).scaled_function();
-}
+// A function of the unknowns alone; defined in internal/expanded.h.
+Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial);
 
 } // namespace internal
 

@@ -7,6 +7,9 @@
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#endif
 
 #include <cstddef>
 #include <span>
@@ -150,6 +153,10 @@ private:
     return result;
   }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Local_weights<Exact_rational>;
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -337,6 +337,11 @@ private:
   }
 };
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Homogeneous_spline<Exact_rational, 2>;
+extern template class Homogeneous_spline<Exact_rational, 3>;
+#endif
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/certification/algebraic_position.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 
 #include <utility>
@@ -58,7 +58,7 @@ auto contact_points(const A& a, const B& b, const Solver_options& options = {})
   const auto pair = internal::Common::patch_pair(a, b);
   if (!pair)
     return Intersections<Kernel, 3>({}, Summary());
-  std::vector<internal::Common::Common_point> points = internal::Intersections::Contact_finder(*pair, solve)();
+  std::vector<internal::Common::Common_point> points = internal::Intersections::contacts_of_surfaces(*pair, solve);
   return internal::Intersections::intersections_at<Kernel, 3>(std::move(points), *pair, solve.total());
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -55,7 +55,7 @@ auto self_intersections(const Curve& curve, const Solver_options& options = {})
   internal::Common::Budgeted_solver solve(options);
   const internal::Common::Patch_pair<d> operands(Operand::patch(curve), Operand::patch(curve));
   std::vector<internal::Common::Common_point> points =
-      internal::Intersections::Self_intersection_finder<d>(operands[0], solve)();
+      internal::Intersections::self_common_points<d>(operands[0], solve);
   return internal::Intersections::intersections_at<typename Operand::Kernel, d>(std::move(points), operands,
                                                                                 solve.total());
 }

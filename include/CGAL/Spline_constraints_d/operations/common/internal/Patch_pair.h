@@ -196,6 +196,11 @@ inline std::vector<Parameter_region> without(Parameter_region region, const Para
   return result;
 }
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Patch_pair<2>;
+extern template class Patch_pair<3>;
+#endif
+
 } // namespace Common
 } // namespace internal
 } // namespace Spline_constraints

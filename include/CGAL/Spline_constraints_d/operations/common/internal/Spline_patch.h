@@ -353,6 +353,11 @@ Rational_interval squared_distance_bounds(const Spline_patch<d>& a, const Spline
   return intersection(squared_norm(offset), by_slopes);
 }
 
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Spline_patch<2>;
+extern template class Spline_patch<3>;
+#endif
+
 } // namespace Common
 } // namespace internal
 } // namespace Spline_constraints

@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/critical_values.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_poles.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/settle_undecided_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -319,6 +320,12 @@ private:
     m_result.push_back(std::move(point));
   }
 };
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_point> contacts_of_surfaces(const Patch_pair<3>& pair,
+                                                                              Budgeted_solver& solve)
+{
+  return Contact_finder(pair, solve)();
+}
 
 } // namespace Intersections
 } // namespace internal

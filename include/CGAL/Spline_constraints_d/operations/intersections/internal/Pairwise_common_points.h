@@ -7,8 +7,7 @@
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -58,7 +57,7 @@ public:
     std::sort(pairs.begin(), pairs.end());
     const auto find = [&](const Index_pair& pair, Budgeted_solver& solve) {
       return pair.first == pair.second
-          ? Self_intersection_finder<d>(curves[pair.first], solve)()
+          ? self_common_points<d>(curves[pair.first], solve)
           : common_points<d>(Patch_pair<d>(curves[pair.first], curves[pair.second]), solve);
     };
     return found<Concurrency_tag>(pairs, find);

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Simple_arcs.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/irrational_multiple_root.h>
 
@@ -158,6 +159,12 @@ private:
     return at_end.second == m_arcs[first].domain(0).second && at_begin.first == m_arcs[second].domain(0).first;
   }
 };
+
+template <int d>
+std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budgeted_solver& solve)
+{
+  return Self_intersection_finder<d>(curve, solve)();
+}
 
 } // namespace Intersections
 } // namespace internal

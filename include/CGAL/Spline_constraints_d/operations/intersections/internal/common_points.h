@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_along_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_on_implicit_surfaces.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Algebraic_root.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,14 +33,6 @@ inline bool is_one_piece(const Spline_function& function, const Exact_box& box)
           return false;
     }
   return true;
-}
-
-inline std::vector<Exact_rational> middle_of(const Exact_box& box)
-{
-  std::vector<Exact_rational> result;
-  for (const auto& [lower, upper] : box)
-    result.push_back(Exact_rational((lower + upper) / Exact_rational(2)));
-  return result;
 }
 
 // The equalities on a box as polynomials with integer coefficients, up to positive factors; nothing when one has a

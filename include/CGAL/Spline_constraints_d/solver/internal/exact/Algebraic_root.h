@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Polynomial_jets.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/zero_bound.h>
@@ -23,11 +24,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// A closed range per unknown.
-template <class Coordinate>
-using Coordinate_box = std::vector<std::pair<Coordinate, Coordinate>>;
-using Exact_box = Coordinate_box<Exact_rational>;
 
 template <class Coordinate>
 bool contains(const Coordinate_box<Coordinate>& outer, const Coordinate_box<Coordinate>& inner)

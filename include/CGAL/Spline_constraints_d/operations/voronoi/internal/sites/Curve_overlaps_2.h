@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Site_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
 

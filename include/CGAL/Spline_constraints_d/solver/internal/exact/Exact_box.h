@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_EXACT_BOX_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_EXACT_BOX_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A closed range per unknown.
+template <class Coordinate>
+using Coordinate_box = std::vector<std::pair<Coordinate, Coordinate>>;
+using Exact_box = Coordinate_box<Exact_rational>;
+
+inline std::vector<Exact_rational> middle_of(const Exact_box& box)
+{
+  std::vector<Exact_rational> result;
+  for (const auto& [lower, upper] : box)
+    result.push_back(Exact_rational((lower + upper) / Exact_rational(2)));
+  return result;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_EXACT_BOX_H
