@@ -14,6 +14,8 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Regular_pair.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Face_factor.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
 
