@@ -3,11 +3,12 @@
 
 // The silhouettes of a B-spline surface in a parallel view.
 //
-//   silhouette [SURFACE] [--output FILE.svg]
+//   silhouette [SURFACE] [--time-limit S] [--output FILE.svg]
 //
 // SURFACE is a file of GoTools (.g2) or IRIT (.itd), its first surface counts; without it, a vase is taken. The
 // silhouettes are drawn in red, thin where the surface hides them. Exit status: 0 when nothing is undecided, 3 when
 // something is, 2 for bad input.
+#include "arguments.h"
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -42,16 +43,21 @@ Surface vase()
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<std::string> words(argv + 1, argv + argc);
+    const std::vector<std::string> words(argv + 1, argv + argc);
     std::string output = "silhouette.svg";
-    if (words.size() >= 2 && words[words.size() - 2] == "--output") {
-      output = words.back();
-      words.resize(words.size() - 2);
-    }
-    if (words.size() > 1)
-      throw SC::Invalid_input("usage: silhouette [SURFACE] [--output FILE.svg]");
-    const Surface surface = words.empty() ? vase() : read_surface(words[0]);
-    const auto set = SC::silhouettes(surface, Scene::direction());
+    SC::Solver_options options{.tolerance = 1e-8};
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (words[i] == "--output" && i + 1 < words.size())
+        output = words[++i];
+      else if (words[i] == "--time-limit" && i + 1 < words.size())
+        options.time_limit = number_of<double>(words[++i]);
+      else
+        files.push_back(words[i]);
+    if (files.size() > 1)
+      throw SC::Invalid_input("usage: silhouette [SURFACE] [--time-limit S] [--output FILE.svg]");
+    const Surface surface = files.empty() ? vase() : read_surface(files[0]);
+    const auto set = SC::silhouettes(surface, Scene::direction(), options);
 
     Scene scene;
     scene.add(surface, {190, 210, 235});

@@ -3,12 +3,13 @@
 
 // All curves that two B-spline surfaces have in common: transversal ones, and those along which they touch (tangent).
 //
-//   surface_intersection [A B] [--output FILE.svg|FILE.vtp]
+//   surface_intersection [A B] [--time-limit S] [--output FILE.svg|FILE.vtp]
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them
 // data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along which they
 // touch in violet, single and singular points as dots), or written as polylines and points (.vtp, for ParaView). Exit
 // status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+#include "arguments.h"
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -63,17 +64,20 @@ int main(int argc, char* argv[])
   try {
     std::vector<std::string> files, words(argv + 1, argv + argc);
     std::string output = "surface_intersection.svg";
+    SC::Solver_options options{.tolerance = 1e-8};
     for (std::size_t i = 0; i < words.size(); ++i)
       if (words[i] == "--output" && i + 1 < words.size())
         output = words[++i];
+      else if (words[i] == "--time-limit" && i + 1 < words.size())
+        options.time_limit = number_of<double>(words[++i]);
       else
         files.push_back(words[i]);
     if (files.empty())
       files = {DATA_DIRECTORY "surfaces/waves.g2", DATA_DIRECTORY "surfaces/ring.g2"};
     if (files.size() != 2)
-      throw SC::Invalid_input("usage: surface_intersection [A B] [--output FILE.svg|FILE.vtp]");
+      throw SC::Invalid_input("usage: surface_intersection [A B] [--time-limit S] [--output FILE.svg|FILE.vtp]");
     const Surface a = read_surface(files[0]), b = read_surface(files[1]);
-    const auto set = SC::intersection_curves(a, b);
+    const auto set = SC::intersection_curves(a, b, options);
     std::vector<std::vector<K::Point_3>> polylines;
     for (const SC::Intersection_curve& curve : set.curves()) {
       polylines.push_back(set.polyline(curve, 1e-3));

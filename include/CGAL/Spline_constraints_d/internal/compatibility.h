@@ -23,9 +23,9 @@
 #error "Spline_constraints_d needs double arithmetic without excess precision: on x87, -msse2 -mfpmath=sse."
 #endif
 
-// Functions that the compiled library has are inline where it is not used.
+// Functions that the compiled library has are inline, where it is not used; in its own sources they are emitted.
 #ifdef CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY
-#define CGAL_SPLINE_CONSTRAINTS_INLINE
+#define CGAL_SPLINE_CONSTRAINTS_INLINE [[gnu::used]] inline
 #else
 #define CGAL_SPLINE_CONSTRAINTS_INLINE inline
 #endif

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 
 #include <algorithm>
 #include <array>

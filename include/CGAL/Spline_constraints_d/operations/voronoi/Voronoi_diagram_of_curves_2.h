@@ -40,7 +40,8 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDVoronoi
 
 The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from
-two sites or more.
+two sites or more. `CGAL::Voronoi_diagram_2` is another class: it makes a Voronoi diagram of a Delaunay graph of CGAL,
+whose sites are points, segments or circles; hence the longer name here.
 
 A vertex of degree three or more is such a point of as many footpoints. Of degree two: an edge goes on there with
 another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a

@@ -186,7 +186,7 @@ public:
         return Box_verdict::DONE;
     if (is_worth_a_pass(node) && shrink(node, box)) {
       // of which nothing was proved: there is none
-      std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });
+      std::erase_if(vertices, [&, &own = box](std::size_t i) { return !touch(m_vertices[i].box, own); });
       return Box_verdict::AGAIN;
     }
     return has_singular_point(box, vertices, depth) ? Box_verdict::DONE : Box_verdict::SPLIT;

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Multiple_root.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
 #include <CGAL/Uncertain.h>
@@ -79,14 +80,6 @@ struct Plane_point
     return std::nullopt;
   }
 };
-
-inline bool touch(const Exact_ranges& a, const Exact_ranges& b)
-{
-  for (std::size_t j = 0; j < a.size(); ++j)
-    if (a[j].second < b[j].first || b[j].second < a[j].first)
-      return false;
-  return true;
-}
 
 inline bool is_within(const Exact_ranges& inner, const Exact_ranges& outer)
 {

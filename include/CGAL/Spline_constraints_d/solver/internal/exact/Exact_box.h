@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,14 @@ inline std::vector<Exact_rational> middle_of(const Exact_box& box)
   for (const auto& [lower, upper] : box)
     result.push_back(Exact_rational((lower + upper) / Exact_rational(2)));
   return result;
+}
+
+inline bool touch(const Exact_box& a, const Exact_box& b)
+{
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].second < b[j].first || b[j].second < a[j].first)
+      return false;
+  return true;
 }
 
 } // namespace internal
