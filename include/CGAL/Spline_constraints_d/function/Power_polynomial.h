@@ -265,6 +265,8 @@ private:
                               internal::Expansion_budget& budget) const;
 };
 
+#ifndef DOXYGEN_RUNNING
+
 inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rational& coefficient,
                                        internal::Expansion_budget& budget)
 {
@@ -402,6 +404,8 @@ inline Power_polynomial Power_polynomial::substituted(int variable, const Power_
   }
   return product(result, power(replacement, exponent, budget), budget);
 }
+
+#endif // DOXYGEN_RUNNING
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,9 +68,13 @@ inline bool is_segment_of_solutions(const Constraint_system_d& system,
 }
 
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool is_proved(const Constraint_system_d& system, Solution_kind kind, const Box& box,
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_proved(const Constraint_system_d& system, Solution_kind kind,
+                                              const std::vector<std::pair<Exact_rational, Exact_rational>>& ranges,
                                               const std::vector<std::vector<Exact_rational>>& ends)
 {
+  Box box;
+  for (const auto& [lower, upper] : ranges)
+    box.push_back({lower, upper});
   bool result = false;
   switch (kind) {
   case Solution_kind::CERTIFIED: result = has_one_solution(system, box); break;
