@@ -6,9 +6,12 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection_point.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Joined_parts.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Solved_part.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Joined_parts.h>
+#endif
 
 #include <CGAL/assertions.h>
 
@@ -79,21 +82,21 @@ public:
   {
     if (!m_parts.front().surfaces.has_system())
       return;
-    const internal::Intersections::Joined_parts joined(m_parts);
-    m_curves = joined.curves();
+    internal::Intersections::Joined_curves joined = internal::Intersections::joined_curves(m_parts);
+    m_curves = std::move(joined.curves);
     for (Intersection_curve& curve : m_curves)
       curve.multiplicity = internal::Common::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) {
         return m_parts[arc.part].solutions.curves()[arc.index].multiplicity();
       });
-    m_pinch_points = joined.equal_pairs();
-    m_unmatched = joined.unmatched();
+    m_pinch_points = std::move(joined.equal_pairs);
+    m_unmatched = std::move(joined.unmatched);
     const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind,
                          const std::vector<internal::Intersections::Part_vertex>& vertices) {
       for (const internal::Intersections::Part_vertex& point : vertices)
         list.push_back(special_point(kind, point));
     };
-    add(m_points, Intersection_kind::END_POINT, joined.points());
-    add(m_singular_points, Intersection_kind::TANGENT, joined.singular_points());
+    add(m_points, Intersection_kind::END_POINT, joined.points);
+    add(m_singular_points, Intersection_kind::TANGENT, joined.singular_points);
     add(m_singular_points, Intersection_kind::TANGENT, m_pinch_points);
     for (const internal::Intersections::Solved_part& part : m_parts) {
       for (const Undecided_region& region : part.solutions.undecided())

@@ -145,8 +145,7 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
   const Surface_equations surfaces(*first, *second, Unknowns_of_surfaces::ALL_PARAMETERS);
   if (surfaces.has_coordinates())
     return std::nullopt;
-  Equations_of_surfaces equations(surfaces);
-  Solved_part part = common_curves(surfaces, equations, options);
+  Solved_part part = curves_in_all_parameters(surfaces, options);
   Surface_curves_3<Kernel> result(
       [surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
   if (part.surfaces.has_system())

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Solved_part.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -21,22 +22,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
-
-// Equations of common points of two surfaces, and their solutions.
-struct Solved_part
-{
-  Surface_equations surfaces;
-  Curve_solution_set_d solutions;
-  std::vector<Seam_joints::Face> poles = {};   // where curves may go on
-};
-
-// A vertex of the solutions of one of several parts.
-struct Part_vertex
-{
-  std::size_t part, vertex;
-
-  friend bool operator==(const Part_vertex&, const Part_vertex&) = default;
-};
 
 /*
 Joins the curves of one or several parts. Several ones are pairs of points of one surface: products of cells that cover
@@ -250,6 +235,12 @@ private:
     return true;
   }
 };
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Joined_curves joined_curves(const std::vector<Solved_part>& parts)
+{
+  const Joined_parts joined(parts);
+  return {joined.curves(), joined.points(), joined.singular_points(), joined.equal_pairs(), joined.unmatched()};
+}
 
 } // namespace Intersections
 } // namespace internal
