@@ -32,7 +32,8 @@ int main()
 END
 
 compiler=${CXX:-g++}
-flags="-std=c++20 -O2 -frounding-math -ffp-contract=off -I include -I $examples -I /usr/include/eigen3"
+# As the target of CGAL has it where gmpxx is installed.
+flags="-DCGAL_USE_GMPXX=1 -std=c++20 -O2 -frounding-math -ffp-contract=off -I include -I $examples -I /usr/include/eigen3"
 
 # compile NAME SOURCE [FLAG...]: prints the name, user seconds, peak memory in MB and the ratio.
 compile() {
