@@ -20,7 +20,7 @@ target_link_libraries(Spline_constraints_d_compiled
 target_compile_definitions(Spline_constraints_d_compiled
   INTERFACE CGAL_SPLINE_CONSTRAINTS_COMPILED
   PRIVATE CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
-# Level 3 takes longer to compile and is not faster.
+# As benchmark/compile_time.sh compiles programs; -O3 is what CMake takes.
 target_compile_options(Spline_constraints_d_compiled
   PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
 set_target_properties(Spline_constraints_d_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)

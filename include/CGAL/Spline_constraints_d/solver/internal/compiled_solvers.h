@@ -63,22 +63,30 @@ template <class Traits>
 struct Definitions_of_solvers;
 
 // Whether the compiled library has solvers of points and of curves.
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
+constexpr bool is_compiled_for_all_cores = true;
+#else
+constexpr bool is_compiled_for_all_cores = false;
+#endif
 template <class Traits, class Concurrency_tag>
-constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_traits>;
+constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_traits> &&
+    (std::same_as<Concurrency_tag, CGAL::Sequential_tag> || is_compiled_for_all_cores);
 template <class Traits, class Concurrency_tag>
 constexpr bool are_points_compiled = are_curves_compiled<Traits, Concurrency_tag> ||
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> &&
      (std::same_as<Traits, Fast_solver_traits> || std::same_as<Traits, Interval_solver_traits> ||
       std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>));
 
+template <class T>
+concept Complete_type = requires { sizeof(T); };
+
 // Fails to compile where neither the compiled library nor the program has a solver.
 template <class Traits, bool is_compiled>
 constexpr void check_definitions()
 {
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-  if constexpr (!is_compiled)
-    static_assert(sizeof(Definitions_of_solvers<Traits>) > 0,
-                  "include <CGAL/Spline_constraints_d/solver/own_traits.h> for solvers that the library does not have");
+  static_assert(is_compiled || Complete_type<Definitions_of_solvers<Traits>>,
+                "include <CGAL/Spline_constraints_d/solver/own_traits.h> for solvers that the library does not have");
 #endif
 }
 
