@@ -154,7 +154,7 @@ inline void print_curves(const std::vector<std::string>& names,
     std::cout << "point ";
     print_box(set.vertices()[point].box);
   }
-  for (const auto& region : set.undecided()) {
+  for (const auto& region : set.undecided_regions()) {
     std::cout << "undecided (" << region.reason << ") with " << region.vertices.size() << " branches, "
               << region.boxes.size() << " boxes, the first ";
     print_box(region.boxes.front());

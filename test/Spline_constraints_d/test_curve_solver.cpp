@@ -356,5 +356,5 @@ TEST(Curve_solver, limits_leave_regions_undecided)
   const auto set = SC::solve_curves(SC::make_system(constraints), {.tolerance = 1e-6, .node_limit = 3});
   EXPECT_FALSE(set.is_complete());
   EXPECT_FALSE(set.undecided().empty());
-  EXPECT_EQ(set.undecided()[0].reason, SC::Undecided_reason::NODES);
+  EXPECT_EQ(set.undecided_regions()[0].reason, SC::Undecided_reason::NODES);
 }

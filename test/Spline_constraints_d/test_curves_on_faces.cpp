@@ -157,8 +157,8 @@ TEST(Curves_on_faces, without_a_factor)
   const auto set = SC::solve_curves(circle + z == 0, circle - z + square(z) == 0);
   check_chains(set);
   EXPECT_FALSE(set.is_complete());
-  ASSERT_EQ(set.undecided().size(), 1u);
-  EXPECT_EQ(set.undecided()[0].reason, SC::Undecided_reason::CONTINUUM);
+  ASSERT_EQ(set.undecided_regions().size(), 1u);
+  EXPECT_EQ(set.undecided_regions()[0].reason, SC::Undecided_reason::CONTINUUM);
   EXPECT_TRUE(set.curves().empty());
   EXPECT_LT(set.summary().nodes, 5000u);
 }
@@ -169,8 +169,8 @@ TEST(Curves_on_faces, surfaces_are_undecided)
   for (const auto& set : {SC::solve_curves(z * (x - y) == 0, z * (x + y - 1) == 0),
                           SC::solve_curves(x == y, SC::Expression(0) * z == 0)}) {
     EXPECT_FALSE(set.is_complete());
-    ASSERT_FALSE(set.undecided().empty());
-    EXPECT_EQ(set.undecided()[0].reason, SC::Undecided_reason::CONTINUUM);
+    ASSERT_FALSE(set.undecided_regions().empty());
+    EXPECT_EQ(set.undecided_regions()[0].reason, SC::Undecided_reason::CONTINUUM);
   }
 }
 

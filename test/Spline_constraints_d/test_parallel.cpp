@@ -82,10 +82,10 @@ TEST(Parallel, Curves)
     EXPECT_EQ(a.summary().nodes, b.summary().nodes);
     EXPECT_EQ(a.number_of_closed_curves(), closed);
     EXPECT_EQ(a.is_complete(), is_complete);
-    ASSERT_EQ(a.undecided().size(), b.undecided().size());
-    for (std::size_t i = 0; i < a.undecided().size(); ++i) {
-      EXPECT_EQ(a.undecided()[i].boxes, b.undecided()[i].boxes);
-      EXPECT_EQ(a.undecided()[i].vertices, b.undecided()[i].vertices);
+    ASSERT_EQ(a.undecided_regions().size(), b.undecided_regions().size());
+    for (std::size_t i = 0; i < a.undecided_regions().size(); ++i) {
+      EXPECT_EQ(a.undecided_regions()[i].boxes, b.undecided_regions()[i].boxes);
+      EXPECT_EQ(a.undecided_regions()[i].vertices, b.undecided_regions()[i].vertices);
     }
     ASSERT_EQ(a.curves().size(), b.curves().size());
     for (std::size_t i = 0; i < a.curves().size(); ++i)

@@ -172,8 +172,7 @@ TEST(Precision_ladder, RootOfTwoBoxesIsReportedOnce)
   I::Exact_source source(system, layout);
   const I::Found_roots<double> known;
   const SC::Solver_options options;
-  SC::Default_solver_visitor visitor;
-  I::Run_control control(visitor, options);
+  I::Run_control control(options);
   SC::Summary summary;
   I::Precision_ladder ladder(system, layout, source, known, options, control, summary);
   std::vector<SC::Solution_d<double>> solutions;

@@ -60,8 +60,7 @@ static Run walk_and_count(const System& system)
   using Coordinate = typename Walk::Coordinate;
   [[maybe_unused]] const typename SC::Number_traits<Number_type>::Rounding_guard guard;
   const SC::Solver_options options{.tolerance = 1e-14};
-  SC::Default_solver_visitor visitor;
-  SC::internal::Run_control control(visitor, options);
+  SC::internal::Run_control control(options);
   SC::Summary summary;
   const SC::internal::System_layout layout(system);
   SC::internal::Exact_source source(system, layout);

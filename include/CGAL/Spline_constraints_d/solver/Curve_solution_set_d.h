@@ -130,6 +130,21 @@ struct Undecided_region
 
 namespace internal {
 
+// The box around the boxes of a region, rounded to doubles.
+inline std::vector<Undecided_part::Range> ranges_of(const Undecided_region& region)
+{
+  std::vector<Undecided_part::Range> result;
+  for (std::size_t j = 0; j < region.boxes.front().size(); ++j) {
+    Undecided_part::Range range = to_double_range(region.boxes.front()[j]);
+    for (const Curve_vertex::Exact_box& box : region.boxes) {
+      const auto [lower, upper] = to_double_range(box[j]);
+      range = {(std::min)(range.first, lower), (std::max)(range.second, upper)};
+    }
+    result.push_back(range);
+  }
+  return result;
+}
+
 template <class Curve>
 std::size_t number_of_closed(const std::vector<Curve>& curves)
 {
@@ -179,8 +194,17 @@ public:
   //! solutions.
   const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
 
-  //! where nothing is proved.
-  const std::vector<Undecided_region>& undecided() const { return m_undecided; }
+  //! where nothing is proved, with the boxes and the curves that end there.
+  const std::vector<Undecided_region>& undecided_regions() const { return m_undecided; }
+
+  //! the same regions, with the box around each.
+  std::vector<Undecided_part> undecided() const
+  {
+    std::vector<Undecided_part> result;
+    for (const Undecided_region& region : m_undecided)
+      result.push_back({internal::ranges_of(region), {}, internal::in_words(region.reason)});
+    return result;
+  }
 
   //! number of closed curves.
   std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }

@@ -23,8 +23,7 @@ inline Curve_solution_set_d all_curves(const Constraint_system_d& system, const 
                                        const Curve_search& search)
 {
   options.check();
-  Default_solver_visitor visitor;
-  Run_control control(visitor, options);
+  Run_control control(options);
   return all_curves<Certified_solver_traits, CGAL::Sequential_tag>(system, options, control, search);
 }
 
@@ -87,21 +86,25 @@ public:
 
   //! all curves of solutions.
   //! \param system the constraints; one equality less than unknowns.
-  //! \param visitor can stop the solver; a model of `SolverVisitor`. Of the progress it is told only that the run goes
-  //! on.
   //! \throws Invalid_input when the number of equalities is another one, or the range of an unknown is one number.
+  Curve_solution_set_d operator()(const Constraint_system_d& system) const { return solved(system, m_options); }
+
+  //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
+  //! goes on.
   template <SolverVisitor Visitor>
   Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
   {
-    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
-    internal::Run_control control(visitor, m_options);
-    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control, {});
+    Solver_options options = m_options;
+    options.visitor = visitor;
+    return solved(system, options);
   }
 
-  Curve_solution_set_d operator()(const Constraint_system_d& system) const
+private:
+  static Curve_solution_set_d solved(const Constraint_system_d& system, const Solver_options& options)
   {
-    Default_solver_visitor visitor;
-    return (*this)(system, visitor);
+    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
+    internal::Run_control control(options);
+    return internal::all_curves<Traits, Concurrency_tag>(system, options, control, {});
   }
 };
 

@@ -8,12 +8,14 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <memory>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +66,27 @@ inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
                                       "stopped", "domain boundary", "overdetermined", "inequality boundary"};
   return out << names[static_cast<int>(reason)];
 }
+
+namespace internal {
+
+inline std::string in_words(Undecided_reason reason)
+{
+  std::ostringstream out;
+  out << reason;
+  return out.str();
+}
+
+// The least range of doubles around a range of numbers.
+template <class Coordinate>
+Undecided_part::Range to_double_range(const std::pair<Coordinate, Coordinate>& range)
+{
+  if constexpr (std::same_as<Coordinate, double>)
+    return range;
+  else
+    return {to_double_interval(range.first).first, to_double_interval(range.second).second};
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -307,6 +330,21 @@ public:
   //! whether every solution is accounted for by a certified, cluster or continuum box.
   bool is_complete() const { return m_summary.is_complete; }
 
+  //! the boxes that are undecided.
+  std::vector<Undecided_part> undecided() const
+  {
+    std::vector<Undecided_part> result;
+    for (const Solution& solution : m_solutions)
+      if (solution.kind() == Solution_kind::UNDECIDED) {
+        Undecided_part part{{}, {}, internal::in_words(solution.reason())};
+        for (const typename Solution::Range& range : solution.box())
+          part.place.push_back(internal::to_double_range(range));
+        result.push_back(std::move(part));
+      }
+    return result;
+  }
+
+  //! the work.
   const Summary& summary() const { return m_summary; }
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
 
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,9 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-Options of the solver, to be used with designated initialisers.
+Options of the solver, and of all operations that can take long, to be used with designated initialisers. Limits are
+for the whole operation, however many systems it solves. When one is reached, or the visitor stops the run, what has
+been found is the answer, and the rest is reported as undecided: `is_complete()` is false.
 */
 struct Solver_options
 {
@@ -41,6 +44,10 @@ struct Solver_options
   //! resolved.
   std::size_t coarsening_step = 2048;
 
+  //! is told of the progress, and can stop the run: `{.visitor = my_visitor}` refers to a model of `SolverVisitor`. It
+  //! is called by one thread at a time. An operation that solves several systems tells the share of the one in hand.
+  Visitor_reference visitor = {};
+
   //! \throws Invalid_input when a value makes no sense.
   void check() const
   {
@@ -55,20 +62,6 @@ struct Solver_options
     if (coarsening_step == 0)
       throw Invalid_input("Solver_options: the coarsening step must be positive");
   }
-};
-
-/*!
-\ingroup PkgSplineConstraintsDSolver
-
-The visitor that watches nothing and never stops the solver.
-*/
-struct Default_solver_visitor
-{
-  //! is called about every 50 ms with the share of the domain that is done, in [0,1].
-  void on_progress(double) {}
-
-  //! is asked often; the solver stops when it returns `true`.
-  bool stop() const { return false; }
 };
 
 } // namespace Spline_constraints

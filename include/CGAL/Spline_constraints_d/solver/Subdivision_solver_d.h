@@ -27,7 +27,6 @@ namespace Spline_constraints {
 
 Finds all solutions of a system of at least as many spline equations as unknowns, with inequalities, on a box.
 
-
 The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a
 proof that a box around it holds exactly one (\cgalCite{ek-gcs-01}, Algorithm 2.1, with the tests of the traits). What
 can be neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is
@@ -54,23 +53,26 @@ public:
 
   //! all solutions of the system.
   //! \param system the constraints; at least as many equalities as unknowns.
-  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`. It is called by one
-  //! thread at a time, not always by the same one.
   //! \throws Invalid_input when there are fewer equalities than unknowns.
-  template <SolverVisitor Visitor>
-  Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const;
+  Solution_set operator()(const Constraint_system_d& system) const { return solved(system, m_options); }
 
-  Solution_set operator()(const Constraint_system_d& system) const
+  //! the same, watched by this visitor and not by that of the options. It is called by one thread at a time, not always
+  //! by the same one.
+  template <SolverVisitor Visitor>
+  Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const
   {
-    Default_solver_visitor visitor;
-    return (*this)(system, visitor);
+    Solver_options options = m_options;
+    options.visitor = visitor;
+    return solved(system, options);
   }
+
+private:
+  static Solution_set solved(const Constraint_system_d& system, const Solver_options& options);
 };
 
 template <ConstraintSolverTraits Traits, class Concurrency_tag>
-template <SolverVisitor Visitor>
 typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
-Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system, Visitor& visitor) const
+Subdivision_solver_d<Traits, Concurrency_tag>::solved(const Constraint_system_d& system, const Solver_options& options)
 {
   internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
   const int n = system.dimension();
@@ -79,11 +81,11 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
                         std::to_string(n) + " unknowns; for curves of solutions see solve_curves()");
 
   [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
-  [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+  [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
   Summary summary;
-  internal::Run_control control(visitor, m_options);
+  internal::Run_control control(options);
   std::vector<typename Solution_set::Solution> solutions =
-      internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
+      internal::all_solutions<Traits, Concurrency_tag>(system, options, control, summary);
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
 
 #include <concepts>
 #include <vector>
@@ -48,14 +49,6 @@ concept ConstraintSolverTraits =
   Reduction<typename T::Reduction> && Splitter<typename T::Splitter> && requires {
     { T::tracks_rounding } -> std::convertible_to<bool>;
   };
-
-//! \ingroup PkgSplineConstraintsDConcepts
-//! watches a run of the solver and may stop it.
-template <class T>
-concept SolverVisitor = requires(T visitor, double fraction) {
-  visitor.on_progress(fraction);
-  { visitor.stop() } -> std::convertible_to<bool>;
-};
 
 } // namespace Spline_constraints
 } // namespace CGAL

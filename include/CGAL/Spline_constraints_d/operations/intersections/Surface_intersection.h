@@ -99,7 +99,7 @@ public:
     add(m_singular_points, Intersection_kind::TANGENT, joined.singular_points);
     add(m_singular_points, Intersection_kind::TANGENT, m_pinch_points);
     for (const internal::Intersections::Solved_part& part : m_parts) {
-      for (const Undecided_region& region : part.solutions.undecided())
+      for (const Undecided_region& region : part.solutions.undecided_regions())
         m_undecided.push_back(Special_point(part.surfaces, Intersection_kind::UNDECIDED, hull(region.boxes)));
       m_summary += part.solutions.summary();
     }
@@ -159,7 +159,7 @@ public:
       return std::find(points.begin(), points.end(), end) != points.end();
     };
     const bool is_undecided = (vertex.is_on_inequality && !m_parts[arc.part].surfaces.has_edges_on_inequalities()) ||
-        is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
+        is_one_of(m_unmatched) || std::any_of(set.undecided_regions().begin(), set.undecided_regions().end(), has_it);
     return special_point(curve.is_closed                                   ? curve.kind()
                          : vertex.is_singular || is_one_of(m_pinch_points) ? Intersection_kind::TANGENT
                          : is_undecided                                    ? Intersection_kind::UNDECIDED

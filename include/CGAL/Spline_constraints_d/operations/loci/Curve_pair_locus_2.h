@@ -136,7 +136,7 @@ public:
       std::erase_if(points, [&](std::size_t i) { return parts.is_one_point(set.vertices()[i].box); });
     add_special_points(points, m_point_vertices, m_points);
     add_special_points(joints.without_repetitions(set.singular_points()), m_singular_vertices, m_singular_points);
-    m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
+    m_undecided.insert(m_undecided.end(), set.undecided_regions().begin(), set.undecided_regions().end());
     for (const Curve_vertex::Exact_box& box : rest)
       m_undecided.push_back({{box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
     for (const std::size_t i : joints.unmatched())

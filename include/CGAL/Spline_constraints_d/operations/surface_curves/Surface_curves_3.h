@@ -111,7 +111,7 @@ public:
       m_curves.push_back({index, std::move(curve.arcs), curve.is_closed, {}, multiplicity});
     }
     add_special_points(set, joints, lines);
-    m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
+    m_undecided.insert(m_undecided.end(), set.undecided_regions().begin(), set.undecided_regions().end());
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
     for (const std::size_t i : joints.unmatched())

@@ -70,8 +70,11 @@ public:
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_total.nodes >= m_options.node_limit; }
 
-  // Whether there is no time left, so that systems need not be made.
-  bool is_out_of_time() const { return m_options.time_limit > 0 && seconds() >= m_options.time_limit; }
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
+  bool must_stop() const
+  {
+    return (m_options.time_limit > 0 && seconds() >= m_options.time_limit) || m_options.visitor.stop();
+  }
 
 private:
   Solution_set_d<double> solve(const Constraint_system_d& system)

@@ -40,7 +40,7 @@ public:
   explicit Hull_contacts_2(const Solver_options& options) : m_options(options), m_solve(options) {}
 
   const Summary& work() const { return m_solve.total(); }
-  bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.is_out_of_time(); }
+  bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.must_stop(); }
 
   // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1]
   // of their parameters, if there is one line, which has them in these ranges. Ranges of points mean nothing.

@@ -128,7 +128,7 @@ public:
         else if (CGAL::get_certain(is_common))
           to->push_back(i);
       }
-    for (Undecided_region region : all.undecided()) {
+    for (Undecided_region region : all.undecided_regions()) {
       std::erase_if(region.boxes, [&](const Exact_ranges& box) { return are_surfaces_apart(box); });
       if (!region.boxes.empty())
         undecided.push_back(std::move(region));

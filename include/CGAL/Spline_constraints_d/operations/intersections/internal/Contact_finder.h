@@ -147,7 +147,7 @@ private:
     if (are_apart(pieces[0].patch.values(), pieces[1].patch.values()))
       return;
     const Patch_pair<3> patches(pieces[0].patch, pieces[1].patch);
-    if (m_solve.is_out_of_time())
+    if (m_solve.must_stop())
       return add(Intersection_kind::UNDECIDED, patches.domain(), std::nullopt);
     const Coincidence<3> equations(patches);
     if (const std::size_t plane = equations.has_eliminated(0) ? 0 : 1; equations.has_eliminated(plane))
@@ -176,7 +176,7 @@ private:
                         solution, false});
     if (std::any_of(points.begin(), points.end(),
                     [](const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; }) &&
-        !m_solve.is_out_of_time())
+        !m_solve.must_stop())
       settle_undecided_contacts(Shared_edges(m_pair), {pieces[0].patch, pieces[1].patch}, is_open, points, m_solve);
     std::move(points.begin(), points.end(), std::back_inserter(m_result));
   }

@@ -68,7 +68,7 @@ class Curves_through_poles
 public:
   Curves_through_poles(const Surface_equations& surfaces, const Curve_solution_set_d& set)
     : m_surfaces(surfaces), m_vertices(set.vertices()), m_curves(set.curves()), m_points(set.points()),
-      m_singular_points(set.singular_points()), m_undecided(set.undecided()), m_summary(set.summary())
+      m_singular_points(set.singular_points()), m_undecided(set.undecided_regions()), m_summary(set.summary())
   {}
 
   void add(const Common_pole& common)

@@ -127,7 +127,7 @@ private:
     };
     return vertex.is_on_boundary && !vertex.is_singular && !vertex.is_on_inequality && !is_on_edge(place(end)) &&
         std::find(m_unmatched.begin(), m_unmatched.end(), end) == m_unmatched.end() &&
-        std::none_of(set.undecided().begin(), set.undecided().end(), has_it);
+        std::none_of(set.undecided_regions().begin(), set.undecided_regions().end(), has_it);
   }
 
   // A point on the boundary of several parts comes once, and not at all if it is on a curve.

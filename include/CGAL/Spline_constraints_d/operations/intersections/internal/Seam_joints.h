@@ -155,9 +155,10 @@ private:
   bool goes_on(std::size_t point) const
   {
     const auto is_it = [&](std::size_t i) { return m_point[i] == point; };
+    const std::vector<Undecided_region>& regions = m_set.undecided_regions();
     return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular &&
         (!m_exchange.empty() || !m_set.vertices()[point].is_on_inequality) &&
-        std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) {
+        std::none_of(regions.begin(), regions.end(), [&](const Undecided_region& region) {
              return std::any_of(region.vertices.begin(), region.vertices.end(), is_it);
            });
   }

@@ -50,7 +50,7 @@ public:
       if (!is_placed[i])
         rest.push_back(points[i]);
     return Curve_solution_set_d(std::move(m_vertices), std::move(curves), m_set.points(), m_set.singular_points(),
-                                m_set.undecided(), m_set.summary());
+                                m_set.undecided_regions(), m_set.summary());
   }
 
 private:

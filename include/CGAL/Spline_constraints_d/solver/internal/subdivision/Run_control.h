@@ -10,13 +10,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <mutex>
-#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// Is thrown where a run ends from outside and no part of an answer could be told; operations catch it and return an
+// answer of which all is undecided.
+struct Run_stopped
+{
+  Undecided_reason reason;
+};
 
 /*
 What ends a run from outside, the clock and the visitor, for all threads of the run. The visitor is called by one of
@@ -26,8 +31,7 @@ class Run_control
 {
   using Clock = std::chrono::steady_clock;
 
-  std::function<bool()> m_is_stopped;
-  std::function<void(double)> m_on_progress;
+  Visitor_reference m_visitor;
   Clock::time_point m_start = Clock::now(), m_last_report = m_start;
   double m_time_limit;
   std::atomic<Undecided_reason> m_reason = Undecided_reason::NONE;
@@ -35,11 +39,7 @@ class Run_control
   double m_done = 0;
 
 public:
-  template <class Visitor>
-  Run_control(Visitor& visitor, const Solver_options& options)
-    : m_is_stopped([&visitor] { return static_cast<bool>(visitor.stop()); }),
-      m_on_progress([&visitor](double fraction) { visitor.on_progress(fraction); }), m_time_limit(options.time_limit)
-  {}
+  explicit Run_control(const Solver_options& options) : m_visitor(options.visitor), m_time_limit(options.time_limit) {}
 
   // Why the run was stopped, if it was.
   Undecided_reason reason() const { return m_reason.load(std::memory_order_relaxed); }
@@ -62,6 +62,13 @@ public:
     return reason() != Undecided_reason::NONE;
   }
 
+  // For work without an answer before it has ended: throws Run_stopped when the run ends here.
+  void check()
+  {
+    if (must_stop(true))
+      throw Run_stopped{reason()};
+  }
+
 private:
   void ask()
   {
@@ -69,11 +76,11 @@ private:
     const Clock::time_point now = Clock::now();
     if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
       m_reason = Undecided_reason::TIME;
-    else if (m_is_stopped())
+    else if (m_visitor.stop())
       m_reason = Undecided_reason::STOPPED;
     else if (now - m_last_report > std::chrono::milliseconds(50)) {
       m_last_report = now;
-      m_on_progress(m_done);
+      m_visitor.on_progress(m_done);
     }
   }
 };
