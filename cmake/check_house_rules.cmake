@@ -99,6 +99,17 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
+# The header of a floor includes all of its headers, but for those that need a library of others or are asked for alone.
+foreach(header IN LISTS headers)
+  if(header MATCHES "^${package}/([^/]+)/.*[a-z]" AND EXISTS ${SOURCE_DIR}/include/${package}/${CMAKE_MATCH_1}.h)
+    set(of_floor ${package}/${CMAKE_MATCH_1}.h)
+    if(NOT header IN_LIST includes_of_${of_floor} AND
+       NOT header MATCHES "/internal/|/(opencascade|own_traits|read_SVG|subjects)\\.h$")
+      report(${of_floor} "lacks ${header}")
+    endif()
+  endif()
+endforeach()
+
 # The place of a header in the order of a folder, as an index; an empty one for headers outside of it.
 function(place_of header folder order result)
   set(${result} "" PARENT_SCOPE)
