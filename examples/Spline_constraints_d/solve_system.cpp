@@ -17,6 +17,8 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -61,12 +63,15 @@ Arguments parse(int argc, char* argv[])
 }
 
 template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
-int solve(const Arguments& arguments)
+int solve(Arguments arguments)
 {
+  const auto start = std::chrono::steady_clock::now();
   const SC::Minibex_system input = SC::read_minibex(arguments.file);
   SC::Constraint_system_d system(input.domains);
   for (const auto& constraint : input.constraints)
     system.add(constraint.function, constraint.relation);
+  if (double& limit = arguments.options.time_limit; limit > 0)   // what reading has left of it
+    limit = (std::max)(limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1e-9);
 
   if (static_cast<int>(system.equalities().size()) + 1 == system.dimension()) {
     if constexpr (std::is_same_v<Number, double> && tracks_rounding)

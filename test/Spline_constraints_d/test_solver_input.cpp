@@ -287,6 +287,25 @@ TEST(Solver_visitor, Stop)
   EXPECT_GE(visitor.asked, 3);
 }
 
+// The options hold it as well; what is undecided says why, and where.
+TEST(Solver_visitor, InOptions)
+{
+  const Problem problem = cyclic_chebyshev(8, 2);
+  Slow_visitor visitor;
+  visitor.limit = 2;
+  const auto solutions = solve(problem.system, {.visitor = visitor});
+  expect_cut_off(problem, solutions, SC::Undecided_reason::STOPPED);
+  EXPECT_GE(visitor.asked, 3);
+  const std::vector<SC::Undecided_part> undecided = solutions.undecided();
+  ASSERT_EQ(undecided.size(), solutions.count(Solution_kind::UNDECIDED));
+  EXPECT_EQ(undecided.front().reason, "stopped");
+  EXPECT_EQ(undecided.front().place.size(), 8u);
+
+  Slow_visitor patient;
+  expect_solved(problem, solve(problem.system, {.visitor = patient}));
+  EXPECT_FALSE(patient.progress.empty());
+}
+
 // All solutions of x y = 1/9 and x + y = 10/9, which are (1,1/9) and (1/9,1), that satisfy an inequality.
 static std::size_t count_with(const Polynomial& function, Relation relation)
 {

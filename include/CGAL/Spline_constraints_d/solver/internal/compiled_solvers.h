@@ -11,8 +11,8 @@
 #include <CGAL/Spline_constraints_d/solver/Newton_result.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_search.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <CGAL/tags.h>

@@ -7,13 +7,13 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Curve_graph_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Singular_branch_finder.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Dense_preconditioner.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Depth_first_subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/splitters.h>
 
 #include <algorithm>
@@ -221,8 +221,7 @@ private:
 
   Undecided_reason limit()
   {
-    constexpr std::size_t poll_interval = 64;
-    return m_control.must_stop(m_summary.nodes % poll_interval == 0) ? m_control.reason() : Undecided_reason::NONE;
+    return m_control.must_stop(true) ? m_control.reason() : Undecided_reason::NONE;
   }
 
   bool is_excluded()

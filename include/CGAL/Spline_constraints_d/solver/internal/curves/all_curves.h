@@ -359,7 +359,8 @@ Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_
                                 const Curve_search& search)
 {
   check_curve_system(system);
-  Found_curves found = found_curves<Traits, Concurrency_tag>(system, options, control, search);
+  Found_curves found =
+      found_curves<Traits, Concurrency_tag>(system, control.options_of_parts(options), control, search);
   found.summary.seconds = control.seconds();
   const Exact_ranges domain = domain_of(system);
   return Curve_chains(domain, found.vertices, std::move(found.pieces), std::move(found.undecided))

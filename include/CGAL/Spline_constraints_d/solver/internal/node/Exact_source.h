@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Cell_grid.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Fixed_point_source.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Integer_term.h>
@@ -58,19 +59,25 @@ class Exact_source : public Cell_grid
   Fixed_point_source m_fixed_point;
   Cell m_home_cell;
   std::vector<double> m_home_lower, m_home_upper;
+  Run_control* m_control;   // null: none
 
 public:
-  Exact_source(const Constraint_system_d& system, const System_layout& layout)
-    : Exact_source(system, layout, breaks_of_splines(system, layout))
-  {}
+  // With a control, the constructor throws Run_stopped when it says so: many large functions take long.
+  Exact_source(const Constraint_system_d& system, const System_layout& layout, Run_control* control = nullptr)
+    : Exact_source(system, layout, breaks_of_splines(system, layout), control)
+  {
+    m_control = nullptr;
+  }
 
   // With the cells of another source of the same system.
   Exact_source(const Constraint_system_d& system, const System_layout& layout,
-               std::vector<std::vector<Exact_rational>> breaks)
-    : Cell_grid(std::move(breaks)), m_layout(layout), m_fixed_point(layout)
+               std::vector<std::vector<Exact_rational>> breaks, Run_control* control = nullptr)
+    : Cell_grid(std::move(breaks)), m_layout(layout), m_fixed_point(layout), m_control(control)
   {
-    for (int f = 0; f < layout.functions; ++f)
+    for (int f = 0; f < layout.functions; ++f) {
+      check();
       append_integer_terms(m_terms, function_of(system, f), f, layout, *this);
+    }
     m_places.resize(layout.functions);
     m_denominators.reserve(layout.blocks.size());
     for (std::size_t b = 0; b < layout.blocks.size(); ++b)
@@ -85,6 +92,9 @@ public:
   }
 
   const System_layout& layout() const { return m_layout; }
+
+  // With a control, coefficients on a box are not finished when it stops the run: Run_stopped is thrown.
+  void set_control(Run_control* control) { m_control = control; }
 
   // The matrix that the functions are multiplied by, row-major; empty: none.
   const std::vector<Short_integer>& matrix() const { return m_matrix; }
@@ -132,6 +142,12 @@ public:
   }
 
 private:
+  void check()
+  {
+    if (m_control != nullptr)
+      m_control->check();
+  }
+
   bool is_in_home(const Cell& cell, std::span<const double> lower, std::span<const double> upper) const
   {
     if (cell != m_home_cell)
@@ -236,6 +252,7 @@ void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, s
   for (int v = 0; v < m_layout.dimension; ++v) {
     const auto [begin, width, exponent] = common_dyadic<Short_integer>(lower[v], upper[v]);
     for (const Block_axis& axis : m_layout.blocks_of_axis[v]) {
+      check();
       const Block& block = m_layout.blocks[axis.block];
       const int degree = axis.view.degree;
       const std::size_t inner = axis.view.inner;
@@ -295,6 +312,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
     if (s == (std::numeric_limits<long>::min)())
       s = 0;
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
+    check();
     const Block& block = m_layout.blocks[b];
     const std::size_t members = block.functions.size();
     // in the hundreds of degrees, the denominator leaves the range of double

@@ -12,10 +12,10 @@
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_certification.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Solution_curve_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Box_node.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Depth_first_subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
 
 #include <cmath>
 #include <cstddef>
@@ -114,7 +114,8 @@ private:
   std::size_t m_last_node = 0, m_open_before = 0;
   int m_deepest = 0;
   static constexpr double m_coarsening = 32;
-  static constexpr std::size_t m_poll_interval = std::is_same_v<NT, double> ? 32 : 1;
+  std::size_t m_poll_interval;   // nodes between looks at the clock
+  bool m_has_taken_long = false;
   double m_tolerance, m_done = 0;
 
 public:
@@ -123,7 +124,7 @@ public:
     : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary),
       m_analysis(layout, source, summary, Traits::tracks_rounding), m_preconditioned(system, layout, source, summary),
       m_certification(layout, source, m_preconditioned, roots, summary), m_driver(layout),
-      m_tolerance(options.tolerance)
+      m_poll_interval(poll_interval(layout)), m_tolerance(options.tolerance)
   {
     if (layout.dimension >= 3)
       m_curve_test.emplace(layout, source, summary, Traits::tracks_rounding);
@@ -277,6 +278,7 @@ private:
         m_point_guesses >= m_most_guesses + 8 * m_multiple_roots.size())
       return false;
     ++m_point_guesses;
+    m_has_taken_long = true;
     return guess_multiple_root(m_cell, node.lower, node.upper, m_domain_widths) && covers(m_multiple_roots.back());
   }
 
@@ -290,6 +292,7 @@ private:
         !m_curve_test->may_be_singular(m_analysis.view))
       return false;
     ++m_curve_guesses;
+    m_has_taken_long = true;
     return (*m_curve_test)(m_cell, node, m_analysis.view, m_domain_widths);
   }
 
@@ -337,6 +340,7 @@ private:
   Box_verdict look_closer(Node& node)
   {
     ++m_looks;
+    m_has_taken_long = true;
     const Box_verdict verdict = look_at_preconditioned(node);
     m_gains += verdict == Box_verdict::DONE;
     return verdict;
@@ -389,9 +393,16 @@ private:
     return finest;
   }
 
+  // A look at the clock takes as long as some ten numbers of a node.
+  static std::size_t poll_interval(const System_layout& layout)
+  {
+    constexpr std::size_t many_numbers = 4096;
+    return std::is_same_v<NT, double> ? (std::max)(std::size_t(1), many_numbers / (128 + layout.size)) : 1;
+  }
+
   bool must_stop()
   {
-    const bool is_asked = m_summary.nodes % m_poll_interval == 0;
+    const bool is_asked = std::exchange(m_has_taken_long, false) || m_summary.nodes % m_poll_interval == 0;
     if (is_asked)
       m_control.add_progress(std::exchange(m_done, 0));
     return m_control.must_stop(is_asked);

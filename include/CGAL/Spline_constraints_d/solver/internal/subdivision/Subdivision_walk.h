@@ -8,9 +8,9 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/common_components.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/clusters.h>
 
@@ -55,6 +55,7 @@ class Subdivision_walk
   // What a thread needs for itself.
   struct Worker
   {
+    Run_control& control;
     Exact_source source;
     Summary summary;
     Root_collection<NT> roots;
@@ -62,16 +63,24 @@ class Subdivision_walk
 
     Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options,
            Run_control& control, const std::vector<Found_root<Coordinate>>* known,
-           const std::vector<Multiple_root>* known_multiple_roots)
-      : source(system, layout), roots(system, layout, source, options.precision, known),
+           const std::vector<Multiple_root>* known_multiple_roots, Run_control* control_of_source = nullptr)
+      : control(control), source(system, layout, control_of_source),
+        roots(system, layout, source, options.precision, known),
         walk(system, layout, source, options, control, roots, summary)
     {
       walk.set_known_multiple_roots(known_multiple_roots);
     }
 
+    // A task that ends in the middle of a box is left as it is, with the roots that were found.
     Outcome run(const Task& task, const Task_limits& limits)
     {
-      walk.run(task, limits);
+      source.set_control(&control);
+      try {
+        walk.run(task, limits);
+      } catch (const Run_stopped&) {
+        walk.pending().push_back(task);
+      }
+      source.set_control(nullptr);
       return {std::exchange(roots.roots(), {}),
               std::exchange(walk.open_boxes(), {}),
               std::exchange(walk.curve_boxes(), {}),
@@ -100,7 +109,7 @@ public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options,
                    Run_control& control)
     : m_system(system), m_layout(layout), m_options(options), m_control(control),
-      m_worker(system, layout, options, control, &m_roots.roots(), &m_multiple_roots)
+      m_worker(system, layout, options, control, &m_roots.roots(), &m_multiple_roots, &control)
   {}
 
   Exact_source& source() { return m_worker.source; }

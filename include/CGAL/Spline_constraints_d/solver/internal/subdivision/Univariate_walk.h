@@ -7,9 +7,9 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Bernstein_interval.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_root.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
 
 #include <algorithm>
 #include <chrono>

@@ -73,6 +73,20 @@ struct Definitions_of_solvers
 template <class Traits, class Concurrency_tag>
 class All_solutions;
 
+// The answer of a run that was stopped before its system was set up.
+template <class Traits>
+std::vector<Solution_d<Coordinate_of<Traits>>> undecided_domain(const Constraint_system_d& system,
+                                                                const Solver_options& options, Undecided_reason reason)
+{
+  typename Solution_d<Coordinate_of<Traits>>::Box box;
+  for (int j = 0; j < system.dimension(); ++j) {
+    const auto& [lower, upper] = system.domain(j);
+    box.push_back(dyadic_hull<Coordinate_of<Traits>>(lower, upper, options.precision));
+  }
+  const char* const name = Number_traits<typename Traits::Number_type>::name;
+  return {{Solution_kind::UNDECIDED, box, {}, name, reason}};
+}
+
 // All solutions of a system, in no order. With one unknown the default traits have a path of their own.
 template <class Traits, class Concurrency_tag>
 std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions(const Constraint_system_d& system,
@@ -82,7 +96,11 @@ std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions(const Constraint_sy
   if constexpr (std::same_as<Traits, Certified_solver_traits>)
     if (system.dimension() == 1)
       return Univariate_solver(system, options, control, summary).solve();
-  return All_solutions<Traits, Concurrency_tag>(system, options, control, summary).take();
+  try {
+    return All_solutions<Traits, Concurrency_tag>(system, options, control, summary).take();
+  } catch (const Run_stopped& stopped) {
+    return undecided_domain<Traits>(system, options, stopped.reason);
+  }
 }
 
 /*

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CONTROL_RUN_CONTROL_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CONTROL_RUN_CONTROL_H
 
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -25,7 +25,7 @@ struct Run_stopped
 
 /*
 What ends a run from outside, the clock and the visitor, for all threads of the run. The visitor is called by one of
-them at a time.
+them at a time. It is a model of `SolverVisitor` itself, for runs that are a part of this one.
 */
 class Run_control
 {
@@ -69,6 +69,18 @@ public:
       throw Run_stopped{reason()};
   }
 
+  bool stop() { return must_stop(true); }
+  void on_progress(double) {}
+
+  // Options of runs that are a part of this one.
+  Solver_options options_of_parts(const Solver_options& options)
+  {
+    Solver_options result = options;
+    result.time_limit = 0;
+    result.visitor = *this;
+    return result;
+  }
+
 private:
   void ask()
   {
@@ -89,4 +101,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CONTROL_RUN_CONTROL_H
