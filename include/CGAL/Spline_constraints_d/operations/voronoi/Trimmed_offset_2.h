@@ -127,24 +127,10 @@ public:
   {
     internal::check_error(error, "Trimmed_offset_2");
     return internal::Regions::polygons_of_parts<Polygon_with_holes>(
-        nested_boundaries(), [&](std::size_t b) { return polygon(boundaries()[b], error); });
+        boundaries(), [&](std::size_t b) { return polygon(boundaries()[b], error); });
   }
 
 private:
-  struct Nested_boundary
-  {
-    bool is_hole;
-    std::size_t outer;
-  };
-
-  std::vector<Nested_boundary> nested_boundaries() const
-  {
-    std::vector<Nested_boundary> result;
-    for (const Boundary& boundary : boundaries())
-      result.push_back({boundary.is_hole, boundary.outer.value_or(internal::Regions::no_boundary)});
-    return result;
-  }
-
   CGAL::Polygon_2<Kernel> polygon(const Boundary& boundary, double error) const
   {
     CGAL::Polygon_2<Kernel> result;
