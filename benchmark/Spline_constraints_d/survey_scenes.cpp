@@ -240,7 +240,7 @@ Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const 
       const bool is_known = high - low < allowed;
       const auto foot = [&](std::size_t side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        return site.is_point ? rounded(site.point) : curves[site.curve](sample.parameters[side]);
+        return site.is_point ? rounded(site.point) : curves[*site.curve](*sample.parameters[side]);
       };
       // the center of the least disk
       const Point foot0 = foot(0),

@@ -5,10 +5,13 @@
 #define ARGUMENTS_H
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 #include <charconv>
+#include <cstddef>
 #include <string>
 #include <system_error>
+#include <vector>
 
 // The number that all of an argument of a program is.
 template <class Number>
@@ -19,6 +22,20 @@ Number number_of(const std::string& argument)
   const auto [end, error] = std::from_chars(argument.data(), last, result);
   if (error != std::errc() || end != last)
     throw CGAL::Spline_constraints::Invalid_input("the argument '" + argument + "' is no number that is allowed there");
+  return result;
+}
+
+// The arguments of a program but for `--time-limit S`, which is put into options.
+inline std::vector<std::string> arguments_and_time_limit(int argc, char* argv[],
+                                                         CGAL::Spline_constraints::Solver_options& options)
+{
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == "--time-limit" && i + 1 < words.size())
+      options.time_limit = number_of<double>(words[++i]);
+    else
+      result.push_back(words[i]);
   return result;
 }
 

@@ -3,10 +3,12 @@
 
 // The medial axis of the region between the closed curves of a drawing.
 //
-//   medial_axis [DRAWING.svg]
+//   medial_axis [DRAWING.svg] [--time-limit S]
 //
 // Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit
-// status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
+// status: 0 when all of the axis is proved, 3 when a part is not, as after S seconds; 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
@@ -25,8 +27,10 @@ using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg");
-    const auto axis = SC::medial_axis(SC::planar_region(curves));
+    SC::Solver_options options;
+    const auto files = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(files.empty() ? DATA_DIRECTORY "letters.svg" : files[0]);
+    const auto axis = SC::medial_axis(SC::planar_region(curves), options);
 
     std::ofstream file("medial_axis.svg");
     SC::SVG_writer picture(file, curves);
@@ -44,11 +48,19 @@ int main(int argc, char* argv[])
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 
-    const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(),
-                                         [](const auto& vertex) { return vertex.edges.size() > 2; });
-    std::cout << "boundaries: " << axis.number_of_regions() << "; edges: " << axis.edges().size()
-              << "; vertices: " << axis.vertices().size() << ", " << branching
-              << " of degree three or more; complete: " << (axis.is_complete() ? "yes" : "no") << '\n';
+    const auto proved = std::count_if(axis.vertices().begin(), axis.vertices().end(),
+                                      [](const auto& vertex) { return vertex.is_resolved; });
+    const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(), [](const auto& vertex) {
+      return vertex.is_resolved && vertex.edges.size() > 2;
+    });
+    const char* const least = axis.is_complete() ? "" : "at least ";
+    if (!axis.sites().empty())
+      std::cout << "boundaries: " << axis.number_of_regions() << "; ";
+    std::cout << "edges: " << least << axis.edges().size() << "; vertices: " << least << proved << ", " << least
+              << branching << " of degree three or more; ";
+    if (!axis.is_complete())
+      std::cout << axis.undecided().size() << " undecided; ";
+    std::cout << "complete: " << (axis.is_complete() ? "yes" : "no") << '\n';
     return axis.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

@@ -3,10 +3,10 @@
 
 // Trimmed offsets of the curves of a drawing, at growing distances: where points are exactly so far from all curves.
 //
-//   offset_drawing [DRAWING.svg [DISTANCE [NUMBER]]]
+//   offset_drawing [DRAWING.svg [DISTANCE [NUMBER]]] [--time-limit S]
 //
 // Writes offset_drawing.svg, with the offsets at NUMBER multiples of DISTANCE in graded colors. Exit status: 0 when all
-// of them are proved, 3 when a part is not, 2 for bad input.
+// of them are proved, 3 when a part is not, as after S seconds for one of them; 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -38,12 +38,29 @@ std::string color(double share)
   return text;
 }
 
+void report(double distance, const SC::Trimmed_offset_2<K>& offset)
+{
+  std::cout << "distance " << distance << ": ";
+  const auto closed = std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                    [](const auto& boundary) { return boundary.is_closed; });
+  const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
+                                   [](const auto& boundary) { return boundary.is_hole; });
+  if (offset.is_complete())
+    std::cout << "arcs: " << offset.arcs().size() << "; components: " << closed - holes << "; holes: " << holes
+              << "; complete: yes\n";
+  else   // what is not closed may belong together, or to anything else
+    std::cout << "arcs: at least " << offset.arcs().size() << "; closed boundaries: at least " << closed
+              << "; components and holes: unknown; " << offset.undecided().size() << " undecided; complete: no\n";
+}
+
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg");
-    const double distance = argc > 2 ? number_of<double>(argv[2]) : 2.1;
-    const int number = argc > 3 ? number_of<int>(argv[3]) : 6;
+    SC::Solver_options options;
+    const auto words = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(words.empty() ? DATA_DIRECTORY "garden.svg" : words[0]);
+    const double distance = words.size() > 1 ? number_of<double>(words[1]) : 2.1;
+    const int number = words.size() > 2 ? number_of<int>(words[2]) : 6;
 
     CGAL::Bbox_2 box;
     for (const auto& curve : curves)
@@ -54,15 +71,11 @@ int main(int argc, char* argv[])
         file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
     bool is_complete = true;
     for (int i = number; i > 0; --i) {
-      const auto offset = SC::trimmed_offset(curves, i * distance);
+      const auto offset = SC::trimmed_offset(curves, i * distance, {}, options);
       picture.layer("offset " + std::to_string(i));
       for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
         picture.polyline(offset.polyline(arc, picture.pixel() / 8), color(static_cast<double>(i) / number), 2);
-      const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(),
-                                       [](const auto& boundary) { return boundary.is_hole; });
-      std::cout << "distance " << i * distance << ": arcs: " << offset.arcs().size()
-                << "; components: " << static_cast<std::ptrdiff_t>(offset.boundaries().size()) - holes
-                << "; holes: " << holes << "; complete: " << (offset.is_complete() ? "yes" : "no") << '\n';
+      report(i * distance, offset);
       is_complete = is_complete && offset.is_complete();
     }
     picture.layer("curves");

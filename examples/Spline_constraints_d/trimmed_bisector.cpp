@@ -4,11 +4,11 @@
 // The trimmed bisector of two curves of a drawing: all points that are as far from the nearest point of one as from
 // that of the other.
 //
-//   trimmed_bisector [DRAWING.svg [CURVE OTHER_CURVE]]
+//   trimmed_bisector [DRAWING.svg [CURVE OTHER_CURVE]] [--time-limit S]
 //
 // Curves are named by their numbers, in the order of the drawing. Writes trimmed_bisector.svg, with the trimmed
 // bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves
-// (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not, 2 for bad input.
+// (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not, as after S seconds; 2 for bad input.
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
@@ -32,9 +32,11 @@ using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "waves.svg");
-    const std::size_t first = argc > 3 ? number_of<std::size_t>(argv[2]) : 0,
-                      second = argc > 3 ? number_of<std::size_t>(argv[3]) : 1;
+    SC::Solver_options options;
+    const auto words = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(words.empty() ? DATA_DIRECTORY "waves.svg" : words[0]);
+    const std::size_t first = words.size() > 2 ? number_of<std::size_t>(words[1]) : 0,
+                      second = words.size() > 2 ? number_of<std::size_t>(words[2]) : 1;
     if (std::max(first, second) >= curves.size())
       throw SC::Invalid_input("the drawing has no more than " + std::to_string(curves.size()) + " curves");
     const auto &a = curves[first], &b = curves[second];
@@ -49,11 +51,11 @@ int main(int argc, char* argv[])
     for (const auto& curve : untrimmed.curves())
       picture.polyline(untrimmed.polyline(curve, margin / 1000, 20 * margin), "#cccccc", 2);
 
-    const auto bisector = SC::trimmed_bisector(a, b);
+    const auto bisector = SC::trimmed_bisector(a, b, options);
     picture.layer("disks");
     const auto& sites = bisector.diagram().sites();
     for (const auto& chain : bisector.chains()) {
-      std::cout << "chain of " << chain.arcs.size() << " arcs:";
+      std::cout << (bisector.is_complete() ? "chain of " : "at least ") << chain.arcs.size() << " arcs:";
       for (const auto& arc : chain.arcs) {
         const auto& edge = bisector.diagram().edges()[arc.edge];
         const auto kind = [&](std::size_t side) {
@@ -71,6 +73,8 @@ int main(int argc, char* argv[])
     picture.layer("curves");
     picture.curve(a, "black", 4);
     picture.curve(b, "black", 4);
+    if (!bisector.is_complete())
+      std::cout << bisector.undecided().size() << " undecided; ";
     std::cout << "complete: " << (bisector.is_complete() ? "yes" : "no") << '\n';
     return bisector.is_complete() ? 0 : 3;
   } catch (const std::exception& error) {   // also for what is no number

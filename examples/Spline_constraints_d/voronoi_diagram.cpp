@@ -3,10 +3,12 @@
 
 // The Voronoi diagram of the curves of a drawing: which of them is nearest.
 //
-//   voronoi_diagram [DRAWING.svg]
+//   voronoi_diagram [DRAWING.svg] [--time-limit S]
 //
 // Writes voronoi_diagram.svg, with the cells of each curve in one color. Exit status: 0 when all of the diagram is
-// proved, 3 when a part is not, 2 for bad input.
+// proved, 3 when a part is not, as after S seconds; 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG_voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
@@ -24,19 +26,29 @@ using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg");
-    const auto diagram = SC::voronoi_diagram(curves);
+    SC::Solver_options options;
+    const auto files = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(files.empty() ? DATA_DIRECTORY "garden.svg" : files[0]);
+    const auto diagram = SC::voronoi_diagram(curves, {}, options);
 
     std::ofstream file("voronoi_diagram.svg");
     SC::IO::write_SVG(file, curves, diagram);
 
+    const auto proved = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
+                                      [](const auto& vertex) { return vertex.is_resolved; });
     const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& vertex) {
-      return !vertex.is_at_infinity && vertex.edges.size() > 2;
+      return vertex.is_resolved && !vertex.is_at_infinity && vertex.edges.size() > 2;
     });
-    std::cout << "sites: " << diagram.sites().size() << "; edges: " << diagram.edges().size()
-              << "; vertices: " << diagram.vertices().size() << ", " << branching
-              << " of degree three or more; regions: " << diagram.number_of_regions()
-              << "; complete: " << (diagram.is_complete() ? "yes" : "no") << '\n';
+    const char* const least = diagram.is_complete() ? "" : "at least ";
+    if (!diagram.sites().empty())
+      std::cout << "sites: " << diagram.sites().size() << "; ";
+    std::cout << "edges: " << least << diagram.edges().size() << "; vertices: " << least << proved << ", " << least
+              << branching << " of degree three or more; ";
+    if (diagram.is_complete())
+      std::cout << "regions: " << diagram.number_of_regions();
+    else
+      std::cout << diagram.undecided().size() << " undecided";
+    std::cout << "; complete: " << (diagram.is_complete() ? "yes" : "no") << '\n';
     return diagram.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

@@ -340,7 +340,7 @@ public:
     }
     for (const auto& site : m_diagram.sites())
       if (!site.is_point)
-        m_site_arcs.emplace_back(scene.curves[site.curve], site.parameters[0], site.parameters[1], samples);
+        m_site_arcs.emplace_back(scene.curves[*site.curve], site.parameters[0], site.parameters[1], samples);
   }
 
   const Diagram& diagram() const { return m_diagram; }

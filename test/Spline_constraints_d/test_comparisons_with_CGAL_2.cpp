@@ -99,7 +99,7 @@ TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
     }
     const Diagram diagram = SC::voronoi_diagram(circles);
     expect_vertices(diagram, expected, counts(diagram).branching,
-                    [&](std::size_t site) { return diagram.sites()[site].curve; });
+                    [&](std::size_t site) { return *diagram.sites()[site].curve; });
   }
 }
 
@@ -152,7 +152,7 @@ private:
     const auto is_wanted = [&](const Diagram::Site& site) {
       if (site.is_point || wanted.is_point())
         return site.is_point && wanted.is_point() && site.point == point(wanted.point());
-      const auto& [p, q] = m_ends[site.curve];
+      const auto& [p, q] = m_ends[*site.curve];
       const P source = point(wanted.segment().source()), target = point(wanted.segment().target());
       return (p == source && q == target) || (p == target && q == source);
     };

@@ -38,9 +38,9 @@ void expect_right(const Diagram& diagram, const Curves& curves, std::size_t regi
   std::vector<double> ends(curves.size(), 0);
   for (const auto& site : diagram.sites())
     if (!site.is_point) {
-      EXPECT_EQ(site.parameters[0], ends[site.curve]);
+      EXPECT_EQ(site.parameters[0], ends[*site.curve]);
       EXPECT_LT(site.parameters[0], site.parameters[1]);
-      ends[site.curve] = site.parameters[1];
+      ends[*site.curve] = site.parameters[1];
     }
   for (std::size_t i = 0; i < curves.size(); ++i)
     EXPECT_EQ(ends[i], curves[i].domain(0).second);
@@ -148,8 +148,8 @@ TEST(CrossingCurves, ThinLoops)
 TEST(CrossingCurves, Cuts)
 {
   const auto graph = [](const Curves& curves) {
-    return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(
-        SC::internal::Voronoi::site_curves(curves), {});
+    return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag>(
+        SC::internal::Voronoi::planar_operands(curves, std::vector<P>()));
   };
   const auto number_of_arcs = [&](const Curves& curves) { return graph(curves)->arcs().size(); };
   const Curve parabola = bezier({P(-2, 4), P(0, -4), P(2, 4)});   // y = x^2
@@ -263,8 +263,8 @@ TEST(CrossingCurves, ThinLens)
 
 std::shared_ptr<const SC::internal::Voronoi::Site_graph_2<>> graph_of(const Curves& curves)
 {
-  return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(
-      SC::internal::Voronoi::site_curves(curves), std::vector<P>());
+  return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag>(
+      SC::internal::Voronoi::planar_operands(curves, std::vector<P>()));
 }
 
 // What rounding makes of a curve that leaves the begin of a segment with its tangent: the curve crosses the segment
@@ -306,7 +306,7 @@ TEST(CrossingCurves, RangesOfCrossings)
     return CGAL::to_double(Exact_rational((range.second - range.first) / 2));
   };
   const auto piece_of = [](const Curve& curve) {
-    return SC::internal::Voronoi::site_curves(Curves{curve})[0].pieces[0];
+    return SC::internal::Voronoi::Site_curve_2(SC::internal::Voronoi::Operand_curve_2(curve)).pieces[0];
   };
   const auto around = [](double t) {
     return SC::internal::Common::Parameter_range(Exact_rational(t * (1 - 0x1p-40)), Exact_rational(t * (1 + 0x1p-40)));

@@ -60,7 +60,7 @@ TEST(EndsInVertices, HalfParabola)
         continue;
       for (const auto& sample : diagram.polyline(e, 0.001, 100)) {
         ++samples;
-        const double t = sample.parameters[arc];
+        const double t = *sample.parameters[arc];
         EXPECT_NEAR(CGAL::to_double(sample.point.x()), -side * t * t * t, 1e-9);
         EXPECT_NEAR(CGAL::to_double(sample.point.y()), (1 + 3 * t * t) / 2, 1e-9);
       }

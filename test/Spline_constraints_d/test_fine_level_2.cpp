@@ -387,7 +387,7 @@ TEST(FineLevel, RadiiThatAreNotKnown)
       ++(is_known ? known : unknown);
       const auto foot = [&](std::size_t side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        return rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));
+        return rounded(site.is_point ? site.point : curves[*site.curve](*sample.parameters[side]));
       };
       for (std::size_t side = 0; side < (is_known ? 2 : 1); ++side)
         EXPECT_NEAR(distance(sample.point, foot(side)), sample.radius, allowed) << "edge " << e << " side " << side;

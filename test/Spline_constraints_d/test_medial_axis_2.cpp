@@ -173,7 +173,7 @@ TEST(MedialAxis, RegionWithHoles)
       ++samples;
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = axis.sites()[axis.edges()[e].sites[side]];
-        EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[site.curve](sample.parameters[side])),
+        EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[*site.curve](*sample.parameters[side])),
                     sample.radius, 1e-8);
       }
       for (const P& p : boundary)

@@ -41,10 +41,11 @@ double length_of_ellipse(double a, double b)
   return result * 2 * pi / steps;
 }
 
-bool hold(const std::vector<SC::Undecided_part_2>& parts, std::size_t curve, double t)
+bool hold(const std::vector<SC::Undecided_part>& parts, std::size_t curve, double t)
 {
-  return std::any_of(parts.begin(), parts.end(), [&](const SC::Undecided_part_2& part) {
-    return part.curve == curve && part.from <= t && t <= part.to;
+  return std::any_of(parts.begin(), parts.end(), [&](const SC::Undecided_part& part) {
+    const auto& [operand, ranges] = part.parameters.at(0);
+    return operand == curve && ranges.at(0).first <= t && t <= ranges.at(0).second;
   });
 }
 

@@ -263,14 +263,12 @@ std::vector<Vertex_key> vertex_keys(const Diagram& diagram, double scale)
 
 std::vector<Edge_key> edge_keys(const Diagram& diagram)
 {
-  const auto number = [](double parameter) { return std::isnan(parameter) ? -1 : parameter; };   // of points
+  const auto ends = [](const auto& parameters) { return parameters.value_or(std::array<double, 2>{-1, -1}); };
   std::vector<Edge_key> result;
   for (const auto& edge : diagram.edges()) {
-    const auto& [right, left] = edge.parameters;
-    const Edge_key forward({edge.sites[0], edge.sites[1]},
-                           {number(right[0]), number(right[1]), number(left[0]), number(left[1])});
-    const Edge_key backward({edge.sites[1], edge.sites[0]},
-                            {number(left[1]), number(left[0]), number(right[1]), number(right[0])});
+    const std::array<double, 2> right = ends(edge.parameters[0]), left = ends(edge.parameters[1]);
+    const Edge_key forward({edge.sites[0], edge.sites[1]}, {right[0], right[1], left[0], left[1]});
+    const Edge_key backward({edge.sites[1], edge.sites[0]}, {left[1], left[0], right[1], right[0]});
     result.push_back((std::min)(forward, backward));
   }
   std::sort(result.begin(), result.end());
@@ -357,7 +355,7 @@ std::vector<Boundary_edge> boundary(const SC::Trimmed_offset_2<K>& offset, std::
     const auto range = [&](double parameter) {
       return Range(R(SC::to_rational(parameter) - error), R(SC::to_rational(parameter) + error));
     };
-    result.push_back({arc.is_circular, {arc.curve, arc.curve}, {range(arc.parameters[0]), range(arc.parameters[1])}});
+    result.push_back({arc.is_circular, {*arc.curve, *arc.curve}, {range(arc.parameters[0]), range(arc.parameters[1])}});
   }
   return result;
 }
@@ -394,10 +392,10 @@ void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed
   std::vector<P> centers, moved_centers;
   for (const auto& arc : before.arcs())
     if (arc.is_circular)
-      centers.push_back(motion(arc.center));
+      centers.push_back(motion(*arc.center));
   for (const auto& arc : after.arcs())
     if (arc.is_circular)
-      moved_centers.push_back(arc.center);
+      moved_centers.push_back(*arc.center);
   // exactly
   EXPECT_TRUE(std::is_permutation(centers.begin(), centers.end(), moved_centers.begin(), moved_centers.end()));
   const double expected = area(before, chord_error);

@@ -71,7 +71,7 @@ TEST(SingularEnds, SemicubicalParabola)
       continue;
     ++edges;
     for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
-      const double t = sample.parameters[arc];
+      const double t = *sample.parameters[arc];
       EXPECT_NEAR(CGAL::to_double(sample.point.x()), -t * t / 2 - 1.5 * t * t * t * t, 1e-9);
       EXPECT_NEAR(CGAL::to_double(sample.point.y()), t + 2 * t * t * t, 1e-9);
     }
@@ -162,7 +162,7 @@ TEST(SingularEnds, Outline)
     const auto& site = diagram.sites()[sites[0]];
     double nearest = distance(p, site.point);
     for (int k = 0; k <= 400 && !site.is_point; ++k)
-      nearest = (std::min)(nearest, distance(p, curves[site.curve](k / 400.)));
+      nearest = (std::min)(nearest, distance(p, curves[*site.curve](k / 400.)));
     EXPECT_NEAR(nearest, least, 1e-3);
   }
 }
@@ -180,8 +180,8 @@ TEST(SingularEnds, CuspsInside)
     if (const auto& sites = diagram.edges()[e].sites;
         !diagram.sites()[sites[0]].is_point && !diagram.sites()[sites[1]].is_point)
       for (const auto& sample : diagram.polyline(e, 0.01, 20)) {
-        const double s = sample.parameters[0] - 0.5;
-        EXPECT_NEAR(sample.parameters[1], 1 - sample.parameters[0], 1e-9);
+        const double s = *sample.parameters[0] - 0.5;
+        EXPECT_NEAR(*sample.parameters[1], 1 - *sample.parameters[0], 1e-9);
         EXPECT_NEAR(CGAL::to_double(sample.point.y()), 0.75 - 3 * s * s - 8 * s * s * s * s, 1e-9);
         ++samples;
       }

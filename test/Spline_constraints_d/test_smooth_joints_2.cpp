@@ -7,6 +7,8 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Blown_up_polynomial.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Graph_of_crossing_curves_2.h>
 
 #include <gtest/gtest.h>
 
@@ -251,10 +253,9 @@ SC::internal::Voronoi::Sign_pattern pattern(const SC::Power_polynomial& p, doubl
 TEST(SmoothJoints, CurvaturesBesideAJoint)
 {
   namespace internal = SC::internal;
-  const auto graph = internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(
-      internal::Voronoi::site_curves(
-          Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}),
-      std::vector<P>());
+  const Curves curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})};
+  const auto graph = internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag>(
+      internal::Voronoi::planar_operands(curves, std::vector<P>()));
   const internal::Voronoi::Disk_curvature<> curvature(*graph);
   std::size_t compared = 0;
   std::mt19937 random(1);

@@ -68,11 +68,11 @@ TEST(TrimmedOffsets, ArcsKnowTheirOrigin)
   EXPECT_TRUE(offset.is_complete());
   std::size_t around_vertices = 0, around_points = 0;
   for (const Offset::Arc& arc : offset.arcs())
-    if (arc.is_circular && arc.curve < curves.size()) {
+    if (arc.is_circular && arc.curve) {
       ++around_vertices;
       EXPECT_EQ(arc.parameters[0], arc.parameters[1]);
-      EXPECT_EQ(curves[arc.curve](arc.parameters[0]), arc.center);
-      EXPECT_EQ(arc.curve, arc.center.x() < 4 ? 0U : 1U);   // in the common end, the lower index
+      EXPECT_EQ(curves[*arc.curve](arc.parameters[0]), arc.center);
+      EXPECT_EQ(arc.curve, arc.center->x() < 4 ? 0U : 1U);   // in the common end, the lower index
     } else if (arc.is_circular) {
       ++around_points;
       EXPECT_EQ(arc.center, P(9, 9));
@@ -510,10 +510,10 @@ void expect_distances_at_ends(const Offset& offset, const Curves& curves, double
     const Offset::Arc& arc = offset.arcs()[i];
     const auto samples = offset.polyline(i, 0.02);
     ASSERT_GT(samples.size(), 1U);
-    ASSERT_LT(arc.curve, curves.size());
+    ASSERT_TRUE(arc.curve && *arc.curve < curves.size());
     arcs_of_curves += !arc.is_circular;
     for (const bool is_end : {false, true}) {
-      const P foot = curves[arc.curve](arc.parameters[is_end]);
+      const P foot = curves[*arc.curve](arc.parameters[is_end]);
       EXPECT_NEAR(std::sqrt(CGAL::squared_distance(is_end ? samples.back() : samples.front(), foot)), r, 1e-9)
           << "arc " << i;
     }

@@ -124,7 +124,7 @@ TEST(VoronoiArrangement, NearestPointByPointLocation)
       EXPECT_TRUE(vertex.is_resolved);
       ASSERT_EQ(vertex.footpoints.size(), 3U);
       for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_TRUE(std::isnan(vertex.footpoints[i].parameter));
+        EXPECT_TRUE(!vertex.footpoints[i].parameter);
         for (const std::size_t edge : {vertex.edges[i], vertex.edges[(i + 1) % 3]}) {
           const auto& sites = diagram.edges()[edge].sites;
           EXPECT_TRUE(vertex.footpoints[i].site == sites[0] || vertex.footpoints[i].site == sites[1]);
@@ -156,7 +156,7 @@ void expect_feet(const SC::Voronoi_diagram_of_curves_2<K>& diagram, const Curves
 {
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& site = diagram.sites()[diagram.edges()[edge].sites[side]];
-    const P foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
+    const P foot = site.is_point ? site.point : curves[*site.curve](*sample.parameters[side]);
     EXPECT_NEAR(std::sqrt(CGAL::squared_distance(sample.point, foot)), sample.radius, 1e-9 * sample.radius)
         << "edge " << edge << " side " << side << " at " << sample.point;
   }
@@ -186,7 +186,7 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
     for (const auto& footpoint : vertex.footpoints)
       if (!vertex.is_at_infinity) {
         const auto& site = diagram.sites()[footpoint.site];
-        const P touched = site.is_point ? site.point : curves[site.curve](footpoint.parameter);
+        const P touched = site.is_point ? site.point : curves[*site.curve](*footpoint.parameter);
         EXPECT_NEAR(std::sqrt(CGAL::squared_distance(vertex.point, touched)), vertex.radius, 1e-9);
       }
   }

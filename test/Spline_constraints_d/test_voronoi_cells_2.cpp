@@ -45,7 +45,7 @@ void expect_boundary(const Diagram& diagram, const std::vector<std::size_t>& sit
       for (const auto& sample : diagram.polyline(edge, 0.05, 50))
         for (std::size_t k = 0; k < 2; ++k) {
           const auto& site = diagram.sites()[edge.sites[k]];
-          EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[site.curve](sample.parameters[k])),
+          EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[*site.curve](*sample.parameters[k])),
                       sample.radius, 1e-8 * (1 + sample.radius));
         }
     }
@@ -252,7 +252,7 @@ TEST(VoronoiCells, OfAMedialAxis)
     EXPECT_TRUE(cell.is_complete);
     ASSERT_EQ(cell.chains.size(), axis.sites()[s].is_point ? 0U : 1U);
     for (const auto& chain : cell.chains)
-      EXPECT_EQ(chain.edges.size(), axis.sites()[s].curve % 2 == 0 ? 3U : 2U);
+      EXPECT_EQ(chain.edges.size(), *axis.sites()[s].curve % 2 == 0 ? 3U : 2U);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/exact_disk_curvatures.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Interval_nt.h>
@@ -117,8 +118,8 @@ TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
   for (const auto& vertex : segment.vertices())
     if (is_proved_to_be(vertex, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)))
       for (const auto& footpoint : vertex.footpoints) {
-        const SC::Exact_rational low = 4 * SC::Exact_rational(footpoint.parameter_bounds[0]) - 2,
-                                 high = 4 * SC::Exact_rational(footpoint.parameter_bounds[1]) - 2;
+        const SC::Exact_rational low = 4 * SC::Exact_rational((*footpoint.parameter_bounds)[0]) - 2,
+                                 high = 4 * SC::Exact_rational((*footpoint.parameter_bounds)[1]) - 2;
         EXPECT_TRUE(footpoint.site == 0 ? (low * low - 2) * (high * high - 2) <= 0 : low * high <= 0);
         EXPECT_LT(high - low, 1e-9);
       }
@@ -470,7 +471,7 @@ TEST(VoronoiDiagrams, NearestSites)
   for (const auto& site : diagram.sites()) {
     points.push_back({site.point});
     for (int i = 0; i <= steps && !site.is_point; ++i)
-      points.back().push_back(curves[site.curve](static_cast<double>(i) / steps));
+      points.back().push_back(curves[*site.curve](static_cast<double>(i) / steps));
   }
   const auto distance_from = [&](std::size_t site, const P& p) {
     double least = std::numeric_limits<double>::infinity();
@@ -572,9 +573,10 @@ TEST(VoronoiDiagrams, NamesWhatIsUndecided)
   const Curves curves{bezier({P(-1, 1), P(0, -1), P(1, 1)})};
   const Diagram diagram = SC::voronoi_diagram(curves, {P(0, 1)});
   EXPECT_FALSE(diagram.is_complete());
-  const std::vector<SC::Undecided_part_2> parts = diagram.undecided();
-  EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const SC::Undecided_part_2& part) {
-    return part.curve == 0 && part.from <= 0.5 && 0.5 <= part.to;
+  const std::vector<SC::Undecided_part> parts = diagram.undecided();
+  EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const SC::Undecided_part& part) {
+    const auto& [operand, ranges] = part.parameters.at(0);
+    return operand == 0 && ranges.at(0).first <= 0.5 && 0.5 <= ranges.at(0).second && !part.reason.empty();
   }));
   expect_empty_disks(diagram, curves);   // what is there is right
   EXPECT_TRUE(SC::voronoi_diagram(curves).undecided().empty());

@@ -44,14 +44,14 @@ TEST(VoronoiEdgeCurves, EquidistantExactly)
     const auto [begin, end] = curve->domain();
     for (int i = 0; i <= 4; ++i) {
       const Q t(begin + (end - begin) * i / 4);
-      const E::Point_2 center = (*curve)(t), foot = curves[piece.curve](t);
+      const E::Point_2 center = (*curve)(t), foot = curves[*piece.curve](t);
       EXPECT_EQ(CGAL::squared_distance(center, point), CGAL::squared_distance(center, foot));
       if (piece.curve == 0) {   // a parabola over the segment
         EXPECT_EQ(center.x(), foot.x());
         EXPECT_EQ(2 * (point.y() - 0) * center.y(), CGAL::squared_distance(point, E::Point_2(foot.x(), 0)));
       }
     }
-    const bool is_reversed = edge.parameters[side][1] < edge.parameters[side][0];
+    const bool is_reversed = (*edge.parameters[side])[1] < (*edge.parameters[side])[0];
     for (const std::size_t k : {0, 1}) {
       const auto& vertex = diagram.vertices()[edge.vertices[is_reversed ? 1 - k : k]];
       const E::Point_2 last = k == 0 ? (*curve)(begin) : (*curve)(end);
@@ -72,10 +72,10 @@ TEST(VoronoiEdgeCurves, PointsKnowTheirCurves)
   const Diagram diagram = SC::voronoi_diagram(curves, {P(9, 9)});
   std::size_t on_curves = 0, isolated = 0;
   for (const auto& site : diagram.sites())
-    if (site.is_point && site.curve < curves.size()) {
+    if (site.is_point && site.curve) {
       ++on_curves;
       EXPECT_EQ(site.parameters[0], site.parameters[1]);
-      EXPECT_EQ(curves[site.curve](site.parameters[0]), site.point);
+      EXPECT_EQ(curves[*site.curve](site.parameters[0]), site.point);
       EXPECT_EQ(site.curve, site.point.x() <= 1 ? 0U : 1U);   // in the common end, the lower index
     } else
       isolated += site.is_point;

@@ -111,8 +111,8 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram
         << "vertex at " << vertex.point;
     for (const auto& footpoint : vertex.footpoints)
       if (!diagram.sites()[footpoint.site].is_point) {
-        EXPECT_LE(footpoint.parameter_bounds[0], footpoint.parameter);
-        EXPECT_LE(footpoint.parameter, footpoint.parameter_bounds[1]);
+        EXPECT_LE((*footpoint.parameter_bounds)[0], *footpoint.parameter);
+        EXPECT_LE(*footpoint.parameter, (*footpoint.parameter_bounds)[1]);
       }
   }
 }
@@ -129,7 +129,7 @@ void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram,
     points.push_back(rounded(site.point));
     for (int i = 1; i < 64 && !site.is_point; ++i)
       points.push_back(
-          rounded(curves[site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64)));
+          rounded(curves[*site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64)));
   }
   std::size_t samples = 0;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
@@ -145,7 +145,7 @@ void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram,
           << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        const P foot = rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));
+        const P foot = rounded(site.is_point ? site.point : curves[*site.curve](*sample.parameters[side]));
         EXPECT_NEAR(distance(center, foot), sample.radius, 1e-8 * (1 + sample.radius))
             << "edge " << e << " side " << side;
       }

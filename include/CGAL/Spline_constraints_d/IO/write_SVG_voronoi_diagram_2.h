@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <vector>
 
@@ -40,7 +39,6 @@ void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagra
 {
   constexpr std::array<const char*, 7> colors{"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a",
                                               "#ff9896", "#c5b0d5", "#f7d7a0"};
-  constexpr std::size_t no_curve = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::vector<Voronoi_sample_2<Kernel>>> edges;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     edges.push_back(diagram.polyline(e, picture.pixel() / 4, picture.extent()));
@@ -54,9 +52,9 @@ void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagra
       for (const auto& sample : edges[e])
         cell.push_back(sample.point);
       for (auto sample = edges[e].rbegin(); sample != edges[e].rend(); ++sample)
-        cell.push_back(site.is_point ? site.point : curves[site.curve](sample->parameters[side]));
+        cell.push_back(site.is_point ? site.point : curves[*site.curve](*sample->parameters[side]));
       if (!cell.empty())
-        picture.polygon(cell, colors[(site.curve == no_curve ? index : site.curve) % colors.size()]);
+        picture.polygon(cell, colors[site.curve.value_or(index) % colors.size()]);
     }
   picture.layer("edges");
   for (const auto& edge : edges)
@@ -65,7 +63,7 @@ void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagra
   for (const auto& curve : curves)
     picture.curve(curve, "black", 3);
   for (const auto& site : diagram.sites())
-    if (site.is_point && site.curve == no_curve)
+    if (site.is_point && !site.curve)
       picture.point(site.point);
   picture.layer("vertices");
   for (const auto& vertex : diagram.vertices())

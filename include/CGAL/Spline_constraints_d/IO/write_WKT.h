@@ -7,7 +7,6 @@
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/from_bspline.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
 
 #include <CGAL/Polygon_2.h>
@@ -22,6 +21,10 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+
+template <SplineKernel Kernel>
+class Planar_region_2;
+
 namespace internal {
 
 // Points in order: corners of a polyline, or the ends and inner points of arcs of circles in turn.
@@ -95,12 +98,13 @@ WKT_ring WKT_ring_of(const CGAL::Polygon_2<Kernel, Container>& polygon)
 }
 
 // Points between the ends of a piece: of an arc of a circle one, or three if it is the whole circle.
-inline std::vector<std::string> inner_points(const Regions::Boundary_piece& piece, bool is_circular, double error)
+template <class Piece>
+std::vector<std::string> inner_points(const Piece& piece, bool is_circular, double error)
 {
   std::vector<std::string> result;
   if (is_circular)
     for (const int quarter : piece.at(0) == piece.at(1) ? std::vector<int>{1, 2, 3} : std::vector<int>{2}) {
-      const Exact_pair p = piece.at(Exact_rational(quarter) / 4);
+      const auto p = piece.at(Exact_rational(quarter) / 4);
       result.push_back(WKT_point(p[0], p[1]));
     }
   else
@@ -109,18 +113,20 @@ inline std::vector<std::string> inner_points(const Regions::Boundary_piece& piec
   return result;
 }
 
-inline WKT_ring WKT_ring_of(const Regions::Boundary_loop_2& loop, double error)
+// Of a loop of a region.
+template <class Loop>
+WKT_ring WKT_ring_of(const Loop& loop, double error)
 {
   WKT_ring result;
   std::string end = WKT_point(loop.source()[0], loop.source()[1]);
-  for (const Regions::Boundary_piece& piece : loop.pieces()) {
-    const bool is_circular = to_circle(Regions::Boundary_loop_2({piece}).curve()).has_value();
+  for (const auto& piece : loop.pieces()) {
+    const bool is_circular = to_circle(Loop({piece}).curve()).has_value();
     if (result.empty() || result.back().is_circular != is_circular)
       result.push_back({is_circular, {end}});
     std::vector<std::string>& points = result.back().points;
     const std::vector<std::string> inner = inner_points(piece, is_circular, error);
     points.insert(points.end(), inner.begin(), inner.end());
-    const Exact_pair p = piece.at(1);
+    const auto p = piece.at(1);
     end = WKT_point(p[0], p[1]);
     points.push_back(end);
   }

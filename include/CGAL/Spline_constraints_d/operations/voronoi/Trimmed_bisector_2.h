@@ -5,14 +5,12 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_TRIMMED_BISECTOR_2_H
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_parts_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,40 +35,26 @@ public:
   using Diagram = Voronoi_diagram_of_curves_2<Kernel>;
   using Sample = Voronoi_sample_2<Kernel>;
 
-  //! an edge of the diagram, as a part of a chain.
-  struct Arc
-  {
-    std::size_t edge;    ///< its index
-    bool is_reversed;    ///< whether the chain runs along it from its end to its begin
-  };
-
-  //! edges that go on in each other. Chains end where the edges of the bisector at a vertex are not two, at infinity,
-  //! and in vertices that are not resolved.
-  struct Chain
-  {
-    std::vector<Arc> arcs;                   ///< in order, with the first curve on the right
-    std::array<std::size_t, 2> vertices;     ///< of the diagram, where the chain begins and ends
-    bool is_closed;                          ///< whether it ends where it begins, and goes on there
-  };
+  using Chain = Trimmed_bisector_chain_2;
+  using Arc = Chain::Arc;
 
 private:
   Diagram m_diagram;
   std::vector<Chain> m_chains;
 
 public:
+  //! a bisector without chains. Others are made by `trimmed_bisector()` and `trimmed_self_bisector()`.
+  Trimmed_bisector_2() = default;
+
 #ifndef DOXYGEN_RUNNING
-  // Each site belongs to the first curve (-1), the second one (1), or to both (0). Edges between sites of the same
-  // number are left out; without numbers, none are.
-  Trimmed_bisector_2(Diagram diagram, const std::vector<int>& sides) : m_diagram(std::move(diagram))
-  {
-    std::vector<int> directions;   // of the edges: negative if the first curve is on the left, 0 if they are left out
-    for (const auto& edge : m_diagram.edges())
-      directions.push_back(sides.empty() ? 1 : sides[edge.sites[1]] - sides[edge.sites[0]]);
-    make_chains(directions);
-  }
+  // For the package: a bisector in terms of the kernel.
+  explicit Trimmed_bisector_2(internal::Voronoi::Bisecting_chains chains)
+    : m_diagram(std::move(chains.diagram)), m_chains(std::move(chains.chains))
+  {}
 #endif
 
-  //! the Voronoi diagram that the bisector is a part of; its curves are numbered in the order in which they were given.
+  //! the Voronoi diagram that the bisector is a part of. Its curves are numbered in the order in which they were given;
+  //! in what is undecided, so are operands.
   const Diagram& diagram() const { return m_diagram; }
 
   //! the chains of the bisector.
@@ -78,6 +62,12 @@ public:
 
   //! whether all of the diagram is proved, and so all of the bisector.
   bool is_complete() const { return m_diagram.is_complete(); }
+
+  //! the parts of the operands, 0 and 1, beside which the diagram is not decided.
+  const std::vector<Undecided_part>& undecided() const { return m_diagram.undecided(); }
+
+  //! the work.
+  const Summary& summary() const { return m_diagram.summary(); }
 
   /*!
   points along a chain, so many that it passes the middles of their chords at no more than a given distance; in several
@@ -108,8 +98,6 @@ public:
   }
 
 private:
-  using End = internal::Intersections::Curve_end;
-
   std::size_t vertex(const Arc& arc, std::size_t end) const
   {
     return m_diagram.edges()[arc.edge].vertices[arc.is_reversed ? 1 - end : end];
@@ -124,42 +112,6 @@ private:
         std::swap(sample.parameters[0], sample.parameters[1]);
     }
     return result;
-  }
-
-  void make_chains(const std::vector<int>& directions)
-  {
-    std::vector<std::size_t> kept;
-    std::vector<std::vector<End>> ends_at(m_diagram.vertices().size());
-    for (std::size_t e = 0; e < directions.size(); ++e)
-      if (directions[e] != 0) {
-        for (const int side : {0, 1})
-          ends_at[m_diagram.edges()[e].vertices[static_cast<std::size_t>(side)]].push_back({kept.size(), side});
-        kept.push_back(e);
-      }
-    const auto next = [&](const End& end) -> std::optional<End> {
-      const std::size_t v = m_diagram.edges()[kept[end.curve]].vertices[static_cast<std::size_t>(end.side)];
-      if (ends_at[v].size() != 2 || m_diagram.vertices()[v].is_at_infinity || !m_diagram.vertices()[v].is_resolved)
-        return std::nullopt;
-      return ends_at[v][ends_at[v][0] == end];
-    };
-    for (const Intersection_curve& joined :
-         internal::Intersections::chains_of_curves(std::vector<bool>(kept.size(), false), next)) {
-      Chain chain{{}, {}, joined.is_closed};
-      for (const Intersection_arc& arc : joined.arcs)
-        chain.arcs.push_back({kept[arc.index], arc.is_reversed});
-      // then all arcs have the first curve on the left
-      if ((directions[chain.arcs[0].edge] < 0) != chain.arcs[0].is_reversed)
-        reverse(chain.arcs);
-      chain.vertices = {vertex(chain.arcs.front(), 0), vertex(chain.arcs.back(), 1)};
-      m_chains.push_back(std::move(chain));
-    }
-  }
-
-  static void reverse(std::vector<Arc>& arcs)
-  {
-    std::reverse(arcs.begin(), arcs.end());
-    for (Arc& arc : arcs)
-      arc.is_reversed = !arc.is_reversed;
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -25,8 +26,8 @@ struct Voronoi_sample_2
 {
   typename Kernel::Point_2 point;            ///< the center of the disk, rounded
   double radius;                             ///< the radius of the disk: the distance from both sites
-  /// where the disk touches the sites of the edge: the parameter of a curve; of a point, no number
-  std::array<double, 2> parameters;
+  /// where the disk touches the sites of the edge: the parameter of a curve; none, if the site is a point
+  std::array<std::optional<double>, 2> parameters;
   /// the exact radius of a disk that touches one of the sites there is between them, by proof
   std::array<double, 2> radius_bounds{0, std::numeric_limits<double>::infinity()};
 };

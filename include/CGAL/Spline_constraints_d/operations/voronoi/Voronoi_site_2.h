@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -23,9 +24,9 @@ struct Voronoi_site_2
 {
   bool is_point;                    ///< whether it is a point
   typename Kernel::Point_2 point;   ///< the point; of a piece, the point where it begins
-  /// the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
-  std::size_t curve;
-  /// the piece begins and ends with these parameters of the curve; a point has twice its own one
+  /// the index of the curve; of a point, the lowest index of a curve that ends or is cut there; none, if no curve does
+  std::optional<std::size_t> curve;
+  /// the piece begins and ends with these parameters of the curve; a point of a curve has twice its own one
   std::array<double, 2> parameters;
   /// the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to
   /// that

@@ -4,14 +4,17 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_MEDIAL_AXIS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_MEDIAL_AXIS_2_H
 
-#include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_elements.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <memory>
+#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Spline_constraints {
+
+template <SplineKernel Kernel>
+class Planar_region_2;
 
 /*!
 \ingroup PkgSplineConstraintsDVoronoi
@@ -27,18 +30,18 @@ No edge ends there: disks that touch the boundary in that corner only belong to 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
 the pieces of the boundary to all cores through TBB. The answers are the same.
 \param region the region. Parameters are those of its curves.
+\param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, or the weight of a curve is not proved to have one sign.
+\f$2^{250}\f$, the weight of a curve is not proved to have one sign, or an option makes no sense.
 
 Complexity: about half of that of the Voronoi diagram.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
-Voronoi_diagram_of_curves_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
+Voronoi_diagram_of_curves_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region,
+                                                const Solver_options& options = {})
 {
-  const auto graph = internal::Voronoi::region_graph(region);
-  return {graph,
-          std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(
-              *graph, internal::Voronoi::region_elements(*graph, region, true), "medial_axis"))};
+  return Voronoi_diagram_of_curves_2<Kernel>(internal::Voronoi::diagram_of_region<Concurrency_tag>(
+      internal::Voronoi::region_operand(region), options));
 }
 
 } // namespace Spline_constraints

@@ -6,57 +6,25 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_alpha_sector_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Bisected_operands.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <cmath>
+#include <CGAL/Point_2.h>
+#include <CGAL/tags.h>
+
 #include <concepts>
-#include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// With 1 - alpha >= alpha, the points are c = (1 - alpha) / alpha times as far from the second operand as from the
-// first one.
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
-Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, const Exact_rational& factor,
-                                                       bool is_exchanged)
+Trimmed_alpha_sector_2<Kernel> sector_of(const A& a, const B& b, const typename Kernel::FT& alpha,
+                                         const Solver_options& options)
 {
-  const Bisected_operands<Kernel> operands(a, b);
-  const auto graph = graph_of_crossing_curves<Concurrency_tag, Kernel>(operands.curves, operands.points);
-  std::vector<bool> arcs, vertices;   // those of the second operand
-  std::vector<std::size_t> elements;    // of the first one
-  for (std::size_t i = 0; i < graph->arcs().size(); ++i)
-    arcs.push_back(operands.is_on(1, *graph, i));
-  for (const Site_graph_2<>::Vertex& vertex : graph->vertices())
-    vertices.push_back(operands.is_at(1, *graph, vertex));
-  for (std::size_t f = 0; f < graph->elements().size(); ++f)
-    if (const Oriented_element<>& element = graph->elements()[f];
-        !(element.is_normal_cone ? vertices : arcs)[element.object])
-      elements.push_back(f);
-  const auto scaled =
-      std::make_shared<const Scaled_sites<>>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
-  return {sector_disks<Concurrency_tag>(graph, scaled, elements), to_nearest_double(factor), is_exchanged,
-          operands.places[0].first};
-}
-
-template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
-Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, const typename Kernel::FT& alpha)
-{
-  const Exact_rational share = converted_number<Exact_rational>(alpha), rest(1 - share);
-  if (!(share > 0 && rest > 0))
-    throw Invalid_input("trimmed_alpha_sector: alpha is not between 0 and 1");
-  if (share == rest)
-    throw Invalid_input("trimmed_alpha_sector: alpha is 1/2; trimmed_bisector() is for this");
-  if (share < rest)
-    return trimmed_alpha_sector_of<Concurrency_tag, Kernel>(a, b, Exact_rational(rest / share), false);
-  return trimmed_alpha_sector_of<Concurrency_tag, Kernel>(b, a, Exact_rational(share / rest), true);
+  return Trimmed_alpha_sector_2<Kernel>(sector_of_operands<Concurrency_tag>(
+      ordered_operands(a, b), converted_number<Exact_rational>(alpha), options));
 }
 
 } // namespace Voronoi
@@ -99,45 +67,50 @@ the sides of the curves to all cores through TBB. The answers are the same.
 \param a the first curve.
 \param b the second curve.
 \param alpha the share of the distance from the first curve, exactly; between 0 and 1, and not 1/2.
+\param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), or is 1/2: `trimmed_bisector()` is for that; when the
 greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is
-a point, or the weight of a curve is not proved to have one sign.
+a point, the weight of a curve is not proved to have one sign, or an option makes no sense.
 
 Complexity: that of the Voronoi diagram. Source: \cgalCite{kes-gcps-05}, section 3, has the sector;
 \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 C1, ParametricCurve_2 C2>
 requires std::same_as<typename C1::Kernel, typename C2::Kernel> Trimmed_alpha_sector_2<typename C1::Kernel>
-trimmed_alpha_sector(const C1& a, const C2& b, const typename C1::Kernel::FT& alpha)
+trimmed_alpha_sector(const C1& a, const C2& b, const typename C1::Kernel::FT& alpha,
+                     const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_alpha_sector_of<Concurrency_tag, typename C1::Kernel>(a, b, alpha);
+  return internal::Voronoi::sector_of<Concurrency_tag, typename C1::Kernel>(a, b, alpha, options);
 }
 
 //! the trimmed \f$\alpha\f$-sector of a curve and a point.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
 Trimmed_alpha_sector_2<typename Curve::Kernel>
-trimmed_alpha_sector(const Curve& a, const typename Curve::Kernel::Point_2& b, const typename Curve::Kernel::FT& alpha)
+trimmed_alpha_sector(const Curve& a, const typename Curve::Kernel::Point_2& b, const typename Curve::Kernel::FT& alpha,
+                     const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_alpha_sector_of<Concurrency_tag, typename Curve::Kernel>(a, b, alpha);
+  return internal::Voronoi::sector_of<Concurrency_tag, typename Curve::Kernel>(a, b, alpha, options);
 }
 
 //! the trimmed \f$\alpha\f$-sector of a point and a curve.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
 Trimmed_alpha_sector_2<typename Curve::Kernel>
-trimmed_alpha_sector(const typename Curve::Kernel::Point_2& a, const Curve& b, const typename Curve::Kernel::FT& alpha)
+trimmed_alpha_sector(const typename Curve::Kernel::Point_2& a, const Curve& b, const typename Curve::Kernel::FT& alpha,
+                     const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_alpha_sector_of<Concurrency_tag, typename Curve::Kernel>(a, b, alpha);
+  return internal::Voronoi::sector_of<Concurrency_tag, typename Curve::Kernel>(a, b, alpha, options);
 }
 
 //! the \f$\alpha\f$-sector of two points, a circle of Apollonius.
 //! \throws Invalid_input as above, or when a coordinate is not finite.
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector(const CGAL::Point_2<Kernel>& a, const CGAL::Point_2<Kernel>& b,
-                                                    const typename Kernel::FT& alpha)
+                                                    const typename Kernel::FT& alpha,
+                                                    const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_alpha_sector_of<Concurrency_tag, Kernel>(a, b, alpha);
+  return internal::Voronoi::sector_of<Concurrency_tag, Kernel>(a, b, alpha, options);
 }
 
 /// @}

@@ -5,36 +5,24 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_TRIMMED_BISECTORS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_bisector_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Bisected_operands.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <array>
+#include <CGAL/Point_2.h>
+#include <CGAL/tags.h>
+
 #include <concepts>
-#include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
-Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
+template <class Concurrency_tag, SplineKernel Kernel, class... Operands>
+Trimmed_bisector_2<Kernel> bisector_of(const Solver_options& options, const Operands&... operands)
 {
-  const Bisected_operands<Kernel> operands(a, b);
-  const auto graph = graph_of_crossing_curves<Concurrency_tag, Kernel>(operands.curves, operands.points);
-  std::vector<int> sides;
-  for (std::size_t i = 0; i < graph->arcs().size(); ++i)
-    sides.push_back(operands.is_on(1, *graph, i) - operands.is_on(0, *graph, i));
-  for (const Site_graph_2<>::Vertex& vertex : graph->vertices())
-    sides.push_back(operands.is_at(1, *graph, vertex) - operands.is_at(0, *graph, vertex));
-  return {Voronoi_diagram_of_curves_2<Kernel>(graph,
-                                              std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(
-                                                  *graph, all_elements(*graph), "trimmed_bisector"))),
-          sides};
+  return Trimmed_bisector_2<Kernel>(
+      bisector_of_operands<Concurrency_tag>(ordered_operands(operands...), options));
 }
 
 } // namespace Voronoi
@@ -64,43 +52,46 @@ the sides of the curves to all cores through TBB. The answers are the same.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.
 \param a the first curve.
 \param b the second curve.
+\param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or
+an option makes no sense.
 
 Complexity: that of the Voronoi diagram.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 C1, ParametricCurve_2 C2>
   requires std::same_as<typename C1::Kernel, typename C2::Kernel>
-Trimmed_bisector_2<typename C1::Kernel> trimmed_bisector(const C1& a, const C2& b)
+Trimmed_bisector_2<typename C1::Kernel> trimmed_bisector(const C1& a, const C2& b, const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_bisector_of<Concurrency_tag, typename C1::Kernel>(a, b);
+  return internal::Voronoi::bisector_of<Concurrency_tag, typename C1::Kernel>(options, a, b);
 }
 
 //! the trimmed bisector of a curve and a point, with the curve on the right. Of a point on the curve, edges are between
 //! this point and the curve as it goes on.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
-Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const Curve& a, const typename Curve::Kernel::Point_2& b)
+Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const Curve& a, const typename Curve::Kernel::Point_2& b,
+                                                            const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_bisector_of<Concurrency_tag, typename Curve::Kernel>(a, b);
+  return internal::Voronoi::bisector_of<Concurrency_tag, typename Curve::Kernel>(options, a, b);
 }
 
 //! the trimmed bisector of a point and a curve, with the point on the right.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
-Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const typename Curve::Kernel::Point_2& a, const Curve& b)
+Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const typename Curve::Kernel::Point_2& a, const Curve& b,
+                                                            const Solver_options& options = {})
 {
-  return internal::Voronoi::trimmed_bisector_of<Concurrency_tag, typename Curve::Kernel>(a, b);
+  return internal::Voronoi::bisector_of<Concurrency_tag, typename Curve::Kernel>(options, a, b);
 }
 
 //! the bisector of two points, a line, with the first one on the right.
 //! \throws Invalid_input when the points are equal, a coordinate is not finite, or the magnitudes are not as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
-Trimmed_bisector_2<Kernel> trimmed_bisector(const CGAL::Point_2<Kernel>& a, const CGAL::Point_2<Kernel>& b)
+Trimmed_bisector_2<Kernel> trimmed_bisector(const CGAL::Point_2<Kernel>& a, const CGAL::Point_2<Kernel>& b,
+                                            const Solver_options& options = {})
 {
-  if (internal::Voronoi::exact_coordinates(a) == internal::Voronoi::exact_coordinates(b))
-    throw Invalid_input("trimmed_bisector: the points are equal");
-  return internal::Voronoi::trimmed_bisector_of<Concurrency_tag, Kernel>(a, b);
+  return internal::Voronoi::bisector_of<Concurrency_tag, Kernel>(options, a, b);
 }
 
 /*!
@@ -111,12 +102,14 @@ The points inside of a closed curve are its medial axis. That of a circle is a v
 
 \tparam Concurrency_tag as above.
 \param curve a model of `ParametricCurve_2`; it may cross and touch itself, as above.
+\param options as above.
 \throws Invalid_input as above.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
-Trimmed_bisector_2<typename Curve::Kernel> trimmed_self_bisector(const Curve& curve)
+Trimmed_bisector_2<typename Curve::Kernel> trimmed_self_bisector(const Curve& curve,
+                                                                 const Solver_options& options = {})
 {
-  return {voronoi_diagram<Concurrency_tag>(std::array<Curve, 1>{curve}), {}};
+  return internal::Voronoi::bisector_of<Concurrency_tag, typename Curve::Kernel>(options, curve);
 }
 
 /// @}

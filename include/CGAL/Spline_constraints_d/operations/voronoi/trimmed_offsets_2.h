@@ -6,11 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_offset_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Graph_of_crossing_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_elements.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/site_graphs_2.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <memory>
+#include <CGAL/tags.h>
+
 #include <ranges>
 #include <vector>
 
@@ -50,31 +49,29 @@ less than about \f$10^{-5}\f$ of it, the limit may be reached.
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
 the sides to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
+\tparam Points a range of points of the same kernel.
 \param curves the curves; there may be none.
 \param distance the distance; positive.
 \param points points that are offset with the curves.
+\param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the distance is not positive or not finite, the greatest absolute value of a coordinate is
-neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not
-proved to have one sign.
+neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not
+proved to have one sign, or an option makes no sense.
 
 Complexity: for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by
 a tree of boxes.
 */
-template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range>
+template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range,
+          std::ranges::input_range Points =
+              std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>
-  auto trimmed_offset(const Range& curves, const typename std::ranges::range_value_t<Range>::Kernel::FT& distance,
-                      const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {})
+  auto trimmed_offset(Range&& curves, const typename std::ranges::range_value_t<Range>::Kernel::FT& distance,
+                      const Points& points = {}, const Solver_options& options = {})
   {
-    using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
-    const Exact_rational radius = internal::converted_number<Exact_rational>(distance);
-    if (CGAL::sign(radius) != CGAL::POSITIVE)
-      throw Invalid_input("trimmed_offset: the distance must be positive");
-    const auto graph = internal::Voronoi::graph_without_overlaps<Concurrency_tag, Kernel>(
-        internal::Voronoi::site_curves(curves), points);
-    return Trimmed_offset_2<Kernel>(
-        std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(
-            graph, radius, internal::Voronoi::all_elements(*graph), false)),
-        true);
+    return Trimmed_offset_2<typename std::ranges::range_value_t<Range>::Kernel>(
+        internal::Voronoi::offset_of_curves<Concurrency_tag>(
+            internal::Voronoi::planar_operands(curves, points), internal::converted_number<Exact_rational>(distance),
+            options));
 }
 
 /*!
@@ -86,21 +83,16 @@ shrunk. Corners become round on the side where they are reflex.
 \tparam Concurrency_tag as above.
 \param region the region. Parameters of arcs are those of its curves.
 \param distance the distance; not zero. The result may be empty if it is negative.
-\throws Invalid_input when the distance is zero or not finite, the greatest coordinate is not as above, or the weight of
-a curve is not proved to have one sign.
+\param options as above.
+\throws Invalid_input when the distance is zero or not finite, the greatest coordinate is not as above, the weight of a
+curve is not proved to have one sign, or an option makes no sense.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
-Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, const typename Kernel::FT& distance)
+Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, const typename Kernel::FT& distance,
+                                        const Solver_options& options = {})
 {
-  const Exact_rational radius = internal::converted_number<Exact_rational>(distance);
-  const CGAL::Sign sign = CGAL::sign(radius);
-  if (sign == CGAL::ZERO)
-    throw Invalid_input("trimmed_offset: the distance must not be zero");
-  const bool is_inside = sign == CGAL::NEGATIVE;
-  const auto graph = internal::Voronoi::region_graph(region);
-  return {std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(
-              graph, CGAL::abs(radius), internal::Voronoi::region_elements(*graph, region, is_inside), is_inside)),
-          !is_inside};
+  return Trimmed_offset_2<Kernel>(internal::Voronoi::offset_of_region<Concurrency_tag>(
+      internal::Voronoi::region_operand(region), internal::converted_number<Exact_rational>(distance), options));
 }
 
 } // namespace Spline_constraints

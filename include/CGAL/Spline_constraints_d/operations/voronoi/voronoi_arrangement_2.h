@@ -8,6 +8,10 @@
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Bbox_2.h>
@@ -26,6 +30,14 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+template <SplineKernel Kernel>
+class Arrangement_refinement;
+
+} // namespace Voronoi
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDVoronoi
@@ -42,8 +54,8 @@ struct Voronoi_arrangement_2
     nothing where chords of one edge meet;
   - `halfedge->data()`, the site that is nearest on its left; nothing on the sides of a box;
   - `face->data()`, in increasing order the regions of the sites along its edges, see `Voronoi_site_2::region`: one, if
-    the diagram is complete and not cut there. CGAL's stream operators (`CGAL/IO/Arr_iostream.h`) write and read its
-    geometry, without labels and records.
+    the diagram and the arrangement are complete, and the diagram is not cut there. CGAL's stream operators
+    (`CGAL/IO/Arr_iostream.h`) write and read its geometry, without labels and records.
   */
   using Arrangement =
       CGAL::Arrangement_2<internal::Regions::Chord_traits_2,
@@ -59,7 +71,23 @@ struct Voronoi_arrangement_2
 
   //! whether the arrangement is proved to have the connections of the diagram: chords meet in their ends only, and
   //! edges around each vertex have the same order.
-  bool has_same_topology;
+  bool has_same_topology = false;
+
+  //! the work; nodes are edges whose samples were computed.
+  const Summary& summary() const { return m_summary; }
+
+  //! whether it has the connections of the diagram, by proof.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the edges that have no chords, as limits or a visitor ended the search; an operand is an edge of the diagram. If
+  //! there are none, and the connections are not those of the diagram, a part without operands says so.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+private:
+  Summary m_summary;
+  std::vector<Undecided_part> m_undecided;
+
+  friend class internal::Voronoi::Arrangement_refinement<Kernel>;
 };
 
 namespace internal {
@@ -110,38 +138,95 @@ bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement,
   return true;
 }
 
-// The arrangement with errors that are halved until it has the topology of the diagram, up to eight times.
+// Makes the arrangement of a diagram, as far as limits allow.
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
-                                                  double most_radius)
+class Arrangement_refinement
 {
-  check_error(error, "to_arrangement");
-  constexpr int most_refinements = 8;
-  using Arrangement = typename Voronoi_arrangement_2<Kernel>::Arrangement;
-  Voronoi_arrangement_2<Kernel> result{{}, {}, false};
-  for (int i = 0; i <= most_refinements && !result.has_same_topology; ++i, error /= 2) {
-    std::vector<std::vector<typename Arrangement::Point_2>> polylines;
-    result.polylines.clear();
-    for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
-      auto samples = diagram.polyline(e, error, most_radius);
-      const auto& [first, last] = diagram.edges()[e].vertices;
+  using Result = Voronoi_arrangement_2<Kernel>;
+  using Arrangement = typename Result::Arrangement;
+  using Samples = std::vector<std::vector<Voronoi_sample_2<Kernel>>>;
+
+  static constexpr int most_refinements = 8;
+
+  const Voronoi_diagram_of_curves_2<Kernel>& m_diagram;
+  double m_most_radius;
+  Search_control m_control;
+
+public:
+  Arrangement_refinement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double most_radius,
+                         const Solver_options& options)
+    : m_diagram(diagram), m_most_radius(most_radius), m_control(options)
+  {}
+
+  // With errors that are halved until it has the topology of the diagram.
+  Result operator()(double error)
+  {
+    check_error(error, "to_arrangement");
+    Result result;
+    for (int i = 0; i <= most_refinements && !result.has_same_topology; ++i, error /= 2) {
+      Samples samples = samples_of_edges(error, i == 0 ? 1 : 0);
+      if (i > 0 && m_control.has_ended())   // the one before has more edges
+        break;
+      std::vector<std::vector<typename Arrangement::Point_2>> polylines;
+      for (const auto& edge : samples) {
+        auto& polyline = polylines.emplace_back();
+        for (const auto& sample : edge)
+          polyline.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()));
+      }
+      result.polylines = std::move(samples);
+      result.arrangement = polyline_arrangement<Arrangement>(polylines);
+      result.has_same_topology =
+          !m_control.has_ended() && has_topology_of(m_diagram, result.arrangement, polylines, m_most_radius);
+    }
+    return result;
+  }
+
+  bool has_all_edges() const { return m_sampled == m_diagram.edges().size(); }
+
+  // Tells what is known of the final arrangement.
+  void complete(Result& result)
+  {
+    for (std::size_t e = m_sampled; e < m_diagram.edges().size(); ++e)
+      result.m_undecided.push_back({{}, {{e, {}}}, in_words(m_control.reason())});
+    if (result.m_undecided.empty() && !result.has_same_topology)
+      result.m_undecided.push_back({{},
+                                    {},
+                                    m_control.has_ended()
+                                        ? in_words(m_control.reason())
+                                        : "chords are not proved to have the connections of the edges"});
+    result.m_summary = m_control.summary(result.m_undecided.empty());
+  }
+
+private:
+  std::size_t m_sampled = 0;   // edges in the first arrangement
+
+  // Of all edges, or, if the search is ended, of the first ones; they begin and end in the vertices.
+  Samples samples_of_edges(double error, double progress)
+  {
+    Samples result(m_diagram.edges().size());
+    for (std::size_t e = 0; e < result.size(); ++e) {
+      try {
+        m_control.check();
+        m_control.add_node();
+      } catch (const Run_stopped&) {
+        break;
+      }
+      result[e] = m_diagram.polyline(e, error, m_most_radius);
+      const auto& [first, last] = m_diagram.edges()[e].vertices;
       const auto is_kept = [&](std::size_t v) {
-        return !samples.empty() && !diagram.vertices()[v].is_at_infinity && diagram.vertices()[v].radius <= most_radius;
+        return !result[e].empty() && !m_diagram.vertices()[v].is_at_infinity &&
+            m_diagram.vertices()[v].radius <= m_most_radius;
       };
       if (is_kept(first))
-        samples.front().point = diagram.vertices()[first].point;
+        result[e].front().point = m_diagram.vertices()[first].point;
       if (is_kept(last))
-        samples.back().point = diagram.vertices()[last].point;
-      auto& polyline = polylines.emplace_back();
-      for (const auto& sample : samples)
-        polyline.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()));
-      result.polylines.push_back(std::move(samples));
+        result[e].back().point = m_diagram.vertices()[last].point;
+      m_control.add_progress(progress / static_cast<double>(result.size()));
+      m_sampled = (std::max)(m_sampled, e + 1);
     }
-    result.arrangement = polyline_arrangement<Arrangement>(polylines);
-    result.has_same_topology = has_topology_of(diagram, result.arrangement, polylines, most_radius);
+    return result;
   }
-  return result;
-}
+};
 
 // Whether edges to infinity have been followed to disks of a radius.
 template <SplineKernel Kernel>
@@ -274,6 +359,8 @@ times. Then each connected part of it can be deformed to that part of the diagra
 \param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
 \param most_radius edges to infinity are cut where the radius of the disks is larger, and so are vertices of such
 radius; positive and finite.
+\param options limits and a visitor, which is told the share of the edges that have chords. When they end the search,
+the rest has none. CGAL's sweep over the chords that there are is not interrupted.
 \throws Invalid_input when the error is not positive, the radius is not positive or not finite, or a coordinate of a
 chord is greater than \f$2^{250}\f$.
 
@@ -281,12 +368,14 @@ Complexity: that of a sweep, \f$O(n \log n)\f$ for \f$n\f$ chords, for each erro
 */
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
-                                             double most_radius)
+                                             double most_radius, const Solver_options& options = {})
 {
   if (!(most_radius > 0 && std::isfinite(most_radius)))
     throw Invalid_input("to_arrangement: the radius must be positive and finite");
-  auto result = internal::Voronoi::refined_arrangement(diagram, error, most_radius);
+  internal::Voronoi::Arrangement_refinement<Kernel> refinement(diagram, most_radius, options);
+  auto result = refinement(error);
   internal::Voronoi::label_records(diagram, result);
+  refinement.complete(result);
   return result;
 }
 
@@ -302,6 +391,7 @@ and points is the nearest one, for points that are not between an edge and a cho
 \param diagram the diagram of one site or more.
 \param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
 \param box what is outside is left out. It is not empty; the sites may be outside.
+\param options as above.
 \throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the
 first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not
 \f$2^{250}\f$ at most; or there are no sites.
@@ -311,7 +401,7 @@ sides of the box, and false if an edge to infinity does not reach these.
 */
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error,
-                                             const CGAL::Bbox_2& box)
+                                             const CGAL::Bbox_2& box, const Solver_options& options = {})
 {
   constexpr double least_error = 0x1p-50;   // of the diameter
   if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() &&
@@ -327,11 +417,14 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<K
   internal::check_error(error, "to_arrangement");
   if (error < least_error * diameter)
     throw Invalid_input("to_arrangement: the error is less than 2^-50 of the diameter of the box and the first site");
-  auto result = internal::Voronoi::refined_arrangement(diagram, error, 2 * diameter);
+  internal::Voronoi::Arrangement_refinement<Kernel> refinement(diagram, 2 * diameter, options);
+  auto result = refinement(error);
   result.has_same_topology = result.has_same_topology && internal::Voronoi::edges_reach(diagram, result, diameter);
   internal::Voronoi::cut_at(box, diagram.edges().size(), result.arrangement);
   internal::Voronoi::label_records(diagram, result);
-  internal::Voronoi::label_whole_box(diagram, result);
+  if (diagram.is_complete() && refinement.has_all_edges())
+    internal::Voronoi::label_whole_box(diagram, result);
+  refinement.complete(result);
   return result;
 }
 

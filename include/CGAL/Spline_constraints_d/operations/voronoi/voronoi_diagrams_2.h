@@ -6,9 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Graph_of_crossing_curves_2.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <memory>
+#include <CGAL/tags.h>
+
 #include <ranges>
 #include <vector>
 
@@ -38,26 +39,30 @@ connected by their footpoints, not by coordinates.
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
 the sides to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
+\tparam Points a range of points of the same kernel.
 \param curves the curves; there may be none.
 \param points the points.
+\param options limits and a visitor, which is told the share of the sides that is done. What has been found when they
+end the search is the answer, and the rest is undecided; all is, if it was ended before the sites are known. Nodes are
+the ranges of curves and of normals in their ends that are looked at. With a ladder's precision below 128 bits, what
+doubles do not decide is undecided. The tolerance and the other precisions have no effect.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or
+an option makes no sense.
 
 Complexity: that of `pairwise_intersections()`; and for each side of a piece, that of the subdivision of its
 neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the
 envelope.
 */
-template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range>
+template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range,
+          std::ranges::input_range Points =
+              std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>
-  auto voronoi_diagram(const Range& curves,
-                       const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {})
+  auto voronoi_diagram(Range&& curves, const Points& points = {}, const Solver_options& options = {})
   {
-    using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
-    const auto graph = internal::Voronoi::graph_of_crossing_curves<Concurrency_tag, Kernel>(
-        internal::Voronoi::site_curves(curves), points);
-    auto diagram = std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(
-        *graph, internal::Voronoi::all_elements(*graph), "voronoi_diagram"));
-    return Voronoi_diagram_of_curves_2<Kernel>(graph, diagram);
+    return Voronoi_diagram_of_curves_2<typename std::ranges::range_value_t<Range>::Kernel>(
+        internal::Voronoi::diagram_of_curves<Concurrency_tag>(internal::Voronoi::planar_operands(curves, points),
+                                                              options, "voronoi_diagram"));
 }
 
 } // namespace Spline_constraints

@@ -53,7 +53,7 @@ exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t
   const std::size_t side = is_point[0] ? 1 : 0;
   const auto& piece = diagram.sites()[sites[side]];
   const auto& point = diagram.sites()[sites[1 - side]].point;
-  std::array<Exact_rational, 2> ends{to_rational(parameters[side][0]), to_rational(parameters[side][1])};
+  std::array<Exact_rational, 2> ends{to_rational((*parameters[side])[0]), to_rational((*parameters[side])[1])};
   const Exact_rational left_out = Exact_rational(to_rational(margin) * (ends[1] - ends[0]));
   if (diagram.vertices()[vertices[0]].is_at_infinity)
     ends[0] += left_out;
@@ -61,7 +61,7 @@ exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t
     ends[1] -= left_out;
   const internal::Loci::Point_curve_bisector bisector(
       {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())},
-      curves[piece.curve]);
+      curves[*piece.curve]);
   const std::vector<Exact_rational> breaks = bisector.breaks();   // ends of pieces may have been rounded beyond
   const auto last = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, Exact_rational((ends[0] + ends[1]) / 2));
   for (Exact_rational& end : ends)

@@ -54,8 +54,8 @@ class Cusp_finder_2
   Disk_candidates<> m_candidates;   // not behind walls
 
 public:
-  Cusp_finder_2(const Site_graph_2<>& graph, const Site_tree_2& tree)
-    : m_graph(graph), m_curvature(graph), m_walls(graph), m_candidates(graph, tree, m_curvature, &m_walls)
+  Cusp_finder_2(const Site_graph_2<>& graph, const Site_tree_2& tree, Search_control* control = nullptr)
+    : m_graph(graph), m_curvature(graph), m_walls(graph), m_candidates(graph, tree, m_curvature, &m_walls, control)
   {}
   Cusp_finder_2(const Cusp_finder_2&) = delete;   // candidates know the walls of this one
 

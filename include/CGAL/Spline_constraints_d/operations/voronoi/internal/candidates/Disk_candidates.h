@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Singular_ends.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/compared_points.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_tree_2.h>
 
 #include <algorithm>
@@ -39,6 +40,8 @@ class Disk_candidates
 
   static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-46 : 0x1p-54,
                           least_gain = 4;
+  // a fraction of a millisecond
+  static constexpr unsigned bounds_between_checks = std::same_as<Interval, CGAL::Interval_nt<false>> ? 64 : 4;
 
   const Site_graph_2<Interval>& m_graph;
   const Site_tree_2& m_tree;
@@ -47,6 +50,7 @@ class Disk_candidates
   Hidden_arcs<Interval> m_hidden_arcs;
   Separate_faces<Interval> m_separate_faces;
   const Cusps_2* m_cusps;   // none, or those that are known
+  mutable Regular_check m_check;
   mutable std::size_t m_number_of_bounds = 0;
 
 public:
@@ -56,9 +60,11 @@ public:
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
   Disk_candidates(const Site_graph_2<Interval>& graph, const Site_tree_2& tree,
-                  const Disk_curvature<Interval>& curvature, const Cusps_2* cusps = nullptr)
+                  const Disk_curvature<Interval>& curvature, const Cusps_2* cusps = nullptr,
+                  Search_control* control = nullptr)
     : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_hidden_arcs(graph),
-      m_separate_faces(graph, curvature.scaled_sites() != nullptr), m_cusps(cusps)
+      m_separate_faces(graph, curvature.scaled_sites() != nullptr), m_cusps(cusps),
+      m_check(control, bounds_between_checks)
   {}
 
   // How many candidates have been bounded so far: where most of the work is.
@@ -272,6 +278,7 @@ private:
              Disk_candidate<Interval>& candidate, Level& attained) const
   {
     ++m_number_of_bounds;
+    m_check();
     Curvature_bounds<Interval>& k = candidate.bounds;
     if (candidate.kind == Disk_candidate<Interval>::Kind::NODE) {
       k.value = m_curvature.through_box(part, box(candidate.index));

@@ -49,10 +49,12 @@ class Sector_cusp_finder_2
   const Site_graph_2<>& m_graph;
   Disk_curvature<> m_curvature;   // with scaled sites
   Interval m_factor;            // c
+  Search_control* m_control;      // none: nothing ends the search
 
 public:
-  Sector_cusp_finder_2(const Site_graph_2<>& graph, const Disk_curvature<>& curvature)
-    : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites()))
+  Sector_cusp_finder_2(const Site_graph_2<>& graph, const Disk_curvature<>& curvature,
+                       Search_control* control = nullptr)
+    : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites())), m_control(control)
   {}
 
   Cusps_2 operator()(const std::vector<std::size_t>& elements) const
@@ -61,14 +63,17 @@ public:
     Cusps_2 result(m_graph, m_curvature.scaled_sites());
     if (!result.has_cusps())
       return result;
+    Regular_check check(m_control, 1);
     for (const std::size_t f : elements)
       if (const Oriented_element<>& element = m_graph.elements()[f]; !element.is_normal_cone)
         for (const bool is_end : {false, true}) {
           const Arc_end own{element.object, is_end};
-          if (const std::vector<Arc_end> others = others_beside(element, own); !others.empty())
+          if (const std::vector<Arc_end> others = others_beside(element, own); !others.empty()) {
+            check();
             result.set_side(f, is_end,
                             others.size() == 1 ? side(f, own, others[0])
                                                : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
+          }
         }
     add_scaled_sides(result);
     return result;
@@ -80,7 +85,7 @@ private:
   void add_scaled_sides(Cusps_2& result) const
   {
     const Site_tree_2 tree(m_graph);
-    const Cusp_finder_2 finder(m_graph, tree);
+    const Cusp_finder_2 finder(m_graph, tree, m_control);
     for (std::size_t f = 0; f < m_graph.elements().size(); ++f)
       for (const bool is_end : {false, true})
         if (const Oriented_element<>& element = m_graph.elements()[f];

@@ -4,13 +4,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_DISK_DIAGRAM_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_DISK_DIAGRAM_H
 
-#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Envelope_arc_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/check_magnitude.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/for_each_element.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/undecided_parts.h>
 
 #include <algorithm>
@@ -73,13 +73,16 @@ private:
   std::vector<Halfedge> m_halfedges;
   std::vector<Vertex> m_vertices;
   std::vector<Part> m_lone_circles;                        // one of each cycle whose disks all are the same
+  Rest_of_search m_rest;
 
 public:
   // The elements are all, or those of some cycles; others have no envelope arcs.
   Disk_diagram(const Site_graph_2<>& graph, std::shared_ptr<const Fine_level> fine_level,
-               std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs)
+               std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs,
+               Rest_of_search rest)
     : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature<>(graph), *m_fine_level),
-      m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs))
+      m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs)),
+      m_rest(std::move(rest))
   {
     const Upward_rounding_guard guard;
     for (const auto& envelope_arcs : m_envelope_arcs)
@@ -92,27 +95,27 @@ public:
   const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
   const std::vector<Vertex>& vertices() const { return m_vertices; }
   const std::vector<Part>& lone_circles() const { return m_lone_circles; }
-  // The parts of elements that are not resolved, or that are resolved and have no twin.
-  std::vector<Element_range> unresolved_parts() const
+  // The parts of elements that are not resolved, or that are resolved and have no twin: if the search was ended, as the
+  // other side was not swept.
+  std::vector<Undecided_range> unresolved_parts() const
   {
-    std::vector<Element_range> result;
+    std::vector<Undecided_range> result;
     for (const std::size_t f : m_elements) {
       const std::vector<Envelope_arc>& envelope_arcs = m_envelope_arcs[f];
       for (std::size_t i = 0; i <= envelope_arcs.size(); ++i)
         if (envelope_arcs.empty() || (i > 0 && envelope_arcs[i - 1].events[1] == Disk_event::UNRESOLVED) ||
-            (i < envelope_arcs.size() && envelope_arcs[i].events[0] == Disk_event::UNRESOLVED))
-          result.push_back({f,
-                            {i > 0 ? envelope_arcs[i - 1].range.end : 0,
-                             i < envelope_arcs.size() ? envelope_arcs[i].range.begin : 1}});
+            (i < envelope_arcs.size() && envelope_arcs[i].events[0] == Disk_event::UNRESOLVED)) {
+          const Range range{i > 0 ? envelope_arcs[i - 1].range.end : 0,
+                            i < envelope_arcs.size() ? envelope_arcs[i].range.begin : 1};
+          result.push_back({f, range, m_rest.why_not_decided(f, range)});
+        }
     }
     for (const Halfedge& h : m_halfedges)
       if (!is_at_infinity(h) && h.twin == none)
         for (const Part& part : h.parts)
-          result.push_back({part.element, envelope_arc(part).range});
+          result.push_back({part.element, envelope_arc(part).range, m_rest.why_not_connected()});
     return result;
   }
-
-  bool is_complete() const { return m_graph.is_proved() && unresolved_parts().empty(); }
 
   const Envelope_arc& envelope_arc(const Part& part) const { return m_envelope_arcs[part.element][part.envelope_arc]; }
   const Oriented_element<>& element(const Part& part) const { return m_graph.elements()[part.element]; }
@@ -388,24 +391,23 @@ private:
 // The diagram of a graph of curves, on all elements, or on those of some cycles. With a tag for parallel work, elements
 // are handed to all cores.
 template <class Concurrency_tag>
-Disk_diagram disk_diagram(const Site_graph_2<>& graph, std::vector<std::size_t> elements, const std::string& operation)
+Disk_diagram disk_diagram(const Site_graph_2<>& graph, std::vector<std::size_t> elements, const std::string& operation,
+                          Search_control& control)
 {
   check_magnitude(graph, operation);
   const Site_tree_2 tree(graph);
-  const Cusps_2 cusps = Cusp_finder_2(graph, tree)();
+  const Cusps_2 cusps = Cusp_finder_2(graph, tree, &control)();
   const auto fine_level = std::make_shared<const Fine_level>(graph);
   std::vector<std::vector<Envelope_arc>> envelope_arcs(graph.elements().size());
-  parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
-    const Upward_rounding_guard guard;
-    envelope_arcs[elements[i]] = Maximal_disks<>(graph, tree, cusps, fine_level.get())(elements[i]);
+  Rest_of_search rest(graph.elements().size());
+  for_each_element<Concurrency_tag>(elements, control, [&](std::size_t element) {
+    Maximal_disks<> disks(graph, tree, cusps, control.has_fine_level() ? fine_level.get() : nullptr, &control);
+    envelope_arcs[element] = disks(element);
+    rest.begins[element] = disks.begin_of_rest();
   });
-  return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs));
+  rest.why_not = control.reason();
+  return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs), std::move(rest));
 }
-
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Disk_diagram disk_diagram<CGAL::Sequential_tag>(const Site_graph_2<>&, std::vector<std::size_t>,
-                                                                const std::string&);
-#endif
 
 } // namespace Voronoi
 } // namespace internal

@@ -4,10 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_EDGE_SAMPLES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_EDGE_SAMPLES_H
 
-#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_sample_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Curve_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/parameters_within_radius.h>
 
@@ -26,11 +25,10 @@ namespace internal {
 namespace Voronoi {
 
 // Points of the edges of a diagram, and the disks around them.
-template <SplineKernel Kernel>
 class Edge_samples
 {
-  using Point = typename Kernel::Point_2;
-  using Sample = Voronoi_sample_2<Kernel>;
+  using Point = std::array<double, 2>;
+  using Sample = Disk_sample;
   using Part = Disk_diagram::Part;
   using Bounds = std::array<double, 2>;
 
@@ -46,7 +44,7 @@ public:
     const Oriented_element<>& element = m_diagram.element(part);
     const Disk_footpoint& footpoint = m_diagram.envelope_arc(part).footpoint;
     const Envelope_arc_disks::Disk disk = m_diagram.estimated_disk(part, u);
-    const std::array<double, 2> parameters{
+    const std::array<std::optional<double>, 2> parameters{
         curve_parameter(element.is_normal_cone, element.object, u),
         curve_parameter(footpoint.kind == Disk_footpoint::Kind::VERTEX, footpoint.index, disk.parameter)};
     if (disk.is_point)
@@ -57,7 +55,7 @@ public:
     if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf()))   // a corner
       return {middle(x.point), 0, parameters, bounds};
     if (!(disk.curvature.inf() > 0))
-      return {Point(0, 0), infinity, parameters, bounds};
+      return {Point{0, 0}, infinity, parameters, bounds};
     // one number for the curvature, whatever its bounds: so the disk touches the element
     const Interval curvature(std::clamp(middle(disk.curvature), disk.bounds.inf(), disk.bounds.sup()));
     return {middle(with_curvature(x, curvature)), middle(radius_of_disk(x.normal, curvature)), parameters, bounds};
@@ -133,23 +131,17 @@ private:
     return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k};
   }
 
-  double curve_parameter(bool is_point, std::size_t arc, double u) const
+  std::optional<double> curve_parameter(bool is_point, std::size_t arc, double u) const
   {
-    return is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph.curve_parameter(arc, u);
+    return is_point ? std::nullopt : std::optional(m_graph.curve_parameter(arc, u));
   }
 
   static double middle(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
-  static Point middle(const Interval_pair& p)
-  {
-    return kernel_object<Kernel, Point>(std::array<double, 2>{middle(p[0]), middle(p[1])});
-  }
+  static Point middle(const Interval_pair& p) { return {middle(p[0]), middle(p[1])}; }
 
   static double height_over_chord(const Sample& from, const Sample& middle, const Sample& to)
   {
-    const auto coordinates = [](const Sample& s) {
-      return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())};
-    };
-    const auto p = coordinates(from), q = coordinates(middle), r = coordinates(to);
+    const Point &p = from.center, &q = middle.center, &r = to.center;
     const double length = std::hypot(r[0] - p[0], r[1] - p[1]);
     return length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length
                       : std::hypot(q[0] - p[0], q[1] - p[1]);

@@ -4,13 +4,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_SECTOR_DISKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_SECTOR_DISKS_H
 
-#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Sector_cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Envelope_arc_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/check_magnitude.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/for_each_element.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,22 +55,23 @@ private:
   Disk_curvature<> m_curvature;
   Envelope_arc_disks m_disks;
   std::vector<std::vector<Envelope_arc>> m_envelope_arcs;   // of each element
+  Rest_of_search m_rest;
   Free_chains m_free;
 
 public:
   // With the envelope arcs of the elements of A.
   Sector_disks(std::shared_ptr<const Site_graph_2<>> graph, std::shared_ptr<const Scaled_sites<>> scaled,
                std::shared_ptr<const Fine_level> fine_level, const std::vector<std::size_t>& elements,
-               std::vector<std::vector<Envelope_arc>> envelope_arcs)
+               std::vector<std::vector<Envelope_arc>> envelope_arcs, Rest_of_search rest)
     : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_fine_level(std::move(fine_level)),
       m_curvature(*m_graph, m_scaled.get()), m_disks(*m_graph, m_curvature, *m_fine_level),
-      m_envelope_arcs(std::move(envelope_arcs)), m_free(free_chains(elements))
+      m_envelope_arcs(std::move(envelope_arcs)), m_rest(std::move(rest)), m_free(free_chains(elements))
   {}
 
   const Site_graph_2<>& graph() const { return *m_graph; }
   const Oriented_element<>& element(const Arc& arc) const { return m_graph->elements()[arc.element]; }
   const std::vector<Free_chains::Chain>& chains() const { return m_free.chains(); }
-  std::vector<Undecided_part_2> undecided() const { return undecided_parts(*m_graph, m_free.undecided()); }
+  std::vector<Undecided_range> undecided() const { return m_free.undecided(m_rest); }
 
   // The arcs of a piece of a chain, in the order of traversal.
   std::vector<Arc> arcs(std::size_t index) const
@@ -188,26 +189,25 @@ private:
 // With a tag for parallel work, elements are handed to all cores.
 template <class Concurrency_tag>
 Sector_disks sector_disks(std::shared_ptr<const Site_graph_2<>> graph, std::shared_ptr<const Scaled_sites<>> scaled,
-                          const std::vector<std::size_t>& elements)
+                          const std::vector<std::size_t>& elements, Search_control& control)
 {
   check_magnitude(*graph, "trimmed_alpha_sector");
   const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature<> curvature(*graph, scaled.get());
   const auto fine_level = std::make_shared<const Fine_level>(*graph, scaled.get());
-  const Cusps_2 cusps = Sector_cusp_finder_2(*graph, curvature)(elements);
+  const Cusps_2 cusps = Sector_cusp_finder_2(*graph, curvature, &control)(elements);
   std::vector<std::vector<Envelope_arc>> envelope_arcs(graph->elements().size());
-  parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
-    const Upward_rounding_guard guard;
-    envelope_arcs[elements[i]] = Maximal_disks<>(*graph, tree, curvature, &cusps, fine_level.get())(elements[i]);
+  Rest_of_search rest(graph->elements().size());
+  for_each_element<Concurrency_tag>(elements, control, [&](std::size_t element) {
+    Maximal_disks<> disks(*graph, tree, curvature, &cusps, control.has_fine_level() ? fine_level.get() : nullptr,
+                          &control);
+    envelope_arcs[element] = disks(element);
+    rest.begins[element] = disks.begin_of_rest();
   });
-  return Sector_disks(std::move(graph), std::move(scaled), fine_level, elements, std::move(envelope_arcs));
+  rest.why_not = control.reason();
+  return Sector_disks(std::move(graph), std::move(scaled), fine_level, elements, std::move(envelope_arcs),
+                      std::move(rest));
 }
-
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Sector_disks sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>,
-                                                                std::shared_ptr<const Scaled_sites<>>,
-                                                                const std::vector<std::size_t>&);
-#endif
 
 } // namespace Voronoi
 } // namespace internal

@@ -42,7 +42,7 @@ the end; and that at v = u, whether the disk touches the element before or after
 between.
 
 What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least
-width. What these cannot decide is left unresolved.
+width. What these cannot decide is left unresolved, and so is what is left when the search is ended from outside.
 */
 template <Enclosing_number Interval = Common::Interval>
 class Maximal_disks
@@ -54,6 +54,7 @@ class Maximal_disks
   // of parts; normals of a small normal cone differ by less than doubles show
   static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52,
                           least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;
+  static constexpr unsigned ranges_between_checks = is_in_doubles ? 8 : 1;
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
   static constexpr double widest_event = 0x1p-12;
@@ -75,22 +76,27 @@ class Maximal_disks
   Disk_candidates<Interval> m_candidates;
   const Fine_level* m_fine_level;   // none on that level
   Disk_slopes* m_slopes = nullptr;   // of the element
+  Search_control* m_control;             // none: nothing ends the search
+  Regular_check m_check;
   Swept_envelope m_swept;
+  double m_begin_of_rest = 0;            // of the element: what is behind it has not been swept
   double m_size = 1;   // of the element: that of its arc, as a part of that of everything
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
 public:
   Maximal_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Cusps_2& cusps,
-                const Fine_level* fine_level = nullptr)
-    : Maximal_disks<Interval>(graph, tree, Disk_curvature<Interval>(graph), &cusps, fine_level)
+                const Fine_level* fine_level = nullptr, Search_control* control = nullptr)
+    : Maximal_disks<Interval>(graph, tree, Disk_curvature<Interval>(graph), &cusps, fine_level, control)
   {}
 
   // With scaled sites. Where no disk touches these, footpoints are not told apart: they are said to be with nothing.
   Maximal_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Disk_curvature<Interval>& curvature,
-                const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
-    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps),
-      m_fine_level(fine_level)
+                const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr,
+                Search_control* control = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps),
+      m_candidates(graph, tree, curvature, cusps, control), m_fine_level(fine_level), m_control(control),
+      m_check(control, ranges_between_checks)
   {}
 
   // The envelope arcs of an element in order; none if nothing could be resolved.
@@ -114,12 +120,21 @@ public:
         (end ? range.end : range.begin) = end ? cusp->range.begin : cusp->range.end;
         m_most_nodes = cusp->footpoint ? m_most_nodes : most_unproved_nodes;
       }
-    append_cusp(element, false);
-    if (range.begin < range.end)
-      sweep(element, range, m_candidates.all());
-    append_cusp(element, true);
+    m_begin_of_rest = 0;
+    try {
+      append_cusp(element, false);
+      if (range.begin < range.end)
+        sweep(element, range, m_candidates.all());
+      append_cusp(element, true);
+      m_begin_of_rest = 1;
+    } catch (const Run_stopped&) {
+      m_swept.append_unresolved({m_begin_of_rest, 1});
+    }
     return m_swept.take();
   }
+
+  // The parameter up to which the last element has been swept: 1, if the search was not ended from outside.
+  double begin_of_rest() const { return m_begin_of_rest; }
 
   // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been
   // bounded than another one. Returns whether all of it is resolved.
@@ -150,6 +165,10 @@ private:
 
   void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate<Interval>> candidates)
   {
+    m_begin_of_rest = range.begin;
+    m_check();
+    if (m_control != nullptr)
+      m_control->add_node();
     const Element_part<Interval> part = m_curvature.part(element, range);
     if (range.width() < exact_width && m_curvature.scaled_sites() == nullptr)
       Element_tangent<Interval>(m_graph, part).replace_segments(candidates);
@@ -197,7 +216,8 @@ private:
       const int nodes = !is_divided ? 0
                                     : (std::min)(Fine_level::most_nodes - m_fine_nodes,
                                                  are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
-      Maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
+      Maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps, nullptr,
+                                         m_control);
       const bool is_resolved = disks.resolve_part(element, range, m_fine_level->candidates(candidates), *m_slopes,
                                                   nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;

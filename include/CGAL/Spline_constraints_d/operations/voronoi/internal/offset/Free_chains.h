@@ -75,17 +75,17 @@ public:
   const Oriented_element<>& element(const Piece& piece) const { return m_graph.elements()[piece.element]; }
 
   // The parts of elements that are not decided, and those with the ends of chains that are not closed.
-  std::vector<Element_range> undecided() const
+  std::vector<Undecided_range> undecided(const Rest_of_search& rest) const
   {
-    std::vector<Element_range> result;
+    std::vector<Undecided_range> result;
     for (std::size_t f = 0; f < m_ranges.size(); ++f)
       for (const Range& range : m_ranges[f].undecided)
-        result.push_back({f, range});
+        result.push_back({f, range, rest.why_not_decided(f, range)});
     for (const Chain& chain : m_chains)
       if (!chain.is_closed)
         for (const bool is_end : {false, true}) {
           const Piece& piece = m_pieces[is_end ? chain.pieces.back() : chain.pieces.front()];
-          result.push_back({piece.element, end(piece, is_end).location});
+          result.push_back({piece.element, end(piece, is_end).location, rest.why_not_connected()});
         }
     return result;
   }

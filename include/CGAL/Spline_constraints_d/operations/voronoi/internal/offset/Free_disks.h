@@ -45,7 +45,8 @@ decided by expansions of second order, and what touches them by exact computatio
 Rolling_disks, Opposite_sites, Covering_sites).
 
 What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot
-tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
+tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided, and so is what is left
+when the search is ended from outside.
 */
 template <Enclosing_number Interval = Common::Interval>
 class Free_disks
@@ -53,6 +54,7 @@ class Free_disks
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
   static constexpr double least_width = is_in_doubles ? 0x1p-33 : 0x1p-48;
+  static constexpr unsigned ranges_between_checks = is_in_doubles ? 8 : 1;
   static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
   static constexpr double width_of_inner_ties = 0x1p-20;   // of those where they are decided in the inside
   // the latter where the offset is not complete anyway
@@ -71,6 +73,9 @@ class Free_disks
   Opposite_sites* m_opposite_sites = nullptr;
   Rolling_disks* m_rolling_disks = nullptr;    // none on the fine level
   Disks_of_radius<Interval> m_disks;
+  Search_control* m_control;                   // none: nothing ends the search
+  Regular_check m_check;
+  double m_begin_of_rest = 0;                  // of the element: what is behind it has not been swept
   Swept_ranges m_swept;
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
   // of parts for which the fine level is tried, as doubles have not decided smaller ones next to them
@@ -81,9 +86,10 @@ class Free_disks
 
 public:
   Free_disks(const Site_graph_2<Interval>& graph, const Site_tree_2& tree, const Cusps_2& cusps,
-             const Exact_rational& radius, const Fine_level* fine_level = nullptr)
-    : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps),
-      m_fine_level(fine_level), m_disks(graph, m_curvature, radius)
+             const Exact_rational& radius, const Fine_level* fine_level = nullptr, Search_control* control = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps),
+      m_candidates(graph, tree, m_curvature, &cusps, control), m_fine_level(fine_level),
+      m_disks(graph, m_curvature, radius), m_control(control), m_check(control, ranges_between_checks)
   {}
 
   Free_ranges operator()(std::size_t element) requires(is_in_doubles)
@@ -100,13 +106,22 @@ public:
     m_fine_nodes = 0;
     m_fine_width = 0;
     const int sign = m_disks.sign_in_own_circle(element);
-    if (sign < 0 && !opposite_sites.are_circles())
-      sweep_between_cusps(element);
+    m_begin_of_rest = 0;
+    try {
+      if (sign < 0 && !opposite_sites.are_circles())
+        sweep_between_cusps(element);
+      m_begin_of_rest = 1;
+    } catch (const Run_stopped&) {
+      m_swept.append_undecided({m_begin_of_rest, 1});
+    }
     Free_ranges result = m_swept.take();
     result.is_point = sign == 0;   // for any greater radius, all disks are covered
     opposite_sites.cut(result);
     return result;
   }
+
+  // The parameter up to which the last element has been swept: 1, if the search was not ended from outside.
+  double begin_of_rest() const { return m_begin_of_rest; }
 
   // Goes on with a part of an element, if all of it can be decided, and is divided no more often than some number.
   std::optional<Swept_ranges> decided(std::size_t element, const Range& range,
@@ -156,6 +171,10 @@ private:
 
   void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate<Interval>> candidates)
   {
+    m_begin_of_rest = range.begin;
+    m_check();
+    if (m_control != nullptr)
+      m_control->add_node();
     if (m_opposite_sites->touch(range)) {
       m_swept.append_tie(range);
       return;
@@ -245,7 +264,8 @@ private:
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes ||
           candidates.size() > Fine_level::most_candidates)
         return false;
-      Free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_disks.exact_radius());
+      Free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_disks.exact_radius(), nullptr,
+                                      m_control);
       auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes,
                                  *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_OFFSET_CYCLES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_OFFSET_CYCLES_H
 
-#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/turn_around.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
@@ -14,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/check_magnitude.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/for_each_element.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -53,12 +53,13 @@ private:
   Interval m_radius;
   Free_chains m_free;
   std::vector<Chain> m_chains;
-  std::vector<Element_range> m_not_nested;   // points of curves that are nearest to chains that are not
+  std::vector<Undecided_range> m_not_nested;   // points of curves that are nearest to chains that are not
+  Rest_of_search m_rest;
 
 public:
   Offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const Interval& radius, std::vector<Free_ranges> ranges,
-                bool is_set_free)
-    : m_graph(std::move(graph)), m_radius(radius), m_free(free_chains(std::move(ranges)))
+                bool is_set_free, Rest_of_search rest)
+    : m_graph(std::move(graph)), m_radius(radius), m_free(free_chains(std::move(ranges))), m_rest(std::move(rest))
   {
     const Upward_rounding_guard guard;
     for (const Free_chains::Chain& chain : m_free.chains())
@@ -73,11 +74,11 @@ public:
   Element_offset offset(const Piece& piece) const { return {*m_graph, piece.element, m_radius}; }
 
   // Where elements are not decided, or chains not closed or nested.
-  std::vector<Undecided_part_2> undecided() const
+  std::vector<Undecided_range> undecided() const
   {
-    std::vector<Element_range> ranges = m_free.undecided();
+    std::vector<Undecided_range> ranges = m_free.undecided(m_rest);
     ranges.insert(ranges.end(), m_not_nested.begin(), m_not_nested.end());
-    return undecided_parts(*m_graph, std::move(ranges));
+    return ranges;
   }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
@@ -93,7 +94,7 @@ private:
   }
 
   // A point of the curves that is nearest to a point of a chain.
-  Element_range foot(const Chain& chain) const
+  Undecided_range foot(const Chain& chain) const
   {
     const Piece& piece = pieces()[chain.pieces.front()];
     const auto [from, to] = parameters(piece);
@@ -105,7 +106,7 @@ private:
   // one in a point that is within the ranges of both ends.
   CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
   {
-    const Element_range place = foot(other);
+    const Undecided_range place = foot(other);
     const Interval_pair p = m_graph->element_jet(m_graph->elements()[place.element], place.range).point;
     double turn = 0;
     for (std::size_t k = 0; k < chain.pieces.size(); ++k) {
@@ -147,25 +148,24 @@ private:
 // work, elements are handed to all cores.
 template <class Concurrency_tag>
 Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const Exact_rational& radius,
-                            const std::vector<std::size_t>& elements, bool is_set_free)
+                            const std::vector<std::size_t>& elements, bool is_set_free, Search_control& control)
 {
   check_magnitude(*graph, "trimmed_offset");
   const Site_tree_2 tree(*graph);
-  const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
+  const Cusps_2 cusps = Cusp_finder_2(*graph, tree, &control)();
   const Fine_level fine_level(*graph);
   std::vector<Free_ranges> ranges(graph->elements().size());
-  parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
-    const Upward_rounding_guard guard;
-    ranges[elements[i]] = Free_disks<>(*graph, tree, cusps, radius, &fine_level)(elements[i]);
+  Rest_of_search rest(graph->elements().size());
+  for (const std::size_t element : elements)
+    ranges[element].undecided.push_back(Range());   // until it is swept
+  for_each_element<Concurrency_tag>(elements, control, [&](std::size_t element) {
+    Free_disks<> disks(*graph, tree, cusps, radius, control.has_fine_level() ? &fine_level : nullptr, &control);
+    ranges[element] = disks(element);
+    rest.begins[element] = disks.begin_of_rest();
   });
-  return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
+  rest.why_not = control.reason();
+  return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free, std::move(rest));
 }
-
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template Offset_cycles offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2<>>,
-                                                                  const Exact_rational&,
-                                                                  const std::vector<std::size_t>&, bool);
-#endif
 
 } // namespace Voronoi
 } // namespace internal

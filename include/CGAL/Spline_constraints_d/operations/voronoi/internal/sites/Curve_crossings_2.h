@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Crossing_refinement.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Curve_overlaps_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_curve_2.h>
 
 #include <algorithm>
@@ -57,13 +58,15 @@ private:
   std::vector<Spline_patch<2>> m_curves;
   std::vector<std::vector<Cut>> m_cuts;              // of each curve, by increasing parameters
   std::vector<Coincident_parts_2> m_coincident_parts;
+  Search_control* m_control;                         // none: nothing ends the search
   bool m_are_overlaps_proved = true, m_are_cut_everywhere = true, m_are_cut = true;
 
 public:
   template <class Concurrency_tag>
-  static Curve_crossings_2 of(const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points)
+  static Curve_crossings_2 of(const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points,
+                              Search_control* control = nullptr)
   {
-    Curve_crossings_2 result(curves);
+    Curve_crossings_2 result(curves, control);
     const auto pairs = result.intersecting_pairs<Concurrency_tag>();
     result.add_overlaps(pairs);
     result.add_crossings(pairs);
@@ -74,9 +77,9 @@ public:
 
   // Only the overlaps, and their ends as cuts; the others only if curves touch.
   template <class Concurrency_tag>
-  static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves)
+  static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves, Search_control* control = nullptr)
   {
-    Curve_crossings_2 result(curves);
+    Curve_crossings_2 result(curves, control);
     const auto pairs = result.intersecting_pairs<Concurrency_tag>();
     result.add_overlaps(pairs);
     result.m_are_cut = result.have_footpoints(pairs);
@@ -116,16 +119,24 @@ public:
   bool are_complete() const { return m_are_overlaps_proved && m_are_cut_everywhere; }
 
 private:
-  explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_sites(curves), m_cuts(curves.size())
+  Curve_crossings_2(const std::vector<Site_curve_2>& curves, Search_control* control)
+    : m_sites(curves), m_cuts(curves.size()), m_control(control)
   {
     for (const Site_curve_2& curve : curves)
       m_curves.push_back(curve.patch);
   }
 
+  void check() const
+  {
+    if (m_control != nullptr)
+      m_control->check();
+  }
+
   template <class Concurrency_tag>
   Pairs_of_curves intersecting_pairs() const
   {
-    return Pairwise_common_points<2>({}).among_and_within<Concurrency_tag>(m_curves);
+    Search_control::Watch watch(m_control);
+    return Pairwise_common_points<2>(watch.options()).template among_and_within<Concurrency_tag>(m_curves);
   }
 
   void add_overlaps(const Pairs_of_curves& pairs)
@@ -163,7 +174,9 @@ private:
   void add_points(const std::vector<Exact_pair>& points)
   {
     const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
-    for (const auto& pair : Pairwise_common_points<2>({}).between<Concurrency_tag>(patches, m_curves))
+    Search_control::Watch watch(m_control);
+    for (const auto& pair :
+         Pairwise_common_points<2>(watch.options()).template between<Concurrency_tag>(patches, m_curves))
       for (const Common_point& intersection : pair.points)
         if (intersection.kind == Intersection_kind::TRANSVERSAL &&
             !is_redundant(pair.second, intersection.parameters[0]))   // that of the curve
@@ -178,7 +191,8 @@ private:
   // Of curves, or of different parts of one curve.
   void add_overlaps(const std::array<std::size_t, 2>& curves, const std::array<Parameter_range, 2>& ranges)
   {
-    const auto [overlaps, are_all_proved] = overlaps_of_curves(m_curves[curves[0]], m_curves[curves[1]], ranges);
+    const auto [overlaps, are_all_proved] =
+        overlaps_of_curves(m_curves[curves[0]], m_curves[curves[1]], ranges, m_control);
     m_are_overlaps_proved = m_are_overlaps_proved && are_all_proved;
     for (const Curve_overlap_2& overlap : overlaps) {
       if (curves[0] == curves[1] && overlap.parameters[1].first < overlap.parameters[0].second)
@@ -195,6 +209,7 @@ private:
 
   void add(const std::array<std::size_t, 2>& curves, const Common_point& intersection)
   {
+    check();
     std::array<Cut, 2> cuts;
     std::array<Exact_pair, 2> points;   // for the simplest parameters
     for (std::size_t k = 0; k < 2; ++k) {

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 
 #include <algorithm>
 #include <array>
@@ -35,14 +36,18 @@ class Overlap_of_pieces
   using Tensor = Bernstein_tensor<Exact_rational>;
 
   const Spline_patch<2> &m_first, &m_second;
+  Search_control* m_control;   // none: nothing ends the search
 
 public:
-  Overlap_of_pieces(const Spline_patch<2>& first, const Spline_patch<2>& second) : m_first(first), m_second(second) {}
+  Overlap_of_pieces(const Spline_patch<2>& first, const Spline_patch<2>& second, Search_control* control)
+    : m_first(first), m_second(second), m_control(control)
+  {}
 
   // Returns whether there is a proof wherever the pieces overlap.
   bool append_to(std::vector<Curve_overlap_2>& result) const
   {
-    Budgeted_solver solve{Solver_options()};
+    Search_control::Watch watch(m_control);
+    Budgeted_solver solve(watch.options());
     std::vector<Curve_overlap_2> proved;
     bool are_all_proved = true;
     for (const Common_point& common : common_points<2>(Patch_pair<2>(m_first, m_second), solve))
@@ -81,7 +86,8 @@ private:
     const auto [begin, end] = own.domain(0);
     for (const Exact_rational& t : {begin, end}) {
       const Exact_pair point = own(std::array<Exact_rational, 1>{t});
-      Budgeted_solver solve{Solver_options()};
+      Search_control::Watch watch(m_control);
+      Budgeted_solver solve(watch.options());
       for (const Common_point& common : common_points<2>(Patch_pair<2>(Spline_patch<2>(point), other), solve)) {
         const Exact_rational s = simplest_rational_between(common.parameters[0].first, common.parameters[0].second);
         if (other(std::array<Exact_rational, 1>{s}) == point)
@@ -182,7 +188,8 @@ struct Overlaps_of_curves
 };
 
 inline Overlaps_of_curves overlaps_of_curves(const Spline_patch<2>& first, const Spline_patch<2>& second,
-                                             const std::array<Parameter_range, 2>& ranges)
+                                             const std::array<Parameter_range, 2>& ranges,
+                                             Search_control* control = nullptr)
 {
   const auto pieces = [](const Spline_patch<2>& curve, const Parameter_range& range) {
     const std::vector<Exact_rational> breaks = curve.breaks(0);
@@ -196,7 +203,8 @@ inline Overlaps_of_curves overlaps_of_curves(const Spline_patch<2>& first, const
   const std::vector<Spline_patch<2>> a = pieces(first, ranges[0]), b = pieces(second, ranges[1]);
   Overlaps_of_curves result;
   for (const auto& [i, j] : pairs_with_meeting_boxes(a, b))
-    result.are_all_proved = Overlap_of_pieces(a[i], b[j]).append_to(result.overlaps) && result.are_all_proved;
+    result.are_all_proved = Overlap_of_pieces(a[i], b[j], control).append_to(result.overlaps) &&
+        result.are_all_proved;
   result.are_all_proved = result.are_all_proved && !result.overlaps.empty();
   return result;
 }

@@ -29,18 +29,21 @@ class Graph_of_crossing_curves
 
 public:
   Graph_of_crossing_curves(const Curve_crossings_2& crossings, const std::vector<Site_curve_2>& curves,
-                           const std::vector<Exact_pair>& points)
+                           const std::vector<Exact_pair>& points, Search_control* control = nullptr)
     : m_crossings(crossings), m_vertices(crossings.size())
   {
     const Upward_rounding_guard guard;
+    Regular_check check(control, 16);
     for (std::size_t i = 0; i < curves.size(); ++i)
-      for (const Homogeneous_piece& piece : curves[i].pieces)
+      for (const Homogeneous_piece& piece : curves[i].pieces) {
+        check();
         add_parts(piece, i);
+      }
     for (const Exact_pair& point : points)
       m_graph->add_point(point);
     for (const Coincident_parts_2& parts : m_crossings.coincident_parts())
       m_graph->add_coincident_parts(parts);
-    m_graph->close(m_crossings.are_complete(), m_crossings.are_cut());
+    m_graph->close(m_crossings.are_complete(), m_crossings.are_cut(), control);
   }
 
   std::shared_ptr<const Site_graph_2<>> operator()() const { return m_graph; }
@@ -102,30 +105,23 @@ private:
   }
 };
 
-template <SplineKernel Kernel>
-std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& points)
+template <class Concurrency_tag>
+std::shared_ptr<const Site_graph_2<>> graph_of_crossing_curves(const Planar_operands& operands,
+                                                               Search_control* control = nullptr)
 {
-  std::vector<Exact_pair> result;
-  for (const auto& point : points)
-    result.push_back(exact_coordinates(point));
-  return result;
-}
-
-template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2<>> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves,
-                                                               const std::vector<CGAL::Point_2<Kernel>>& points)
-{
-  const std::vector<Exact_pair> exact = exact_points(points);
-  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves, exact), curves, exact)();
+  const std::vector<Site_curve_2> curves = site_curves(operands.curves, control);
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves, operands.points, control), curves,
+                                  operands.points, control)();
 }
 
 // The same without cuts at crossings, unless curves touch.
-template <class Concurrency_tag, SplineKernel Kernel>
-std::shared_ptr<const Site_graph_2<>> graph_without_overlaps(const std::vector<Site_curve_2>& curves,
-                                                             const std::vector<CGAL::Point_2<Kernel>>& points)
+template <class Concurrency_tag>
+std::shared_ptr<const Site_graph_2<>> graph_without_overlaps(const Planar_operands& operands,
+                                                             Search_control* control = nullptr)
 {
-  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag>(curves), curves,
-                                  exact_points(points))();
+  const std::vector<Site_curve_2> curves = site_curves(operands.curves, control);
+  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag>(curves, control), curves,
+                                  operands.points, control)();
 }
 
 } // namespace Voronoi

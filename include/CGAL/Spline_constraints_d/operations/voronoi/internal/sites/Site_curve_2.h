@@ -4,11 +4,12 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_CURVE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_CURVE_2_H
 
-#include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/inner_roots.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 
 #include <algorithm>
 #include <array>
@@ -41,8 +42,7 @@ inline std::vector<Exact_rational> rational_stops(const Homogeneous_piece& piece
 }
 
 // The pieces of a curve, cut where it stops.
-template <ParametricCurve_2 Curve>
-std::vector<Homogeneous_piece> pieces_between_stops(const Curve& curve)
+inline std::vector<Homogeneous_piece> pieces_between_stops(const Operand_curve_2& curve)
 {
   std::vector<Homogeneous_piece> result;
   for (const Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve))) {
@@ -56,14 +56,13 @@ std::vector<Homogeneous_piece> pieces_between_stops(const Curve& curve)
   return result;
 }
 
-// A curve that is a site, whatever its type. Where it stops it has a break.
+// A curve that is a site. Where it stops it has a break.
 struct Site_curve_2
 {
   Spline_patch<2> patch;
   std::vector<Homogeneous_piece> pieces;
 
-  template <ParametricCurve_2 Curve>
-  explicit Site_curve_2(const Curve& curve) : patch(curve), pieces(pieces_between_stops(curve))
+  explicit Site_curve_2(const Operand_curve_2& curve) : patch(curve), pieces(pieces_between_stops(curve))
   {
     const std::vector<Exact_rational> breaks = patch.breaks(0);
     for (const Homogeneous_piece& piece : pieces)
@@ -72,12 +71,15 @@ struct Site_curve_2
   }
 };
 
-template <class Curves>
-std::vector<Site_curve_2> site_curves(const Curves& curves)
+inline std::vector<Site_curve_2> site_curves(const std::vector<Operand_curve_2>& curves,
+                                             Search_control* control = nullptr)
 {
+  Regular_check check(control, 1);
   std::vector<Site_curve_2> result;
-  for (const auto& curve : curves)
+  for (const Operand_curve_2& curve : curves) {
+    check();
     result.emplace_back(curve);
+  }
   return result;
 }
 

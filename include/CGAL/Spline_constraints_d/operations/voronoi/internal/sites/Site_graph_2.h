@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Continuation_finder.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Order_around_vertex.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/number_cycles.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/normals_between.h>
@@ -146,8 +147,9 @@ public:
 
   // Orders the arcs around the vertices, and makes the elements. Where some may overlap, the graph is not proved; where
   // some may cross, it is not planar.
-  void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true)
+  void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true, Search_control* control = nullptr)
   {
+    Regular_check check(control, 16);
     m_is_proved = are_arcs_disjoint;
     m_is_planar = are_crossings_cut;
     for (std::size_t i = 0; i < m_arcs.size(); ++i) {
@@ -157,6 +159,7 @@ public:
     m_continuations.resize(m_arcs.size());
     const Order_around_vertex<Interval, Site_graph_2> order(*this);
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      check();
       const bool is_ordered = order.sort(m_vertices[v].ends);
       m_is_proved = m_is_proved && is_ordered && order.is_proved(m_vertices[v].ends);
       find_continuations(m_vertices[v]);

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_graph_2.h>
 
@@ -20,29 +22,34 @@ namespace internal {
 namespace Voronoi {
 
 // The graph of the boundaries of a region.
-template <class Region>
-std::shared_ptr<const Site_graph_2<>> region_graph(const Region& region)
+inline std::shared_ptr<const Site_graph_2<>> region_graph(const Region_operand& region,
+                                                          Search_control* control = nullptr)
 {
   const Upward_rounding_guard guard;
+  Regular_check check(control, 1);
   auto graph = std::make_shared<Site_graph_2<>>();
-  for (std::size_t c = 0; c < region.curves().size(); ++c)
-    for (const Homogeneous_piece& piece : pieces_between_stops(region.curves()[c]))
-      for (const auto& arc : region.arcs_of_curves()[c])
+  for (std::size_t c = 0; c < region.curves.size(); ++c)
+    for (const Homogeneous_piece& piece : pieces_between_stops(region.curves[c])) {
+      check();
+      for (const Region_operand::Arc& arc : region.arcs[c])
         if (const auto& [begin, end] = arc.parameters; begin < piece.domain.second && end > piece.domain.first)
           graph->add_arc(piece.within({begin, end}), c);
-  graph->close();
+    }
+  graph->close(true, true, control);
   return graph;
 }
 
 // The elements inside or outside of a region, of which this is the graph: the sides of arcs there, and the normal cones
 // that they lead to.
-template <class Region>
-std::vector<std::size_t> region_elements(const Site_graph_2<>& graph, const Region& region, bool is_inside)
+inline std::vector<std::size_t> region_elements(const Site_graph_2<>& graph, const Region_operand& region,
+                                                bool is_inside)
 {
   const auto is_reversed = [&](std::size_t arc) {   // against the direction that has the region on the left
-    const auto& arcs = region.arcs_of_curves()[graph.curve_of_arc(arc)];
+    const std::vector<Region_operand::Arc>& arcs = region.arcs[graph.curve_of_arc(arc)];
     return std::find_if(arcs.begin(), arcs.end(),
-                        [&](const auto& own) { return own.parameters[1] >= graph.arcs()[arc].piece().domain.second; })
+                        [&](const Region_operand::Arc& own) {
+                          return own.parameters[1] >= graph.arcs()[arc].piece().domain.second;
+                        })
         ->is_reversed;
   };
   std::vector<std::size_t> result;

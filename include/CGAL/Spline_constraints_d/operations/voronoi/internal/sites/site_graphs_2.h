@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_graph_2.h>
 
 #include <cstddef>
@@ -17,12 +18,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
-
-template <SplineKernel Kernel>
-Exact_pair exact_coordinates(const CGAL::Point_2<Kernel>& point)
-{
-  return {converted_number<Exact_rational>(point.x()), converted_number<Exact_rational>(point.y())};
-}
 
 template <ParametricCurve_2 Curve>
 void add_sites(Site_graph_2<>& graph, const Curve& curve, std::size_t index)

@@ -5,13 +5,19 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_UNDECIDED_PARTS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Undecided_part_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Search_control.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_graph_2.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,38 +32,128 @@ struct Element_range
   Range range;
 };
 
-// The part of a curve that a part of an element belongs to: of a normal cone, the end of one of the arcs there; of an
-// isolated point, no curve.
-inline Undecided_part_2 part_of_curve(const Site_graph_2<>& graph, const Element_range& part)
+// One that is not decided, and why: by the highest precision, or as the search was ended.
+struct Undecided_range
+{
+  std::size_t element;
+  Range range;
+  Undecided_reason reason = Undecided_reason::TOLERANCE;
+};
+
+// The numbers of curves and points in the order of the operands.
+class Operand_numbers
+{
+  std::vector<std::size_t> m_curves;
+  std::map<Exact_pair, std::size_t> m_points;   // the first one in each place
+  std::vector<Undecided_part::Parameters> m_all;
+
+public:
+  // Curves, and points behind them.
+  explicit Operand_numbers(const Planar_operands& operands) : m_curves(operands.curves.size())
+  {
+    std::iota(m_curves.begin(), m_curves.end(), 0);
+    for (std::size_t i = 0; i < operands.curves.size(); ++i)
+      add_curve(operands.curves[i], i);
+    for (std::size_t i = 0; i < operands.points.size(); ++i)
+      add_point(operands.points[i], operands.curves.size() + i);
+  }
+
+  // Two operands, which may have been exchanged.
+  explicit Operand_numbers(const Ordered_operands& operands, bool is_exchanged = false)
+    : m_curves(operands.curves.size())
+  {
+    for (std::size_t k = 0; k < operands.places.size(); ++k) {
+      const std::size_t number = is_exchanged ? operands.places.size() - 1 - k : k;
+      const auto& [is_point, index] = operands.places[k];
+      if (is_point)
+        add_point(operands.points[index], number);
+      else {
+        m_curves[index] = number;
+        add_curve(operands.curves[index], number);
+      }
+    }
+    if (is_exchanged)
+      std::reverse(m_all.begin(), m_all.end());
+  }
+
+  std::size_t of_curve(std::size_t curve) const { return m_curves[curve]; }
+  std::size_t of_point(const Exact_pair& point) const { return m_points.at(point); }
+
+  // All of all operands.
+  const std::vector<Undecided_part::Parameters>& all() const { return m_all; }
+
+private:
+  void add_curve(const Operand_curve_2& curve, std::size_t number)
+  {
+    m_all.push_back({number, {to_double_range(curve.weight().domain(0))}});
+  }
+
+  void add_point(const Exact_pair& point, std::size_t number)
+  {
+    m_points.emplace(point, number);
+    m_all.push_back({number, {}});
+  }
+};
+
+// The part of an operand that a part of an element belongs to: of a normal cone, the end of one of the arcs there.
+inline Undecided_part::Parameters part_of_operand(const Site_graph_2<>& graph, const Operand_numbers& numbers,
+                                                  const Undecided_range& part)
 {
   const Oriented_element<>& element = graph.elements()[part.element];
+  const auto part_of_curve = [&](std::size_t arc, double begin, double end) {
+    return Undecided_part::Parameters{numbers.of_curve(graph.curve_of_arc(arc)),
+                                      {{graph.curve_parameter(arc, begin), graph.curve_parameter(arc, end)}}};
+  };
   if (!element.is_normal_cone)
-    return {graph.curve_of_arc(element.object), graph.curve_parameter(element.object, part.range.begin),
-            graph.curve_parameter(element.object, part.range.end)};
-  const auto& ends = graph.vertices()[element.object].ends;
-  if (ends.empty())
-    return {std::numeric_limits<std::size_t>::max(), 0, 0};
-  const double t = graph.curve_parameter(ends.front().arc, ends.front().parameter());
-  return {graph.curve_of_arc(ends.front().arc), t, t};
+    return part_of_curve(element.object, part.range.begin, part.range.end);
+  const Site_graph_2<>::Vertex& vertex = graph.vertices()[element.object];
+  if (vertex.ends.empty())
+    return {numbers.of_point(vertex.exact_point), {}};
+  const Arc_end& end = vertex.ends.front();
+  return part_of_curve(end.arc, end.parameter(), end.parameter());
 }
 
-// Those parts of curves, in order, where parts that meet are one. Of a graph that is not proved, where curves may
-// overlap, all of each curve.
-inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2<>& graph, std::vector<Element_range> ranges)
+inline std::string words_of(Undecided_reason reason)
+{
+  return reason == Undecided_reason::TOLERANCE ? "not decided with the highest precision" : in_words(reason);
+}
+
+// Those parts of operands, in order, where parts that meet for the same reason are one. Of a graph that is not proved,
+// where curves may overlap, all of each operand.
+inline std::vector<Undecided_part> undecided_parts(const Site_graph_2<>& graph, const Operand_numbers& numbers,
+                                                   std::vector<Undecided_range> ranges)
 {
   for (std::size_t f = 0; f < graph.elements().size() && !graph.is_proved(); ++f)
     ranges.push_back({f, Range()});
-  std::vector<Undecided_part_2> parts, result;
-  for (const Element_range& range : ranges)
-    parts.push_back(part_of_curve(graph, range));
-  std::sort(parts.begin(), parts.end(), [](const Undecided_part_2& a, const Undecided_part_2& b) {
-    return std::tie(a.curve, a.from, a.to) < std::tie(b.curve, b.from, b.to);
+  std::vector<std::pair<Undecided_part::Parameters, Undecided_reason>> parts, result;
+  for (const Undecided_range& range : ranges)
+    parts.emplace_back(part_of_operand(graph, numbers, range), range.reason);
+  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first.operand, a.second, a.first.ranges) < std::tie(b.first.operand, b.second, b.first.ranges);
   });
-  for (const Undecided_part_2& part : parts)
-    if (!result.empty() && result.back().curve == part.curve && part.from <= result.back().to)
-      result.back().to = (std::max)(result.back().to, part.to);
-    else
-      result.push_back(part);
+  for (const auto& [part, reason] : parts) {
+    const bool is_other =
+        result.empty() || result.back().first.operand != part.operand || result.back().second != reason;
+    if (is_other || (!part.ranges.empty() && result.back().first.ranges[0].second < part.ranges[0].first))
+      result.emplace_back(part, reason);
+    else if (!part.ranges.empty())
+      result.back().first.ranges[0].second =
+          (std::max)(result.back().first.ranges[0].second, part.ranges[0].second);
+  }
+  std::vector<Undecided_part> words;
+  for (auto& [part, reason] : result)
+    words.push_back({{}, {std::move(part)}, words_of(reason)});
+  return words;
+}
+
+// An answer of which nothing is known: all operands are undecided.
+template <class Answer>
+Answer without_answer(const Operand_numbers& numbers, const Run_stopped& stopped, const Search_control& control)
+{
+  Answer result;
+  for (const Undecided_part::Parameters& operand : numbers.all())
+    result.undecided.push_back({{}, {operand}, in_words(stopped.reason)});
+  result.summary = control.summary(false);
   return result;
 }
 

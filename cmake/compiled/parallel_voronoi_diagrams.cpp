@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams, medial axes, trimmed bisectors, sectors and offsets on all cores, for curves of all kernels.
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/traced_diagrams.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/traced_sectors.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/traced_offsets.h>
+
+namespace CGAL::Spline_constraints::internal::Voronoi {
+
+CGAL_SPLINE_CONSTRAINTS_DIAGRAMS(, CGAL::Parallel_tag)
+CGAL_SPLINE_CONSTRAINTS_SECTORS(, CGAL::Parallel_tag)
+CGAL_SPLINE_CONSTRAINTS_OFFSETS(, CGAL::Parallel_tag)
+
+} // namespace CGAL::Spline_constraints::internal::Voronoi
