@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -35,18 +36,18 @@ std::vector<std::size_t> find_outer_boundaries(std::vector<Boundary>& boundaries
       outer.push_back(b);
   for (std::size_t hole = 0; hole < boundaries.size(); ++hole)
     if (boundaries[hole].is_hole) {
-      std::size_t innermost = no_boundary;
+      std::optional<std::size_t> innermost;
       bool is_certain = true;
       for (const std::size_t b : outer)
         if (const CGAL::Uncertain<bool> has_hole = is_around(b, hole); CGAL::possibly(has_hole)) {
           const CGAL::Uncertain<bool> is_inner =
-              innermost == no_boundary ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>(is_around(innermost, b));
+              innermost ? CGAL::Uncertain<bool>(is_around(*innermost, b)) : CGAL::Uncertain<bool>(true);
           is_certain = is_certain && has_hole.is_certain() && is_inner.is_certain();
           if (CGAL::certainly(is_inner))
             innermost = b;
         }
-      if (is_certain && innermost != no_boundary)
-        boundaries[hole].outer = innermost;
+      if (is_certain && innermost)
+        boundaries[hole].outer = *innermost;
       else
         undecided.push_back(hole);
     }
@@ -54,7 +55,7 @@ std::vector<std::size_t> find_outer_boundaries(std::vector<Boundary>& boundaries
 }
 
 // The connected parts of a set: the index of the outer boundary of each, and behind it those of its holes. Boundaries
-// that do not know their outer boundary, a number that is no index, are left out.
+// that do not know their outer boundary are left out.
 template <class Boundary>
 std::vector<std::vector<std::size_t>> parts_of_boundaries(const std::vector<Boundary>& boundaries)
 {
@@ -66,8 +67,9 @@ std::vector<std::vector<std::size_t>> parts_of_boundaries(const std::vector<Boun
       result.push_back({b});
     }
   for (std::size_t b = 0; b < boundaries.size(); ++b)
-    if (boundaries[b].is_hole && boundaries[b].outer < boundaries.size())
-      result[part_of[boundaries[b].outer]].push_back(b);
+    if (const std::optional<std::size_t> outer = boundaries[b].outer;
+        boundaries[b].is_hole && outer && *outer < boundaries.size())
+      result[part_of[*outer]].push_back(b);
   return result;
 }
 
