@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <string>
@@ -25,18 +26,25 @@ Number number_of(const std::string& argument)
   return result;
 }
 
-// The arguments of a program but for `--time-limit S`, which is put into options.
+// The arguments of a program, without `--time-limit S`, which sets an option.
 inline std::vector<std::string> arguments_and_time_limit(int argc, char* argv[],
                                                          CGAL::Spline_constraints::Solver_options& options)
 {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  std::vector<std::string> result;
+  std::vector<std::string> words(argv + 1, argv + argc), result;
   for (std::size_t i = 0; i < words.size(); ++i)
     if (words[i] == "--time-limit" && i + 1 < words.size())
       options.time_limit = number_of<double>(words[++i]);
     else
       result.push_back(words[i]);
   return result;
+}
+
+// What is left of a time limit after a part of the work; a little at least, as zero would be no limit.
+inline CGAL::Spline_constraints::Solver_options after(double seconds, CGAL::Spline_constraints::Solver_options options)
+{
+  if (options.time_limit > 0)
+    options.time_limit = std::max(options.time_limit - seconds, 1e-9);
+  return options;
 }
 
 #endif // ARGUMENTS_H

@@ -3,9 +3,12 @@
 
 // The convex hull of the curves of a drawing: arcs of curves, and segments that touch them.
 //
-//   convex_hull [DRAWING.svg]
+//   convex_hull [DRAWING.svg] [--time-limit S]
 //
 // Writes convex_hull.svg. Exit status: 0 when all of the boundary is proved, 3 when a part is not, 2 for bad input.
+#include "arguments.h"
+#include "printed_numbers.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
@@ -14,6 +17,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <map>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -21,28 +25,33 @@ using K = CGAL::Simple_cartesian<double>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg");
-    const auto hull = SC::convex_hull(curves);
+    SC::Solver_options options;
+    const auto arguments = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(arguments.empty() ? DATA_DIRECTORY "drawing.svg" : arguments[0]);
+    const auto hull = SC::convex_hull(curves, {}, options);
 
     std::ofstream file("convex_hull.svg");
     SC::SVG_writer picture(file, curves);
-    SC::draw(picture, hull, 4);
+    if (!hull.edges().empty())
+      SC::draw(picture, hull, 4);
     picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);
     picture.layer("vertices");
     for (const auto& edge : hull.edges())
       picture.point(hull.point(edge.source), "black", 8);
-    std::size_t arcs = 0, segments = 0;
+    std::map<SC::Hull_edge_kind, std::size_t> count;
     for (const auto& edge : hull.edges())
-      ++(edge.kind == SC::Hull_edge_kind::ARC ? arcs : segments);
+      ++count[edge.kind];
 
-    std::cout << curves.size() << " curves; hull of " << arcs << " arcs and " << segments << " segments";
-    if (hull.is_complete()) {
-      const auto [lower, upper] = hull.area();
-      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by "
-                << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
-    }
+    for (const auto& part : hull.undecided())
+      std::cout << part << '\n';
+    std::cout << curves.size() << " curves; hull of " << (hull.is_complete() ? "" : "at least ")
+              << count[SC::Hull_edge_kind::ARC] << " arcs and " << count[SC::Hull_edge_kind::SEGMENT] << " segments";
+    if (hull.is_complete())
+      std::cout << ", area " << number_within(hull.area()) << " (" << difference_of(hull.area()) << ')';
+    else
+      std::cout << ", area unknown, " << hull.undecided().size() << " undecided parts";
     std::cout << "; complete: " << (hull.is_complete() ? "yes" : "no") << '\n';
     return hull.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {

@@ -3,7 +3,7 @@
 
 // The Voronoi diagram of a drawing whose curves nearly meet, as it is drawn and where they meet exactly.
 //
-//   exact_joints [DRAWING.svg [MOST_DISTANCE [MOST_ANGLE]]]
+//   exact_joints [DRAWING.svg [MOST_DISTANCE [MOST_ANGLE]]] [--time-limit S]
 //
 // Ends that are at most MOST_DISTANCE away from another curve, 0.5 if none is given, are moved onto it, with its
 // tangent if the angle is at most MOST_ANGLE degrees, 3 if none is given. Writes exact_joints.svg, with both diagrams.
@@ -26,10 +26,16 @@ using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "walls.svg");
-    const double most_distance = argc > 2 ? number_of<double>(argv[2]) : 0.5,
-                 most_angle = (argc > 3 ? number_of<double>(argv[3]) : 3) * CGAL_PI / 180;
-    const auto joined = SC::with_exact_joints<K>(curves, most_distance, most_angle);
+    SC::Solver_options options;
+    const auto arguments = arguments_and_time_limit(argc, argv, options);
+    const auto curves = SC::IO::read_SVG_curves<K>(arguments.empty() ? DATA_DIRECTORY "walls.svg" : arguments[0]);
+    const double most_distance = arguments.size() > 1 ? number_of<double>(arguments[1]) : 0.5,
+                 most_angle = (arguments.size() > 2 ? number_of<double>(arguments[2]) : 3) * CGAL_PI / 180;
+    const auto joined = SC::with_exact_joints<K>(curves, most_distance, most_angle, options);
+    if (!joined.is_complete()) {
+      std::cout << joined.undecided().front() << "\njoints: undecided; complete: no\n";
+      return 3;
+    }
 
     const auto drawn = SC::voronoi_diagram(curves), exact = SC::voronoi_diagram(joined.curves);
     std::ofstream file("exact_joints.svg");

@@ -4,6 +4,8 @@
 // The kernel of a region with a smooth boundary, and what is seen of the region from a point that is not in it.
 //
 // Writes region_kernel.svg. Exit status: 0 when all is proved, 3 when a part is not.
+#include "printed_numbers.h"
+
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
@@ -22,7 +24,7 @@ int main()
       3, {0, 1, 2, 3, 4, 5, 6, 7, 8},
       {{6, 0}, {1.25, 1.25}, {0, 5}, {-1.25, 1.25}, {-5, 0}, {-1.25, -1.25}, {0, -4}, {1.25, -1.25}});
   const auto kernel = SC::region_kernel(curve);
-  const K::Point_2 viewpoint(3.5, 0.25);   // on the right of some tangents
+  const K::Point_2 viewpoint(3.5, 0.25); // on the right of some tangents
   const auto visible = SC::visible_part(viewpoint, curve);
 
   std::ofstream file("region_kernel.svg");
@@ -43,10 +45,12 @@ int main()
   }
   picture.point(viewpoint, "black", 9);
 
-  const auto [lower, upper] = kernel.area();
-  std::cout << "kernel of " << arcs << " arcs and " << segments << " segments, area " << SC::to_nearest_double(lower)
-            << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ")\n";
-  std::cout << "seen from (" << viewpoint << "): area " << SC::to_nearest_double(visible.area().first) << " of "
-            << SC::to_nearest_double(SC::planar_region(curve).area().first) << '\n';
-  return kernel.is_complete() && visible.is_complete() ? 0 : 3;
+  if (!kernel.is_complete() || !visible.is_complete()) {
+    std::cout << "the kernel, or what is seen, is not decided\n";
+    return 3;
+  }
+  std::cout << "kernel of " << arcs << " arcs and " << segments << " segments, area " << number_within(kernel.area())
+            << " (" << difference_of(kernel.area()) << ")\n";
+  std::cout << "seen from (" << viewpoint << "): area " << number_within(visible.area()) << " of "
+            << number_within(SC::planar_region(curve).area()) << '\n';
 }

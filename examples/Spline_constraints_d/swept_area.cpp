@@ -7,8 +7,8 @@
 // undecided, 3 when something is.
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -41,7 +41,14 @@ int main()
   picture.curve(path, "black", 2);
 
   for (const auto& boundary : area.boundaries())
-    std::cout << (boundary.is_hole ? "a hole of " : "an outer boundary of ") << boundary.arcs.size() << " arcs\n";
-  std::cout << "complete: " << (area.is_complete() ? "yes" : "no") << '\n';
+    std::cout << (boundary.is_hole     ? "a hole of "
+                      : boundary.outer ? "an outer boundary of "
+                                       : "a part of a boundary, of ")
+              << boundary.arcs.size() << " arcs\n";
+  for (const auto& part : area.undecided())
+    std::cout << part << '\n';
+  std::cout << "boundaries: " << (area.is_complete() ? "" : "at least ") << area.boundaries().size()
+            << "; undecided: " << area.undecided().size() << "; complete: " << (area.is_complete() ? "yes" : "no")
+            << '\n';
   return area.is_complete() ? 0 : 3;
 }

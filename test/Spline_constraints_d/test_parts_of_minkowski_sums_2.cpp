@@ -82,8 +82,9 @@ void expect_parts(const Sum& sum, const std::vector<Nested_circle>& circles, dou
   std::vector<std::size_t> holes;
   for (std::size_t b = 0; b < circles.size(); ++b) {
     const auto& boundary = sum.boundaries()[b];
-    ASSERT_LT(boundary.outer, circles.size());
-    EXPECT_EQ(circle[boundary.outer], boundary.is_hole ? *circles[circle[b]].parent : circle[b]);
+    ASSERT_TRUE(boundary.outer);
+    ASSERT_LT(*boundary.outer, circles.size());
+    EXPECT_EQ(circle[*boundary.outer], boundary.is_hole ? *circles[circle[b]].parent : circle[b]);
     if (!boundary.is_hole)
       holes.push_back(
           static_cast<std::size_t>(std::count_if(circles.begin(), circles.end(), [&](const Nested_circle& c) {
@@ -142,9 +143,9 @@ TEST(parts_of_minkowski_sums_2, holes_that_are_not_decided)
   struct Boundary
   {
     bool is_hole;
-    std::size_t outer;
+    std::optional<std::size_t> outer;
   };
-  const auto none = SC::internal::Regions::no_boundary;
+  const std::optional<std::size_t> none;
   const CGAL::Uncertain<bool> yes(true), no(false), perhaps = CGAL::Uncertain<bool>::indeterminate();
   std::vector<Boundary> boundaries{{false, 0}, {true, none}, {false, 2}, {true, none}, {true, none}, {true, none}};
   // the island 2 in the hole 1 has the hole 3, and perhaps 4; 5 is in none

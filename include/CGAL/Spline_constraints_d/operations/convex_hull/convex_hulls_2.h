@@ -26,7 +26,7 @@ A polygon within the hull grows until, with exact comparisons, it is proved whic
 that a segment touches two curves, whose contacts are solutions of a system in two unknowns. Collinear points, straight
 pieces, arcs that begin where a segment ends, duplicates, points on arcs, curves that touch an arc from within, and
 three that touch a line with rational slope are decided exactly. Where something else is not told apart after 64
-halvings, edges are `Hull_edge_kind::UNDECIDED`; nothing depends on a tolerance.
+halvings, or until a limit is reached, edges are `Hull_edge_kind::UNDECIDED`; nothing depends on a tolerance.
 
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves, open or closed; they may cross, touch, and be in any direction.
@@ -40,9 +40,9 @@ each segment. Source: \cgalCite{kes-gcps-05}, which names the problem, for the e
 */
 template <std::ranges::input_range Range>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>
-  auto convex_hull(const Range& curves,
-                   const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {},
-                   const Solver_options& options = {})
+auto convex_hull(const Range& curves,
+                 const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {},
+                 const Solver_options& options = {})
   {
     std::vector<Bspline_curve_2<typename std::ranges::range_value_t<Range>::Kernel>> splines;
     for (const auto& curve : curves)

@@ -6,7 +6,11 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/joints/internal/Joint_places.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <cmath>
 #include <cstddef>
@@ -21,7 +25,10 @@ namespace Spline_constraints {
 /// \addtogroup PkgSplineConstraintsDJoints
 /// @{
 
-//! curves of which ends that were nearly on others are on them, and what that took.
+/*!
+Curves of which ends that were nearly on others are on them, and what that took. When a limit was reached, or the
+visitor stopped the run, before that was found, they are those that were given.
+*/
 template <SplineKernel Kernel>
 struct Exact_joints_2
 {
@@ -31,6 +38,24 @@ struct Exact_joints_2
   /// how many points and directions are near what they should be, and have been left there
   std::size_t left;
   double displacement;                           ///< the greatest distance by which a control point was moved, rounded
+  Summary work = {};                             ///< see `summary()`
+
+  //! whether nothing remains to be moved but what is `left`: unless a limit was reached or the visitor stopped the run.
+  bool is_complete() const { return work.is_complete; }
+
+  //! the box around all curves, if the result is not complete.
+  std::vector<Undecided_part> undecided() const
+  {
+    if (is_complete())
+      return {};
+    CGAL::Bbox_2 box;
+    for (const Bspline_curve_2<Kernel>& curve : curves)
+      box += curve.bbox();
+    return {{{{box.xmin(), box.xmax()}, {box.ymin(), box.ymax()}}, {}, internal::in_words(work.why_not)}};
+  }
+
+  //! the work; a node is what is done between two questions whether to go on.
+  const Summary& summary() const { return work; }
 };
 
 /*!
@@ -58,14 +83,16 @@ of `curves`, any.
 \param most_distance the greatest distance of what is to meet; much smaller than the details of the curves. Not
 negative.
 \param most_angle the greatest angle of tangents that are to be the same, in radians: between 0 and \f$\pi/4\f$.
-\throws Invalid_input when the distance or the angle is not one of these.
+\param options limits of time and nodes, a visitor; the rest of the options has no effect.
+\throws Invalid_input when the distance or the angle is not one of these, or an option makes no sense.
 
 Complexity: \f$O(n \log n)\f$ for \f$n\f$ control points, and a projection for each point and piece with a box around
 it.
 */
 template <SplineKernel Kernel, std::ranges::input_range Curves>
   requires internal::RationalSplineKernel<Kernel>
-Exact_joints_2<Kernel> with_exact_joints(const Curves& curves, double most_distance, double most_angle)
+Exact_joints_2<Kernel> with_exact_joints(const Curves& curves, double most_distance, double most_angle,
+                                         const Solver_options& options = {})
 {
   if (!(0 <= most_distance && std::isfinite(most_distance)))
     throw Invalid_input("with_exact_joints: the distance is " + std::to_string(most_distance) +
@@ -76,8 +103,13 @@ Exact_joints_2<Kernel> with_exact_joints(const Curves& curves, double most_dista
   std::vector<Bspline_curve_2<Kernel>> exact;
   for (const auto& curve : curves)
     exact.emplace_back(curve);
-  const internal::Joints::Joint_places<Kernel> places(std::move(exact), most_distance, most_angle);
-  return {places.points.curves(), places.joints, places.left, places.points.displacement()};
+  internal::Common::Run_of_steps run(options);
+  try {
+    const internal::Joints::Joint_places<Kernel> places(exact, most_distance, most_angle, run);
+    return {places.points.curves(), places.joints, places.left, places.points.displacement(), run.summary(true)};
+  } catch (const internal::Run_stopped&) {
+    return {std::move(exact), 0, 0, 0, run.summary(false)};
+  }
 }
 
 /// @}

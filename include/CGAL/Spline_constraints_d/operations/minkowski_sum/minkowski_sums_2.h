@@ -34,18 +34,23 @@ sum does not matter.
 \tparam Kernel a `SplineKernel`.
 \param a the first region.
 \param b the second region.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, as where the first two control
-points of a cubic are the same, or a boundary turns back in a cusp; the message names the curve and the parameter.
+\param options limits of time and nodes, a visitor; see `Minkowski_sum_2::undecided()`. The rest of the options has no
+effect.
+\throws Invalid_input when an option makes no sense; when the greatest absolute value of a coordinate is neither 0 nor
+between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, as
+where the first two control points of a cubic are the same, or a boundary turns back in a cusp; the message names the
+curve and the parameter.
 
 Complexity: the product of the numbers of arcs for the convolution, crossings of each two of its pieces whose boxes
 meet, and for each of the parts the product of the numbers of arcs once more. Source: \cgalCite{kes-gcps-05}, equations
 (1) to (3), for the convolution of curves; \cgalCite{w-eecpms-06} for corners.
 */
 template <SplineKernel Kernel>
-Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
+Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b,
+                                      const Solver_options& options = {})
 {
-  return {a.loops(), b.loops()};
+  return Minkowski_sum_2<Kernel>(internal::Minkowski_sum::sum_of_regions(
+      {{{a.loops(), a.curves().size()}, {b.loops(), b.curves().size()}}}, options));
 }
 
 /*!
@@ -55,9 +60,10 @@ the Minkowski sum of a region and a polygon.
 \throws Invalid_input when the polygon is empty or crosses itself, and as above.
 */
 template <SplineKernel Kernel, class Container>
-Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const CGAL::Polygon_2<Kernel, Container>& b)
+Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const CGAL::Polygon_2<Kernel, Container>& b,
+                                      const Solver_options& options = {})
 {
-  return minkowski_sum(a, planar_region(b));
+  return minkowski_sum(a, planar_region(b), options);
 }
 
 } // namespace Spline_constraints

@@ -23,7 +23,7 @@ namespace Minkowski_sum {
 // Both sides of a curve, as boundaries without anything between them: one that turns back at both ends, or two if the
 // curve is closed.
 template <ParametricCurve_2 Curve>
-std::vector<Boundary_loop_2> both_sides(const Curve& curve)
+Sum_operand_2 both_sides(const Curve& curve)
 {
   std::vector<Boundary_piece> pieces = boundary_pieces(curve, 0);
   for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -34,9 +34,9 @@ std::vector<Boundary_loop_2> both_sides(const Curve& curve)
   Boundary_loop_2 backward(forward);
   backward.reverse();
   if (pieces.front().at(0) == pieces.back().at(1))
-    return {forward, backward};
+    return {{forward, backward}, 1};
   pieces.insert(pieces.end(), backward.pieces().begin(), backward.pieces().end());
-  return {Boundary_loop_2(std::move(pieces))};
+  return {{Boundary_loop_2(std::move(pieces))}, 1};
 }
 
 } // namespace Minkowski_sum
@@ -56,17 +56,20 @@ which decides more.
 \tparam Curve a model of `ParametricCurve_2` with the same kernel.
 \param region the region.
 \param path the curve. Its index in the arcs of the result is zero.
-\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or
-has a jump; the message names the parameter.
+\param options as of `minkowski_sum()`.
+\throws Invalid_input when an option makes no sense; when the greatest absolute value of a coordinate is neither 0 nor
+between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, a
+curve turns back in a cusp or has a jump; the message names the parameter.
 
 Complexity: as that of `minkowski_sum()`, with each arc of the curve counted twice.
 */
 template <SplineKernel Kernel, ParametricCurve_2 Curve>
   requires std::same_as<Kernel, typename Curve::Kernel>
-Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const Curve& path)
+Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const Curve& path,
+                                   const Solver_options& options = {})
 {
-  return {region.loops(), internal::Minkowski_sum::both_sides(path)};
+  return Minkowski_sum_2<Kernel>(internal::Minkowski_sum::sum_of_regions(
+      {{{region.loops(), region.curves().size()}, internal::Minkowski_sum::both_sides(path)}}, options));
 }
 
 /*!
@@ -78,13 +81,16 @@ areas.
 
 \param curve the curve.
 \param path the other curve. The index of each is zero in the arcs of the result.
+\param options as above.
 \throws Invalid_input as above.
 */
 template <ParametricCurve_2 Curve, ParametricCurve_2 Path>
   requires std::same_as<typename Curve::Kernel, typename Path::Kernel>
-Minkowski_sum_2<typename Curve::Kernel> swept_area(const Curve& curve, const Path& path)
+Minkowski_sum_2<typename Curve::Kernel> swept_area(const Curve& curve, const Path& path,
+                                                   const Solver_options& options = {})
 {
-  return {internal::Minkowski_sum::both_sides(curve), internal::Minkowski_sum::both_sides(path)};
+  return Minkowski_sum_2<typename Curve::Kernel>(internal::Minkowski_sum::sum_of_regions(
+      {internal::Minkowski_sum::both_sides(curve), internal::Minkowski_sum::both_sides(path)}, options));
 }
 
 } // namespace Spline_constraints

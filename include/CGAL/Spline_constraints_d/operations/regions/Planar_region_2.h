@@ -6,10 +6,13 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
-#include <CGAL/Spline_constraints_d/operations/regions/internal/Simple_rings_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/Region_boundaries_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/regions/internal/region_boundaries.h>
+#endif
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -20,6 +23,7 @@
 #include <concepts>
 #include <cstddef>
 #include <ranges>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,35 +57,20 @@ public:
   using Point = typename Kernel::Point_2;
   using Curve = Bspline_curve_2<Kernel>;
 
-  //! a curve of a boundary, or a part of one.
-  struct Arc
-  {
-    std::size_t curve;                          ///< its index
-    bool is_reversed;                           ///< whether the boundary runs along it backwards
-    /// of the curve, where the part begins and ends, in increasing order: its domain, if it is not cut
-    std::array<Exact_rational, 2> parameters;
-  };
-
-  //! a closed boundary.
-  struct Boundary
-  {
-    std::vector<Arc> arcs;   ///< in order; each begins in the point where the one before ends
-    bool is_hole;            ///< whether it is that of a hole, and clockwise
-    std::size_t outer;       ///< the index of the outer boundary of the same part of the region
-  };
+  using Arc = Planar_region_arc_2;
+  using Boundary = Planar_region_boundary_2;
 
 private:
   std::vector<Curve> m_curves;
-  std::vector<Boundary> m_boundaries;
-  std::vector<internal::Regions::Boundary_loop_2> m_loops;
-  std::vector<std::vector<Arc>> m_arcs;   // of each curve, in its direction
-  bool m_has_touching_boundaries;
+  internal::Regions::Region_boundaries_2 m_region;
 
 public:
   /*!
   the region between these curves.
   \param curves the curves.
-  \param options those of the solver that looks for common points.
+  \param options limits, a visitor, and those of the solver that looks for common points. When a limit is reached, or
+  the visitor stops the run, before it is proved that the region is valid, `is_complete()` is false: there is no
+  region then, and what asks for its boundaries throws.
   \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the
   same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces
   coincide other than as above; or it is not proved that none of this is so: where curves meet in a point that is not
@@ -89,37 +78,44 @@ public:
   */
   template <std::ranges::input_range Range>
     requires std::convertible_to<std::ranges::range_value_t<Range>, Bspline_curve_2<Kernel_>>
-    explicit Planar_region_2(const Range& curves, const Solver_options& options = {})
-      : m_curves(std::ranges::begin(curves), std::ranges::end(curves))
-    {
-      if (m_curves.empty())
-        throw Invalid_input("Planar_region_2: there are no curves");
-      std::vector<std::vector<internal::Regions::Boundary_piece>> pieces;
-      for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        pieces.push_back(internal::Regions::boundary_pieces(m_curves[i], i));
-        for (const internal::Regions::Boundary_piece& piece : pieces.back())
-          internal::Common::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i,
-                                              "Planar_region_2: ");
-      }
-      make_boundaries(internal::Regions::Simple_rings_2(std::move(pieces), options));
-      internal::Regions::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) {
-        return m_loops[i].winding_number(m_loops[k].inner_point()) != 0;
-      });
+  explicit Planar_region_2(const Range& curves, const Solver_options& options = {})
+    : m_curves(std::ranges::begin(curves), std::ranges::end(curves))
+  {
+    if (m_curves.empty())
+      throw Invalid_input("Planar_region_2: there are no curves");
+    std::vector<std::vector<internal::Regions::Boundary_piece>> pieces;
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+      pieces.push_back(internal::Regions::boundary_pieces(m_curves[i], i));
+      for (const internal::Regions::Boundary_piece& piece : pieces.back())
+        internal::Common::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i,
+                                            "Planar_region_2: ");
+    }
+    m_region = internal::Regions::region_boundaries(std::move(pieces), options);
   }
 
   //! the curves, as they were given.
   const std::vector<Curve>& curves() const { return m_curves; }
 
+  //! whether it is proved that this is a region. It is, unless a limit was reached or a visitor stopped the run.
+  bool is_complete() const { return m_region.undecided.empty(); }
+
+  //! a box around all curves, if the region is not complete.
+  const std::vector<Undecided_part>& undecided() const { return m_region.undecided; }
+
+  //! the work; nodes are those of the solver, and steps between two questions whether to go on.
+  const Summary& summary() const { return m_region.summary; }
+
   //! the boundaries.
-  const std::vector<Boundary>& boundaries() const { return m_boundaries; }
+  //! \throws Invalid_input when the region is not complete, as all functions below do.
+  const std::vector<Boundary>& boundaries() const { return complete().boundaries; }
 
   //! whether boundaries have vertices in common.
-  bool has_touching_boundaries() const { return m_has_touching_boundaries; }
+  bool has_touching_boundaries() const { return complete().have_common_vertices; }
 
   //! the number of boundaries of holes.
   std::size_t number_of_holes() const
   {
-    return std::count_if(m_boundaries.begin(), m_boundaries.end(),
+    return std::count_if(boundaries().begin(), boundaries().end(),
                          [](const Boundary& boundary) { return boundary.is_hole; });
   }
 
@@ -133,15 +129,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   CGAL::Bounded_side bounded_side(const internal::Exact_pair& p) const
   {
-    constexpr int halvings = 24;
-    int turns = 0;
-    for (const internal::Regions::Boundary_loop_2& loop : m_loops) {
-      if (loop.may_contain(p, halvings) &&
-          !intersections(internal::Exact_kernel::Point_2(p[0], p[1]), loop.curve()).empty())
-        return CGAL::ON_BOUNDARY;
-      turns += loop.winding_number(p);
-    }
-    return turns > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
+    return internal::Regions::bounded_side(loops(), p);
   }
 #endif
 
@@ -153,9 +141,9 @@ public:
   std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
   {
     internal::check_error(error, "Planar_region_2");
-    const Exact_rational part(to_rational(error) / Exact_rational(static_cast<int>(m_loops.size())));
+    const Exact_rational part(to_rational(error) / Exact_rational(static_cast<int>(loops().size())));
     internal::Common::Rational_interval result(Exact_rational(0), Exact_rational(0));
-    for (const internal::Regions::Boundary_loop_2& loop : m_loops)
+    for (const internal::Regions::Boundary_loop_2& loop : loops())
       result = result + loop.signed_area(part);
     return {result.lower, result.upper};
   }
@@ -169,9 +157,9 @@ public:
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
   {
     internal::check_error(error, "Planar_region_2");
-    return internal::Regions::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(m_boundaries, [&](std::size_t b) {
+    return internal::Regions::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(boundaries(), [&](std::size_t b) {
       CGAL::Polygon_2<Kernel> polygon;
-      for (const internal::Regions::Boundary_piece& piece : m_loops[b].pieces()) {
+      for (const internal::Regions::Boundary_piece& piece : loops()[b].pieces()) {
         polygon.push_back(internal::kernel_object<Kernel, Point>(piece.at(0)));
         for (const std::array<double, 2>& corner : piece.inner_corners(error))
           polygon.push_back(internal::kernel_object<Kernel, Point>(corner));
@@ -182,38 +170,17 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // The boundaries in pieces, and the arcs of each curve in its direction, for the package.
-  const std::vector<internal::Regions::Boundary_loop_2>& loops() const { return m_loops; }
-  const std::vector<std::vector<Arc>>& arcs_of_curves() const { return m_arcs; }
+  const std::vector<internal::Regions::Boundary_loop_2>& loops() const { return complete().loops; }
+  const std::vector<std::vector<Arc>>& arcs_of_curves() const { return complete().arcs_of_curves; }
 #endif
 
 private:
-  void make_boundaries(const internal::Regions::Simple_rings_2& rings)
+  const internal::Regions::Region_boundaries_2& complete() const
   {
-    m_has_touching_boundaries = rings.has_rings_that_touch();
-    m_arcs.resize(m_curves.size());
-    std::vector<Arc> arcs;
-    for (std::size_t s = 0; s < rings.strands().size(); ++s) {
-      const internal::Regions::Boundary_piece &first = rings.strands()[s].front(), &last = rings.strands()[s].back();
-      arcs.push_back({first.curve, !rings.has_region_on_left({s, false}), {first.parameters[0], last.parameters[1]}});
-      m_arcs[first.curve].push_back(arcs.back());
-    }
-    for (const auto& ring : rings.rings()) {
-      internal::Regions::Boundary_loop_2 loop = rings.loop(ring);
-      Boundary boundary{{}, false, internal::Regions::no_boundary};
-      for (const Intersection_arc& strand : ring)
-        boundary.arcs.push_back(arcs[strand.index]);
-      if (!rings.has_region_on_left(ring.front())) {
-        std::reverse(boundary.arcs.begin(), boundary.arcs.end());
-        loop.reverse();
-      }
-      boundary.is_hole = !loop.is_counterclockwise();
-      if (!boundary.is_hole)
-        boundary.outer = m_boundaries.size();
-      m_boundaries.push_back(std::move(boundary));
-      m_loops.push_back(std::move(loop));
-    }
+    if (!is_complete())
+      throw Invalid_input("Planar_region_2: the region is not decided (" + m_region.undecided.front().reason + ')');
+    return m_region;
   }
-
 };
 
 } // namespace Spline_constraints

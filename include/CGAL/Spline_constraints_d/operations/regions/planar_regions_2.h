@@ -48,9 +48,10 @@ Planar_region_2<typename Curve::Kernel> planar_region(const Curve& boundary, con
 //! the region inside a polygon; its only curve is the boundary, with vertex \f$i\f$ at the parameter \f$i\f$.
 //! \throws Invalid_input when the polygon is empty or crosses itself.
 template <SplineKernel Kernel, class Container>
-Planar_region_2<Kernel> planar_region(const CGAL::Polygon_2<Kernel, Container>& polygon)
+Planar_region_2<Kernel> planar_region(const CGAL::Polygon_2<Kernel, Container>& polygon,
+                                      const Solver_options& options = {})
 {
-  return planar_region(to_bspline_curve(polygon));
+  return planar_region(to_bspline_curve(polygon), options);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -87,11 +88,14 @@ bool is_inside_of(const Planar_region_2<Kernel>& region, std::size_t curve,
 //! \throws Invalid_input when the polygon is unbounded, boundaries are empty or cross, or a hole is not inside of the
 //! outer boundary, or is inside of another one; the message has its index.
 template <SplineKernel Kernel, class Container>
-Planar_region_2<Kernel> planar_region(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon)
+Planar_region_2<Kernel> planar_region(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon,
+                                      const Solver_options& options = {})
 {
   if (polygon.is_unbounded())
     throw Invalid_input("planar_region: the polygon is unbounded");
-  Planar_region_2<Kernel> result = planar_region(to_bspline_curves(polygon));
+  Planar_region_2<Kernel> result = planar_region(to_bspline_curves(polygon), options);
+  if (!result.is_complete())
+    return result;
   std::size_t hole = 0;
   for (auto boundary = polygon.holes_begin(); boundary != polygon.holes_end(); ++boundary, ++hole)
     if (internal::Regions::is_inside_of(result, hole + 1, *boundary))

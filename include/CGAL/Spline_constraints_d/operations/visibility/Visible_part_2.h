@@ -6,15 +6,19 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
-#include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_sweep_2.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_of_curves_2.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/visibility/internal/sight_of_curves.h>
+#endif
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -38,38 +42,31 @@ public:
   using Curve = Bspline_curve_2<Kernel>;
 
 private:
-  internal::Exact_pair m_viewpoint;
-  internal::Convex_hull::Curve_parts_2 m_parts;
-  std::vector<Visible_edge_2> m_edges;
-  Summary m_summary;
+  internal::Visibility::Sight_of_curves_2 m_sight;
 
 public:
   /*!
   what is seen of these curves.
   \param viewpoint the point.
-  \param curves the curves.
-  \param options those of the solver that looks for crossings of curves.
+  \param curves a range of curves.
+  \param options limits, for the operation as a whole, a visitor, and those of the solver that looks for crossings of
+  curves.
   \throws Invalid_input when there are no curves, a coordinate is not finite, an option makes no sense, or the viewpoint
   is on a curve at a parameter that is not rational.
   */
-  Visible_part_2(const Point& viewpoint, const std::vector<Curve>& curves, const Solver_options& options = {})
-    : m_viewpoint{internal::converted_number<Exact_rational>(viewpoint.x()),
-                  internal::converted_number<Exact_rational>(viewpoint.y())}
+  template <std::ranges::input_range Curves>
+    requires std::convertible_to<std::ranges::range_value_t<Curves>, Bspline_curve_2<Kernel_>>
+  Visible_part_2(const Point& viewpoint, const Curves& curves, const Solver_options& options = {})
   {
-    if (curves.empty())
+    const auto pieces = internal::Regions::pieces_of_curves(curves);
+    if (pieces.empty())
       throw Invalid_input("Visible_part_2: there are no curves");
-    const auto meetings = pairwise_intersections(curves, options, Self_intersections::INCLUDED);
-    const Upward_rounding_guard guard;
-    std::vector<internal::Visibility::Sight_crossing> crossings;
-    for (const auto& pair : meetings.pairs)
-      for (const auto& meeting : pair.intersections)
-        crossings.push_back(
-            {meeting.kind(), {pair.first, pair.second}, {meeting.parameter_range(0), meeting.parameter_range(1)}});
-    m_parts = internal::Convex_hull::Curve_parts_2(curves);
-    const internal::Visibility::Sight_sweep_2 sweep(m_parts, m_viewpoint, std::move(crossings));
-    m_edges = sweep.edges();
-    m_summary = meetings.summary;
-    m_summary.is_complete = sweep.is_complete();
+    std::vector<internal::Common::Spline_patch<2>> patches;
+    for (const auto& curve : curves)
+      patches.emplace_back(curve);
+    m_sight = internal::Visibility::sight_of_curves({internal::converted_number<Exact_rational>(viewpoint.x()),
+                                                     internal::converted_number<Exact_rational>(viewpoint.y())},
+                                                    patches, pieces, options);
   }
 
   /*!
@@ -77,26 +74,30 @@ public:
   may be on two curves. Arcs of a closed curve end at its seam. There are none if no curve is seen. Where the viewpoint
   is an end or a point of a curve, arcs end in it.
   */
-  const std::vector<Visible_edge_2>& edges() const { return m_edges; }
+  const std::vector<Visible_edge_2>& edges() const { return m_sight.edges; }
 
   //! whether no part of the boundary is undecided.
-  bool is_complete() const { return m_summary.is_complete; }
+  bool is_complete() const { return m_sight.undecided.empty(); }
+
+  //! what is not decided: the box around all curves and the viewpoint, with the parts of two curves between which the
+  //! boundary is not known; without these, where nothing is known.
+  const std::vector<Undecided_part>& undecided() const { return m_sight.undecided; }
 
   //! whether a curve is seen in all directions.
   bool is_bounded() const
   {
-    return !m_edges.empty() && std::none_of(m_edges.begin(), m_edges.end(), [](const Visible_edge_2& edge) {
-      return edge.kind == Visible_edge_kind::OPEN;
-    });
+    return !m_sight.edges.empty() &&
+        std::none_of(m_sight.edges.begin(), m_sight.edges.end(),
+                     [](const Visible_edge_2& edge) { return edge.kind == Visible_edge_kind::OPEN; });
   }
 
-  //! the work of the solver.
-  const Summary& summary() const { return m_summary; }
+  //! the work; nodes are those of the solver, and steps between two questions whether to go on.
+  const Summary& summary() const { return m_sight.summary; }
 
   //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
   Point point(const Boundary_vertex_2& vertex) const
   {
-    return internal::kernel_object<Kernel, Point>(m_parts.point(vertex.curve, vertex.parameter()));
+    return internal::kernel_object<Kernel, Point>(m_sight.parts.point(vertex.curve, vertex.parameter()));
   }
 
   /*!
@@ -109,10 +110,11 @@ public:
   std::vector<Point> polyline(std::size_t edge, double error) const
   {
     internal::check_error(error, "Visible_part_2");
-    const auto& [kind, source, target] = m_edges[edge];
+    const auto& [kind, source, target] = m_sight.edges[edge];
     std::vector<Point> result{point(source)};
     if (kind == Visible_edge_kind::ARC)
-      m_parts.append_samples<Kernel>(source.curve, source.parameter(), target.parameter(), to_rational(error), result);
+      m_sight.parts.append_samples<Kernel>(source.curve, source.parameter(), target.parameter(), to_rational(error),
+                                           result);
     else
       result.push_back(point(target));
     return result;
@@ -132,10 +134,10 @@ public:
       if (result.is_empty() || point != result[result.size() - 1])
         result.push_back(point);
     };
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+    for (std::size_t i = 0; i < m_sight.edges.size(); ++i) {
       std::vector<Point> points = polyline(i, error);
-      if (m_edges[i].kind == Visible_edge_kind::OPEN)
-        points.insert(points.begin() + 1, internal::kernel_object<Kernel, Point>(m_viewpoint));
+      if (m_sight.edges[i].kind == Visible_edge_kind::OPEN)
+        points.insert(points.begin() + 1, internal::kernel_object<Kernel, Point>(m_sight.viewpoint));
       for (const Point& point : points)
         append(point);
     }
@@ -155,15 +157,7 @@ public:
   {
     internal::check_error(error, "Visible_part_2");
     CGAL_precondition(is_complete());
-    internal::Common::Rational_interval result(Exact_rational(0), Exact_rational(0));
-    std::vector<internal::Regions::Boundary_piece> arcs;
-    for (const Visible_edge_2& edge : m_edges)
-      if (edge.kind == Visible_edge_kind::ARC)
-        m_parts.append_sector(edge.source.curve, edge.source.parameters, edge.target.parameters, m_viewpoint, arcs,
-                              result);
-    if (!arcs.empty())
-      result = result + internal::Regions::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
-    return {result.lower, result.upper};
+    return internal::Visibility::area_of_sight(m_sight, error);
   }
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_CURVE_PARTS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -32,13 +33,16 @@ private:
 public:
   Curve_parts_2() = default;
 
-  template <class Curve>
-  explicit Curve_parts_2(const std::vector<Curve>& curves)
+  // Of curves, each of which is given as its pieces.
+  // \throws Run_stopped
+  Curve_parts_2(const std::vector<std::vector<Boundary_piece>>& curves, Run_of_steps& run)
   {
-    for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (const std::vector<Boundary_piece>& curve : curves) {
       m_pieces.emplace_back();
-      for (const Boundary_piece& piece : boundary_pieces(curves[i], i))
+      for (const Boundary_piece& piece : curve) {
+        run.check();
         append_hull_pieces(piece, m_pieces.back());
+      }
     }
   }
 

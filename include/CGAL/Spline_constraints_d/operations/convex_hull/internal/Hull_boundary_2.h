@@ -5,6 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_BOUNDARY_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_chain_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_contacts_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
@@ -53,6 +55,7 @@ class Hull_boundary_2
   // Parameters where pieces are cut.
   using Cuts = std::map<std::size_t, std::set<Exact_rational>>;
 
+  Run_of_steps& m_run;
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
   // of all pieces; in each round where they overlap, all must be halved
@@ -63,31 +66,44 @@ class Hull_boundary_2
   Hull_supports_2 m_supports;
   std::map<std::array<Exact_pair, 2>, Edges> m_parts;  // of the boundary, between supported vertices
   Edges m_edges;
+  std::vector<Undecided_part> m_undecided;
 
 public:
+  // When the run ends, the edges are those of the last round.
+  // \throws Run_stopped before there are any
   Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Boundary_vertex_2> points,
-                  const Solver_options& options)
-    : m_contacts(options), m_points(std::move(points))
+                  Run_of_steps& run)
+    : m_run(run), m_contacts(run), m_points(std::move(points))
   {
-    for (const Hull_chain& curve : curves)
-      for (const Hull_piece_2& piece : curve)
-        add(piece);
-    m_halvings_left = 1000 + 300 * m_pieces.size();
-    do {
-      make_polygon();
-      m_pieces = m_polygon.pieces_outside(std::move(m_pieces));
-      m_supports.add(m_polygon, m_pieces);
-    } while (make_edges());
+    try {
+      for (const Hull_chain& curve : curves)
+        for (const Hull_piece_2& piece : curve)
+          add(piece);
+      m_halvings_left = 1000 + 300 * m_pieces.size();
+      do {
+        make_polygon();
+        m_pieces = m_polygon.pieces_outside(std::move(m_pieces), m_run);
+        m_supports.add(m_polygon, m_pieces, m_run);
+      } while (make_edges());
+    } catch (const Run_stopped& stop) {
+      if (m_edges.empty())
+        throw;
+      for (Undecided_part& part : m_undecided)
+        part.reason = in_words(stop.reason);
+    }
   }
 
   const Edges& edges() const { return m_edges; }
   const std::vector<Exact_pair>& polygon() const { return m_polygon.vertices(); }
-  const Summary& work() const { return m_contacts.work(); }
+
+  // Parts of the boundary where edges are undecided.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
 private:
   // Unless it is there.
   void add(Hull_piece_2 piece)
   {
+    m_run.check();
     const Hull_piece_2 reversed = piece.reversed();
     if (std::any_of(m_pieces.begin(), m_pieces.end(),
                     [&](const Hull_piece_2& other) { return piece.is_same(other) || reversed.is_same(other); }))
@@ -116,7 +132,8 @@ private:
   // The edges between supported vertices; false when they are final, true when pieces were halved or dropped.
   bool make_edges()
   {
-    m_edges.clear();
+    Edges all;
+    std::vector<Undecided_part> undecided;
     std::set<std::size_t> to_drop;
     Cuts cuts;
     const std::size_t covered = m_covered.size();
@@ -127,16 +144,19 @@ private:
         if (std::optional<Edges> edges = edges_of(part))
           known = m_parts.emplace(ends, std::move(*edges)).first;
       if (known != m_parts.end())
-        m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
+        all.insert(all.end(), known->second.begin(), known->second.end());
       else {
-        append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left &&
+        append_segments(part, Hull_edge_kind::UNDECIDED, all);
+        undecided.push_back(undecided_part(part));
+        if (!m_run.must_stop() && part.pieces.size() <= m_halvings_left &&
             !decide_otherwise(part, to_drop, cuts))
           for (std::size_t i : part.pieces)
             if (m_pieces[i].halvings() < most_halvings)
               cuts[i].insert(one_half());
       }
     }
+    m_edges = std::move(all);
+    m_undecided = std::move(undecided);
     if (cuts.empty() && to_drop.empty() && covered == m_covered.size())
       return false;
     std::vector<Hull_piece_2> pieces = std::move(m_pieces);
@@ -174,6 +194,25 @@ private:
     return result;
   }
 
+  // The boundary is within the hull of the vertices and of the pieces that are not in the polygon there.
+  Undecided_part undecided_part(const Part& part) const
+  {
+    std::vector<Undecided_part::Range> box;
+    std::vector<Undecided_part::Parameters> parameters;
+    for (std::size_t i = part.first; i <= part.last; ++i) {
+      const auto& [x, y] = m_polygon.vertex(i);
+      box = united_box(std::move(box), {to_double_interval(x), to_double_interval(y)});
+    }
+    for (const std::size_t i : part.pieces) {
+      const Boundary_piece& piece = m_pieces[i].curve();
+      box = united_box(std::move(box), piece.box());
+      const auto& [begin, end] = std::minmax(piece.parameters[0], piece.parameters[1]);
+      parameters.push_back({piece.curve, {{to_double_interval(begin).first, to_double_interval(end).second}}});
+    }
+    return {std::move(box), std::move(parameters),
+            m_run.is_stopped() ? in_words(m_run.reason()) : "what touches the boundary is not told apart"};
+  }
+
   void append_segments(const Part& part, Hull_edge_kind kind, Edges& edges) const
   {
     for (std::size_t i = part.first; i < part.last; ++i)
@@ -207,6 +246,8 @@ private:
   {
     Hull_chain result;
     for (auto i = pieces.begin(); i != pieces.end();) {
+      if (i == pieces.begin())
+        m_run.check();
       const Hull_piece_2& piece = m_pieces[*i];
       if (piece.begin() == point || piece.end() == point) {
         result.push_back(piece.begin() == point ? piece : piece.reversed());

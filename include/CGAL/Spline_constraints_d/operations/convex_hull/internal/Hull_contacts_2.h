@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/critical_values.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
@@ -34,14 +35,11 @@ struct Hull_contact_operand
 // What is asked of the solver for the hull of curves.
 class Hull_contacts_2
 {
-  Solver_options m_options;
-  Budgeted_solver m_solve;
+  Run_of_steps& m_run;
 
 public:
-  explicit Hull_contacts_2(const Solver_options& options) : m_options(options), m_solve(options) {}
-
-  const Summary& work() const { return m_solve.total(); }
-  bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.must_stop(); }
+  // What is not solved before the run ends is not decided.
+  explicit Hull_contacts_2(Run_of_steps& run) : m_run(run) {}
 
   // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1]
   // of their parameters, if there is one line, which has them in these ranges. Ranges of points mean nothing.
@@ -73,7 +71,7 @@ public:
           return std::nullopt;
         constraints.push_back(dot(line, tangents[i]) > 0);
       }
-    const auto solutions = m_solve(constraints, u);
+    const auto solutions = solve(constraints, u);
     if (solutions.size() != 1 || !is_proved(solutions[0]))
       return std::nullopt;
     std::vector<Parameter_range> ranges;
@@ -116,7 +114,7 @@ public:
     const Differentiated_map curve{Planar_map(exact_curve(piece)), 1};
     const std::vector<Unknown> u = unknowns({{Bound(0), Bound(1)}});
     const Vector_expression<2> tangent = curve(1, u[0]);
-    const auto solutions = m_solve({tangent.x() == 0, tangent.y() == 0}, u);
+    const auto solutions = solve({tangent.x() == 0, tangent.y() == 0}, u);
     if (solutions.size() != 1 || !is_proved(solutions[0]))
       return std::nullopt;
     const auto [lower, upper] = solutions[0].exact_box()[0];
@@ -128,7 +126,7 @@ public:
   // Ranges on [0,1] where two pieces are the same, if they have nothing else in common.
   std::optional<std::array<Parameter_range, 2>> overlap(const Hull_piece_2& first, const Hull_piece_2& second) const
   {
-    if (!may_meet(first.boxes(), second.boxes()))
+    if (m_run.must_stop() || !may_meet(first.boxes(), second.boxes()))
       return std::nullopt;
     const std::vector<Common_point> common = all_common_points(patch(first), patch(second));
     if (common.size() != 1 || common[0].kind != Intersection_kind::OVERLAP)
@@ -176,11 +174,20 @@ public:
   }
 
 private:
-  // The limits of the solver hold for each pair alone.
+  Solution_set_d<double> solve(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns) const
+  {
+    Budgeted_solver solver(m_run.options_of_systems());
+    Solution_set_d<double> result = solver(constraints, unknowns);
+    m_run.add_nodes(solver.total().nodes);
+    return result;
+  }
+
   std::vector<Common_point> all_common_points(const Spline_patch<2>& first, const Spline_patch<2>& second) const
   {
-    Budgeted_solver solve(m_options);
-    return common_points<2>(Patch_pair<2>(first, second), solve);
+    Budgeted_solver solver(m_run.options_of_systems());
+    std::vector<Common_point> result = common_points<2>(Patch_pair<2>(first, second), solver);
+    m_run.add_nodes(solver.total().nodes);
+    return result;
   }
 
   static bool has_any(const std::vector<Common_point>& points, Intersection_kind kind)
@@ -272,7 +279,7 @@ private:
 
   bool has_one_solution(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
   {
-    const auto solutions = m_solve(constraints, unknowns);
+    const auto solutions = solve(constraints, unknowns);
     return solutions.size() == 1 && is_proved(solutions[0]);
   }
 };

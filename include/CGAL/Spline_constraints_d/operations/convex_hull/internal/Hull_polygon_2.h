@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_POLYGON_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -51,11 +52,13 @@ public:
   const Exact_pair& vertex_before(std::size_t i) const { return vertex(i + m_vertices.size() - 1); }
 
   // The pieces that are not in the polygon, by which those beyond its edges are named from then on.
-  std::vector<Hull_piece_2> pieces_outside(std::vector<Hull_piece_2> pieces)
+  // \throws Run_stopped
+  std::vector<Hull_piece_2> pieces_outside(std::vector<Hull_piece_2> pieces, Run_of_steps& run)
   {
     std::vector<Hull_piece_2> result;
     m_beyond.assign(m_vertices.size(), {});
     for (Hull_piece_2& piece : pieces) {
+      run.check();
       bool is_inside = true;
       for (std::size_t edge = 0; edge < m_vertices.size(); ++edge)
         if (is_beyond(edge, piece)) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_SUPPORTS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_SUPPORTS_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_polygon_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -38,9 +39,11 @@ public:
 
   // Adds those of a polygon, outside of which these pieces are. All normals between two that are found are as good; the
   // first and the last one are kept.
-  void add(const Hull_polygon_2& polygon, const std::vector<Hull_piece_2>& pieces)
+  // \throws Run_stopped
+  void add(const Hull_polygon_2& polygon, const std::vector<Hull_piece_2>& pieces, Run_of_steps& run)
   {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      run.check();
       for (const Exact_pair& normal : possible_normals(polygon, pieces, i))
         if (is_support(polygon, pieces, i, normal)) {
           auto& [first, last] = m_normals.try_emplace(polygon.vertex(i), Normals{normal, normal}).first->second;
@@ -49,6 +52,7 @@ public:
           if (exact_cross(last, normal) > 0)
             last = normal;
         }
+    }
   }
 
 private:

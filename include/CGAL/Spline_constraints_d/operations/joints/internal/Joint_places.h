@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/Joint_control_points.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/joints/internal/foot_on_curve.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -63,6 +64,7 @@ class Joint_places
     std::array<std::size_t, 2> places;
   };
 
+  Run_of_steps& m_run;
   double m_most_distance;
   FT m_most_squared_distance, m_most_squared_sine;
   std::vector<Place> m_places;
@@ -75,8 +77,9 @@ public:
   Joint_control_points<Kernel> points;
   std::size_t joints = 0, left = 0;
 
-  Joint_places(std::vector<Curve> curves, double most_distance, double most_angle)
-    : m_most_distance(most_distance), m_most_squared_distance(squared(most_distance)),
+  // \throws Run_stopped
+  Joint_places(std::vector<Curve> curves, double most_distance, double most_angle, Run_of_steps& run)
+    : m_run(run), m_most_distance(most_distance), m_most_squared_distance(squared(most_distance)),
       m_most_squared_sine(squared(std::sin(most_angle))), points(std::move(curves))
   {
     make_places();
@@ -84,8 +87,10 @@ public:
     keep_common_tangents();
     join_near_places();
     find_near_pieces();
-    for (std::size_t place = 0; place < m_places.size(); ++place)
+    for (std::size_t place = 0; place < m_places.size(); ++place) {
       settle(place);
+      m_run.add_progress(1 / static_cast<double>(m_places.size()));
+    }
   }
 
 private:
@@ -122,12 +127,14 @@ private:
   // Where pieces have the same tangent in a place, it stays that.
   void keep_common_tangents()
   {
-    for (std::size_t i = 0; i < m_places.size(); ++i)
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+      m_run.check();
       for (const Joint_side& a : m_places[i].sides)
         for (const Joint_side& b : m_places[i].sides)
           if ((a.curve != b.curve || a.joint != b.joint || a.is_forward != b.is_forward) &&
               CGAL::determinant(points.direction(a), points.direction(b)) == 0)
             m_keepers[a.curve][points.next(a)] = i;
+    }
   }
 
   std::size_t place_after_joining(std::size_t place) const
@@ -155,6 +162,7 @@ private:
     });
     std::sort(pairs.begin(), pairs.end());
     for (auto pair = pairs.begin(); pair != pairs.end();) {
+      m_run.check();
       const std::size_t place = pair->first;
       std::optional<std::pair<FT, std::size_t>> nearest;
       for (; pair != pairs.end() && pair->first == place; ++pair)
@@ -315,6 +323,7 @@ private:
   {
     if (m_places[place].state != State::WAITING)
       return m_places[place].state == State::DONE;
+    m_run.check();
     m_places[place].state = State::IN_PROGRESS;
     if (const std::vector<std::size_t>& pieces = m_places[place].near_pieces; pieces.empty())
       align_after_straight_pieces(place);

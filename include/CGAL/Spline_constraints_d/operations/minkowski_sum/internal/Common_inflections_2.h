@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_COMMON_INFLECTIONS_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -45,12 +46,17 @@ class Common_inflections_2
   std::vector<Common_inflection> m_inflections;
 
 public:
-  Common_inflections_2(const Region_elements_2& first, const Region_elements_2& second)
+  // \throws Run_stopped
+  Common_inflections_2(const Region_elements_2& first, const Region_elements_2& second, Run_of_steps& control)
   {
-    for (std::size_t i = 0; i < first.elements().size(); ++i)
+    for (std::size_t i = 0; i < first.elements().size(); ++i) {
+      if (!is_inflection(first, i))
+        continue;
+      control.check();
       for (std::size_t j = 0; j < second.elements().size(); ++j)
-        if (is_inflection(first, i) && is_inflection(second, j) && are_same(first, i, second, j))
+        if (is_inflection(second, j) && are_same(first, i, second, j))
           add(first, {i, j});
+    }
   }
 
   const Common_inflection& operator[](std::size_t index) const { return m_inflections[index]; }

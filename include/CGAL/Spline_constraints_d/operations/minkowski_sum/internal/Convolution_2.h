@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Common_inflections_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Convolution_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Curvature_sign_2.h>
@@ -37,19 +38,27 @@ slightly farther to the left. So each sum of straight parts is two pieces, one a
 */
 class Convolution_2
 {
+  static constexpr double share_of_work = 0.25;   // of all of a sum, about
+
   std::array<const Region_elements_2*, 2> m_regions;
   const Sum_interior_2& m_interior;
+  Run_of_steps& m_control;
   Common_inflections_2 m_inflections;
   std::vector<Convolution_piece_2> m_pieces;
   std::vector<Interval_pair> m_doubtful;
 
 public:
-  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior)
-    : m_regions{&first, &second}, m_interior(interior), m_inflections(first, second)
+  // \throws Run_stopped
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior,
+                Run_of_steps& control)
+    : m_regions{&first, &second}, m_interior(interior), m_control(control), m_inflections(first, second, control)
   {
-    for (std::size_t i = 0; i < first.elements().size(); ++i)
+    for (std::size_t i = 0; i < first.elements().size(); ++i) {
+      m_control.check();
       for (std::size_t j = 0; j < second.elements().size(); ++j)
         add_sums({i, j});
+      m_control.add_progress(share_of_work / static_cast<double>(first.elements().size()));
+    }
   }
 
   const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
@@ -70,6 +79,7 @@ private:
     if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) ||
         (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
       return;
+    m_control.check();
     const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner,
                can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
     if (can_first_turn || can_second_turn)
@@ -80,9 +90,11 @@ private:
       add_unknown_sums(elements, a.turn == Turn::UNKNOWN ? 0 : 1);
   }
 
+  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box, m_control)); }
+
   void add_doubtful(const Interval_pair& box)
   {
-    if (!CGAL::certainly(m_interior.contains(box, Sum_interior_2::Effort::THOROUGH)))
+    if (!CGAL::certainly(m_interior.contains(box, m_control, Sum_interior_2::Effort::THOROUGH)))
       m_doubtful.push_back(box);
   }
 
@@ -133,7 +145,7 @@ private:
         continue;
       const bool is_cut = b.turn == Turn::RIGHT ? part.width() > least_width
                                                 : b.turn == Turn::STRAIGHT && part.width() > least_straight_width &&
-              !CGAL::certainly(m_interior.contains(p.point + q.point));
+              !is_inside(p.point + q.point);
       if (is_cut) {
         todo.push_back({part.begin, part.middle()});
         todo.push_back({part.middle(), part.end});
@@ -328,11 +340,13 @@ private:
          width >= least_width && total_width(unknown) <= most_parts * width;
          width *= ratio) {
       std::vector<Range> parts;
-      for (const Range& range : unknown)
+      for (const Range& range : unknown) {
+        m_control.check();
         append_by_sign(sign, range, width, convex, parts);
+      }
       if (total_width(parts) < enough * total_width(unknown))
         std::erase_if(parts,
-                      [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+                      [&](const Range& part) { return is_inside(piece(part).point); });
       else
         ++idle_rounds;
       std::erase_if(parts,

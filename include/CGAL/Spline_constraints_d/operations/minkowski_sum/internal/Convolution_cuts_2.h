@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_CUTS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_CUTS_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Chord_cone_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Convolution_graph_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Crossing_finder_2.h>
@@ -55,6 +56,7 @@ private:
   };
 
   const Sum_interior_2& m_interior;
+  Run_of_steps& m_control;
   Convolution_graph_2 m_graph;
   std::vector<Traced_curve_2> m_curves;   // of the pieces
   std::vector<Meeting> m_meetings;
@@ -62,13 +64,15 @@ private:
   Vertex_classes m_vertices{0};
 
 public:
-  Convolution_cuts_2(const std::vector<Convolution_piece_2>& pieces, const Sum_interior_2& interior)
-    : m_interior(interior), m_graph(pieces)
+  // \throws Run_stopped
+  Convolution_cuts_2(const std::vector<Convolution_piece_2>& pieces, const Sum_interior_2& interior,
+                     Run_of_steps& control)
+    : m_interior(interior), m_control(control), m_graph(pieces, control)
   {
     find_meetings();
     make_cuts();
     for (int round = 0; round < most_rounds; ++round) {
-      if (m_graph.split_at(possible_vertices()))
+      if (m_graph.split_at(possible_vertices(), m_control))
         find_meetings();
       else if (!refine_meetings())
         break;
@@ -81,16 +85,27 @@ public:
   const std::vector<Cut>& cuts(std::size_t piece) const { return m_cuts[piece]; }
   std::size_t vertex(const Cut& cut) const { return m_vertices.of(cut.vertex); }
 
-  // Boxes around what is not decided and not inside of the sum.
-  std::vector<Interval_pair> undecided() const
+  // A part of a piece, and a box around it, where it is not decided how the piece meets others, and that is not inside
+  // of the sum.
+  struct Uncertain_part
   {
-    std::vector<Interval_pair> result;
-    for_each_uncertain_cut([&](std::size_t, const Cut&, const Interval_pair& box) { result.push_back(box); });
+    std::size_t piece;
+    Range range;
+    Interval_pair box;
+  };
+
+  // \throws Run_stopped
+  std::vector<Uncertain_part> undecided() const
+  {
+    std::vector<Uncertain_part> result;
+    for_each_uncertain_cut([&](std::size_t piece, const Cut& cut, const Interval_pair& box) {
+      result.push_back({piece, cut.range, box});
+    });
     return result;
   }
 
 private:
-  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box)); }
+  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box, m_control)); }
 
   void find_meetings()
   {
@@ -99,12 +114,14 @@ private:
       m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range(),
                             [&piece](double t) { return piece.fine_point(t); });
     m_meetings.clear();
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+      m_control.check();
       for (std::size_t j = i + 1; j < m_curves.size(); ++j)
         if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j) &&
             !go_on_over_inflection(i, j) && !go_on_over_inflection(j, i))
           if (std::vector<Crossing_2> crossings = crossings_of<Interval>(i, j); !crossings.empty())
             m_meetings.push_back({{i, j}, std::move(crossings), false});
+    }
   }
 
   // Other than those inside of the sum that are not decided: there it does not matter.
@@ -112,7 +129,7 @@ private:
   std::vector<Crossing_2> crossings_of(std::size_t i, std::size_t j) const
   {
     std::vector<Crossing_2> result =
-        Crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))();
+        Crossing_finder_2<Number>(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))(m_control);
     std::erase_if(result, [&](const Crossing_2& crossing) {
       if (crossing.is_certain)
         return false;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_GRAPH_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CONVOLUTION_GRAPH_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Convolution_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Vertex_classes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -32,17 +33,19 @@ class Convolution_graph_2
   std::size_t m_number_of_vertices = 0;
 
 public:
-  explicit Convolution_graph_2(std::vector<Convolution_piece_2> pieces) : m_pieces(std::move(pieces))
+  // \throws Run_stopped
+  Convolution_graph_2(std::vector<Convolution_piece_2> pieces, Run_of_steps& control) : m_pieces(std::move(pieces))
   {
     std::vector<Exact_pair> points;
     for (Convolution_piece_2& piece : m_pieces) {
+      control.check();
       piece.find_end_points();
       for (const int e : {0, 1})
         if (piece.end(e).point)
           points.push_back(*piece.end(e).point);
     }
-    if (!split_at(points))
-      join_pieces();
+    if (!split_at(points, control))
+      join_pieces(control);
   }
 
   const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
@@ -50,16 +53,19 @@ public:
   std::size_t vertex(std::size_t piece, int end) const { return m_vertices[piece][static_cast<std::size_t>(end)]; }
 
   // Cuts pieces at points that they have in common with others. Returns whether there are any.
-  bool split_at(std::vector<Exact_pair> points)
+  // \throws Run_stopped
+  bool split_at(std::vector<Exact_pair> points, Run_of_steps& control)
   {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     std::vector<Interval_pair> boxes = boxes_of_pieces();
     bool result = false;
-    for (const Exact_pair& point : points)
+    for (const Exact_pair& point : points) {
+      control.check();
       result = split_at(point, boxes) || result;
+    }
     if (result)
-      join_pieces();
+      join_pieces(control);
     return result;
   }
 
@@ -101,13 +107,14 @@ private:
   }
 
   // Numbers the ends, and removes pieces that are the same as others. Most pairs have no point in common.
-  void join_pieces()
+  void join_pieces(Run_of_steps& control)
   {
     const std::size_t n = m_pieces.size();
     const std::vector<Interval_pair> boxes = boxes_of_pieces();
     Vertex_classes ends(2 * n);
     std::vector<bool> is_removed(n, false);
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
+      control.check();
       for (std::size_t j = i + 1; j < n; ++j) {
         if (!may_meet(boxes[i], boxes[j]))
           continue;
@@ -123,6 +130,7 @@ private:
           ends.join(2 * i + 1, 2 * j + 1);
         }
       }
+    }
     std::vector<Convolution_piece_2> kept;
     m_vertices.clear();
     for (std::size_t i = 0; i < n; ++i)

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CROSSING_FINDER_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_CROSSING_FINDER_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Traced_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -65,12 +66,16 @@ public:
 
   // All crossings other than common ends; or, on request, a certain one alone, if one is found. Undecided ones that are
   // next to each other are one.
-  std::vector<Crossing_2> operator()()
+  // \throws Run_stopped
+  std::vector<Crossing_2> operator()(Run_of_steps& control)
   {
+    constexpr std::size_t steps_between_checks = 64;
     // large parts first: what is certain is found before what has to be cut again and again
     std::deque<Pair> todo{{&m_views[0].curve().whole(), &m_views[1].curve().whole()}};
     for (std::size_t steps = 0; !todo.empty() && todo.size() <= most_pairs && steps <= most_steps && !is_done();
          ++steps) {
+      if (steps % steps_between_checks == 0)
+        control.check();
       const Pair parts = todo.front();
       todo.pop_front();
       if (!are_separated(parts) && !are_joined(parts) && !solve_by_newton(parts))

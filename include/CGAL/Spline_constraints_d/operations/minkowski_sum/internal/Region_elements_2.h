@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Fine_interval.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Site_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -138,10 +139,11 @@ class Region_elements_2
 
 public:
   //! \throws Invalid_input when a derivative is zero, or the boundary turns back, other than on itself.
-  explicit Region_elements_2(const std::vector<Boundary_loop_2>& loops) : m_loops(loops)
+  // \throws Run_stopped
+  Region_elements_2(const std::vector<Boundary_loop_2>& loops, Run_of_steps& control) : m_loops(loops)
   {
     for (const Boundary_loop_2& loop : loops)
-      add_loop(loop);
+      add_loop(loop, control);
   }
 
   const std::vector<Boundary_loop_2>& loops() const { return m_loops; }
@@ -209,7 +211,7 @@ public:
   }
 
 private:
-  void add_loop(const Boundary_loop_2& loop)
+  void add_loop(const Boundary_loop_2& loop, Run_of_steps& control)
   {
     const std::size_t first_arc = m_arcs.size(), first_element = m_elements.size();
     for (const Boundary_piece& piece : loop.pieces()) {
@@ -219,6 +221,7 @@ private:
           {piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
     }
     for (std::size_t i = first_arc; i < m_arcs.size(); ++i) {
+      control.check();
       m_previous_arcs.push_back(i > first_arc ? i - 1 : m_arcs.size() - 1);
       m_next_arcs.push_back(i + 1 < m_arcs.size() ? i + 1 : first_arc);
       add_parts(i, {0, 1});

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_SUM_BOUNDARY_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_SUM_BOUNDARY_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Boundary_balance_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Convolution_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Convolution_cuts_2.h>
@@ -22,6 +23,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,37 +54,58 @@ public:
   {
     std::vector<Section> sections;
     bool is_closed;
-    bool is_hole = false;              // whether it is clockwise
-    std::size_t outer = no_boundary;   // the chain around the same part of the sum
+    bool is_hole = false;                       // whether it is clockwise
+    std::optional<std::size_t> outer = {};      // the chain around the same part of the sum
+  };
+
+  // A box with points that may be on the boundary and are not on the chains, or where these may not be the boundary;
+  // a part of a piece, if it comes from one.
+  struct Doubt
+  {
+    Interval_pair box;
+    std::optional<std::pair<std::size_t, Range>> part;
+    std::string reason;
   };
 
 private:
   static constexpr int most_trials = 16;
+  static constexpr double share_of_cuts = 0.25, share_of_chains = 0.5;   // of the work of all of a sum, about
 
   const Sum_interior_2& m_interior;
+  Run_of_steps& m_control;
   Convolution_cuts_2 m_cuts;
   double m_size = 0;
   std::vector<Chain> m_chains;
-  std::vector<Interval_pair> m_undecided;
+  std::vector<Doubt> m_doubts;
 
 public:
-  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior)
-    : m_interior(interior), m_cuts(convolution.pieces(), interior), m_size(size_of_all()),
-      m_undecided(m_cuts.undecided())
+  // When the run ends while chains are told to be on the boundary or not, those that are known make up the boundary.
+  // \throws Run_stopped before
+  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior, Run_of_steps& control)
+    : m_interior(interior), m_control(control), m_cuts(convolution.pieces(), interior, control), m_size(size_of_all())
   {
-    m_undecided.insert(m_undecided.end(), convolution.doubtful().begin(), convolution.doubtful().end());
+    for (const auto& [piece, range, box] : m_cuts.undecided())
+      m_doubts.push_back({box, std::pair(piece, range), "it is not told how arcs meet"});
+    for (const Interval_pair& box : convolution.doubtful())
+      m_doubts.push_back({box, std::nullopt, "the sign of the sum of both curvatures is not certain"});
+    m_control.add_progress(share_of_cuts);
     m_chains = linked(boundary_sections(convolution.doubtful()), true);
     check_chains();
     nest_chains();
   }
 
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Convolution_piece_2& piece(const Section& section) const { return m_cuts.pieces()[section.piece]; }
+  const Convolution_piece_2& piece(std::size_t index) const { return m_cuts.pieces()[index]; }
 
-  // Boxes with points that may be on the boundary and are not on the chains, or where these may not be the boundary.
-  const std::vector<Interval_pair>& undecided() const { return m_undecided; }
+  const std::vector<Doubt>& doubts() const { return m_doubts; }
 
 private:
+  void doubt(const Section& section, const std::string& reason)
+  {
+    m_doubts.push_back({curves()[section.piece](section.range).point, std::pair(section.piece, section.range),
+                        m_control.is_stopped() ? in_words(m_control.reason()) : reason});
+  }
+
   const std::vector<Traced_curve_2>& curves() const { return m_cuts.curves(); }
 
   double size_of_all() const
@@ -122,28 +145,45 @@ private:
     for (const Chain& chain : chains)
       ends.push_back({chain.sections.front().vertices[0], chain.sections.back().vertices[1]});
     Boundary_balance_2 balance(ends, vertices_near(doubtful));
-    for (const std::size_t i : by_size(chains))
-      if (!balance.is_boundary(i))
-        if (const CGAL::Uncertain<bool> is_boundary = is_on_boundary(chains[i]); is_boundary.is_certain())
-          balance.set(i, is_boundary.make_certain());
+    const bool are_all_tried = try_chains(chains, balance);
     std::vector<Section> result;
     for (std::size_t i = 0; i < chains.size(); ++i) {
       const std::vector<Section>& sections = chains[i].sections;
       const std::optional<bool> is_boundary = balance.is_boundary(i);
       if (!is_boundary)
-        m_undecided.push_back(curves()[sections[0].piece](sections[0].range).point);
-      if (!is_boundary || *is_boundary)   // what is not decided is taken for a part of the boundary
+        for (const Section& section : sections)
+          doubt(section, "it is not told whether an arc is inside of the sum");
+      if (is_boundary.value_or(are_all_tried))   // what remains undecided is taken for a part of the boundary
         result.insert(result.end(), sections.begin(), sections.end());
     }
     return result;
+  }
+
+  // Returns whether the run did not end before.
+  bool try_chains(const std::vector<Chain>& chains, Boundary_balance_2& balance)
+  {
+    const std::vector<std::size_t> order = by_size(chains);
+    try {
+      for (const std::size_t i : order) {
+        if (!balance.is_boundary(i))
+          if (const CGAL::Uncertain<bool> is_boundary = is_on_boundary(chains[i]); is_boundary.is_certain())
+            balance.set(i, is_boundary.make_certain());
+        m_control.add_progress(share_of_chains / static_cast<double>(chains.size()));
+      }
+    } catch (const Run_stopped&) {
+      return false;
+    }
+    return true;
   }
 
   // The numbers of some chains, large ones first: points beside these tell more easily.
   std::vector<std::size_t> by_size(const std::vector<Chain>& chains) const
   {
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < chains.size(); ++i)
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      m_control.check();
       order.emplace_back(-extent(chains[i]), i);
+    }
     std::sort(order.begin(), order.end());
     std::vector<std::size_t> result;
     for (const auto& [extent, i] : order)
@@ -217,7 +257,7 @@ private:
         is_free = i == section.piece || Crossing_finder_2<>::is_apart(curves()[i], curves()[i].whole(), between);
       if (!is_free)
         continue;
-      if (const CGAL::Uncertain<bool> result = m_interior.contains(p); result.is_certain())
+      if (const CGAL::Uncertain<bool> result = m_interior.contains(p, m_control); result.is_certain())
         return result;
     }
     return CGAL::Uncertain<bool>::indeterminate();
@@ -284,25 +324,24 @@ private:
     for (std::size_t c = 0; c < m_chains.size(); ++c) {
       Chain& chain = m_chains[c];
       const Section &first = chain.sections.front(), &last = chain.sections.back();
-      if (!chain.is_closed)
-        for (const auto& [section, t] : {std::pair(&first, first.range.begin), std::pair(&last, last.range.end)})
-          m_undecided.push_back(curves()[section->piece]({t, t}).point);
+      if (!chain.is_closed) {
+        doubt({first.piece, {first.range.begin, first.range.begin}, {}}, "it is not told where a boundary comes from");
+        doubt({last.piece, {last.range.end, last.range.end}, {}}, "it is not told where a boundary goes on");
+      }
       else if (const int sign = sign_of_area(chain); sign < 0)
         chain.is_hole = true;
       else if (sign > 0)
         chain.outer = c;
       else
-        m_undecided.push_back(curves()[first.piece](first.range).point);
+        doubt(first, "the sign of the area within a boundary is not certain");
     }
   }
 
   void nest_chains()
   {
     for (const std::size_t hole : find_outer_boundaries(
-             m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); })) {
-      const Section& section = m_chains[hole].sections.front();
-      m_undecided.push_back(curves()[section.piece](section.range).point);
-    }
+             m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); }))
+      doubt(m_chains[hole].sections.front(), "the outer boundary around a hole is not certain");
   }
 
   // Whether a closed chain is around another one, if that is certain: around a point between the ends of a section,
@@ -311,7 +350,7 @@ private:
   {
     constexpr std::size_t most_sections = 4;
     const std::vector<Section> sections = long_first(other.sections);
-    for (std::size_t k = 0; k < (std::min)(sections.size(), most_sections); ++k) {
+    for (std::size_t k = 0; k < (std::min)(sections.size(), most_sections) && !m_control.must_stop(); ++k) {
       const double t = sections[k].range.middle();
       if (const std::optional<double> turn = turn_around_point(curves()[sections[k].piece]({t, t}).point, chain))
         return full_turns(*turn) != 0;
@@ -346,7 +385,7 @@ private:
   {
     constexpr int most_parts = 1024;
     int result = 0;
-    for (int parts = 1; result == 0 && parts <= most_parts; parts *= 4)
+    for (int parts = 1; result == 0 && parts <= most_parts && !m_control.must_stop(); parts *= 4)
       result = certain_sign(twice_area(chain, parts));
     return result;
   }

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_MINKOWSKI_SUM_INTERNAL_SUM_INTERIOR_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Crossing_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/internal/Tangential_crossing_2.h>
@@ -53,8 +54,10 @@ public:
 
   // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them.
   // More is decided with points of boundaries farther away, which takes much longer.
-  CGAL::Uncertain<bool> contains(const Interval_pair& p, Effort effort = Effort::USUAL) const
+  // \throws Run_stopped
+  CGAL::Uncertain<bool> contains(const Interval_pair& p, Run_of_steps& control, Effort effort = Effort::USUAL) const
   {
+    control.check();
     bool is_decided = true;
     for (std::size_t i = 0; i < m_arcs[0].size(); ++i)
       for (std::size_t j = 0; j < m_arcs[1].size(); ++j) {
@@ -62,9 +65,9 @@ public:
         const Traced_view_2 first(a), second(b, p);
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
-        for (const Crossing_2& crossing : Crossing_finder_2<>(first, second, {}, true)())
+        for (const Crossing_2& crossing : Crossing_finder_2<>(first, second, {}, true)(control))
           if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) ||
-              (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
+              (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges, control)))
             return true;
           else
             is_decided = false;
@@ -72,15 +75,16 @@ public:
     if (!is_decided)
       return CGAL::Uncertain<bool>::indeterminate();
     const Exact_pair point{to_rational(p[0].inf()), to_rational(p[1].inf())};
-    return has_boundary_inside(0, point) || has_boundary_inside(1, point);
+    return has_boundary_inside(0, point, control) || has_boundary_inside(1, point, control);
   }
 
 private:
   // Whether the begin of a boundary of one region is inside of the other region, reflected; the boundaries do not meet.
-  bool has_boundary_inside(std::size_t k, const Exact_pair& point) const
+  bool has_boundary_inside(std::size_t k, const Exact_pair& point, Run_of_steps& control) const
   {
     const std::vector<Boundary_loop_2>& loops = m_regions[k]->loops();
     return std::any_of(loops.begin(), loops.end(), [&](const Boundary_loop_2& loop) {
+      control.check();
       const Exact_pair q = loop.source();
       return is_inside(1 - k, {Exact_rational(point[0] - q[0]), Exact_rational(point[1] - q[1])});
     });
@@ -101,12 +105,13 @@ private:
   by more farther away: so they do around most cusps of the convolution.
   */
   bool has_point_inside(const Interval_pair& p, const std::array<std::size_t, 2>& arcs,
-                        const std::array<Range, 2>& ranges) const
+                        const std::array<Range, 2>& ranges, Run_of_steps& control) const
   {
     constexpr double least_step = 0x1p-10;
     for (double step = 0.25; step >= least_step; step /= 4)
       for (const std::size_t k : {0, 1})
         for (const double way : {-step, step}) {
+          control.check();
           const auto [arc, t] = place(k, arcs[k], ranges[k].middle() + way);
           const Interval_pair point = p - m_arcs[k][arc]({t, t}).point;
           const auto is_apart = [&](const Traced_curve_2& curve) {

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/bezier_chords.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/spline_axes.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/integral_of_quotient.h>
@@ -75,6 +76,29 @@ struct Boundary_piece
     return result;
   }
 
+  // A box around the control points, of parts with positive weights.
+  std::array<std::pair<double, double>, 2> box() const
+  {
+    std::array<std::pair<double, double>, 2> result;
+    const std::vector<Exact_rational>& w = coordinates[2].coefficients();
+    if (!(coordinates[2].bounds().first > 0)) {
+      const Exact_rational middle((parameters[0] + parameters[1]) / 2);
+      const auto first = between(parameters[0], middle).box(), second = between(middle, parameters[1]).box();
+      for (const std::size_t axis : {0, 1})
+        result[axis] = {(std::min)(first[axis].first, second[axis].first),
+                        (std::max)(first[axis].second, second[axis].second)};
+      return result;
+    }
+    for (const std::size_t axis : {0, 1})
+      for (std::size_t i = 0; i < w.size(); ++i) {
+        const auto [lower, upper] = to_double_interval(Exact_rational(coordinates[axis].coefficients()[i] / w[i]));
+        result[axis] = i == 0
+            ? std::pair(lower, upper)
+            : std::pair((std::min)(result[axis].first, lower), (std::max)(result[axis].second, upper));
+      }
+    return result;
+  }
+
   Boundary_piece reversed() const
   {
     Boundary_piece result(*this);
@@ -84,6 +108,17 @@ struct Boundary_piece
     return result;
   }
 };
+
+// A box around two boxes, of which the first one is empty if it has no ranges.
+inline std::vector<std::pair<double, double>> united_box(std::vector<std::pair<double, double>> box,
+                                                         const std::array<std::pair<double, double>, 2>& other)
+{
+  if (box.empty())
+    return {other.begin(), other.end()};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    box[axis] = {(std::min)(box[axis].first, other[axis].first), (std::max)(box[axis].second, other[axis].second)};
+  return box;
+}
 
 // The pieces of a curve, of one degree.
 template <class Curve>
@@ -98,6 +133,26 @@ std::vector<Boundary_piece> boundary_pieces(const Curve& curve, std::size_t inde
       tensor = tensor.elevated({degree});
     result.push_back({std::move(piece.coordinates), index, {piece.domain.first, piece.domain.second}});
   }
+  return result;
+}
+
+// The pieces of all curves of a range.
+template <class Range>
+std::vector<std::vector<Boundary_piece>> pieces_of_curves(const Range& curves)
+{
+  std::vector<std::vector<Boundary_piece>> result;
+  for (const auto& curve : curves)
+    result.push_back(boundary_pieces(curve, result.size()));
+  return result;
+}
+
+// A box around curves, each of which is given as its pieces.
+inline std::vector<std::pair<double, double>> box_of_pieces(const std::vector<std::vector<Boundary_piece>>& curves)
+{
+  std::vector<std::pair<double, double>> result;
+  for (const std::vector<Boundary_piece>& curve : curves)
+    for (const Boundary_piece& piece : curve)
+      result = united_box(std::move(result), piece.box());
   return result;
 }
 

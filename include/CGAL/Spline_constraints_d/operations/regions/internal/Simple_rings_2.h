@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/inner_roots.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
@@ -53,20 +54,20 @@ private:
   std::vector<Ring> m_rings;
 
 public:
-  // \throws Invalid_input as `Planar_region_2`.
-  Simple_rings_2(std::vector<Strand> curves, const Solver_options& options)
+  // \throws Invalid_input as `Planar_region_2`, and Run_stopped
+  Simple_rings_2(std::vector<Strand> curves, Run_of_steps& run)
   {
     check_ends(curves);
     const auto in_any_direction = [](const Curve_end&) { return true; };
     make_strands(without_doubled_pieces(std::move(curves)));
     m_rings = rings(in_any_direction);
-    for (Meetings meetings = cut_where_rings_meet(options, true); meetings != Meetings::NONE; ) {
+    for (Meetings meetings = cut_where_rings_meet(run, true); meetings != Meetings::NONE; ) {
       make_strands(without_doubled_pieces(std::move(m_strands)));
       m_rings = rings(in_any_direction);
       // none of which is left
-      meetings = meetings == Meetings::PARTS ? cut_where_rings_meet(options, false) : Meetings::NONE;
+      meetings = meetings == Meetings::PARTS ? cut_where_rings_meet(run, false) : Meetings::NONE;
     }
-    find_sides();
+    find_sides(run);
     if (!std::all_of(m_rings.begin(), m_rings.end(), [&](const Ring& ring) { return has_region_on_one_side(ring); }))
       m_rings = rings([&](const Curve_end& begin) { return has_region_on_left({begin.curve, begin.side == 1}); });
   }
@@ -271,17 +272,23 @@ private:
   enum class Meetings { NONE, POINTS, PARTS };
 
   // Splits pieces in common points of the rings, and in the ends of common parts. Returns what there is.
-  Meetings cut_where_rings_meet(const Solver_options& options, bool may_have_common_parts)
+  Meetings cut_where_rings_meet(Run_of_steps& run, bool may_have_common_parts)
   {
     bool have_common_parts = false;
     std::vector<Boundary_loop_2> loops;
     std::vector<Spline_patch<2>> curves;
     for (const Ring& ring : m_rings) {
+      run.check();
       loops.push_back(loop(ring));
       curves.emplace_back(loops.back().curve());
     }
     std::map<std::size_t, std::vector<Exact_rational>> cuts;
-    for (const auto& pair : Pairwise_common_points<2>(options).among_and_within<CGAL::Sequential_tag>(curves))
+    const auto pairs =
+        Pairwise_common_points<2>(run.options_of_systems()).among_and_within<CGAL::Sequential_tag>(curves);
+    for (const auto& pair : pairs)
+      run.add_nodes(pair.work.nodes);
+    for (const auto& pair : pairs) {
+      run.check();
       for (const Common_point& meeting : pair.points) {
         const std::array<const Boundary_loop_2*, 2> both{&loops[pair.first], &loops[pair.second]};
         const auto in_common_part = may_have_common_parts ? origins_in_common_part(meeting, both) : std::nullopt;
@@ -289,6 +296,7 @@ private:
         for (const auto& [curve, parameter] : in_common_part ? *in_common_part : origins_of_common_point(meeting, both))
           cuts[curve].push_back(parameter);
       }
+    }
     for (Strand& strand : m_strands)
       if (const auto own = cuts.find(strand.front().curve); own != cuts.end())
         strand = split(strand, own->second);
@@ -401,7 +409,7 @@ private:
   }
 
   // \throws Invalid_input when the region changes from one side of a curve to the other one.
-  void find_sides()
+  void find_sides(Run_of_steps& run)
   {
     std::vector<Boundary_loop_2> loops;
     for (const Ring& ring : m_rings)
@@ -410,11 +418,13 @@ private:
     // of the number of other rings around a point
     const auto parity = [&](std::size_t ring, const Exact_pair& point) {
       bool result = false;
+      run.check();
       for (std::size_t k = 0; k < m_rings.size(); ++k)
         result ^= k != ring && loops[k].winding_number(point) != 0;
       return result;
     };
     for (std::size_t i = 0; i < m_rings.size(); ++i) {
+      run.check();
       const bool is_counterclockwise = loops[i].is_counterclockwise();
       bool is_on_left = false;
       for (const Intersection_arc& arc : m_rings[i]) {

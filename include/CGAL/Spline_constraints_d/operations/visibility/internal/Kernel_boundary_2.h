@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_BOUNDARY_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_BOUNDARY_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Kernel_element_2.h>
 
@@ -57,12 +58,15 @@ private:
     std::optional<std::size_t> highest;
   };
 
+  Run_of_steps& m_run;
   std::vector<Kernel_element_2> m_elements;
   std::vector<Corner> m_corners;
 
 public:
   // Of elements that are the same in a direction, the first one is taken to be the highest.
-  explicit Kernel_boundary_2(std::vector<Kernel_element_2> elements) : m_elements(std::move(elements))
+  // \throws Run_stopped
+  Kernel_boundary_2(std::vector<Kernel_element_2> elements, Run_of_steps& run)
+    : m_run(run), m_elements(std::move(elements))
   {
     std::vector<std::size_t> all(m_elements.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
@@ -70,8 +74,10 @@ public:
     for (const auto& [x, y] : {std::pair(97, 2), std::pair(67, 71)})   // no axes, where curves have ends
       for (Exact_pair d{x, y}; rays.size() < 4 || (x == 67 && rays.size() < 8); d = {Exact_rational(-d[1]), d[0]})
         rays.push_back(ray(d, all));
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
       visit(rays[i % 2 * 4 + i / 2], rays[(i + 1) % 2 * 4 + (i + 1) / 2 % 4], all, 0);
+      m_run.add_progress(1.0 / 8);
+    }
   }
 
   const std::vector<Kernel_element_2>& elements() const { return m_elements; }
@@ -85,6 +91,7 @@ private:
     Ray result{direction, std::vector<std::optional<Summit>>(m_elements.size()), std::nullopt};
     std::size_t best = candidates.front();
     for (const std::size_t i : candidates) {
+      m_run.check();
       result.summits[i] = m_elements[i].summit(direction);
       if (result.summits[i]->height.lower > result.summits[best]->height.lower)
         best = i;

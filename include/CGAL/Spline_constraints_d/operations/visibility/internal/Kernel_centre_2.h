@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_CENTRE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_CENTRE_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Kernel_element_2.h>
 
@@ -35,18 +36,21 @@ class Kernel_centre_2
   std::optional<Exact_pair> m_centre;
 
 public:
-  Kernel_centre_2(const std::vector<Tangent_family>& tangents, std::vector<Exact_pair> polygon)
+  // \throws Run_stopped
+  Kernel_centre_2(const std::vector<Tangent_family>& tangents, std::vector<Exact_pair> polygon, Run_of_steps& run)
     : m_tangents(tangents), m_polygon(std::move(polygon))
   {
     for (int cuts = 0; cuts < most_cuts && !is_flat() && !m_centre;) {
       const Exact_pair candidate = centroid();
       bool is_inside = true;
-      for (const Tangent_family& tangents_of_piece : m_tangents)
+      for (const Tangent_family& tangents_of_piece : m_tangents) {
+        run.check();
         if (const auto t = violated(tangents_of_piece.at(candidate))) {
           cut(tangents_of_piece, *t);
           is_inside = false;
           ++cuts;
         }
+      }
       if (is_inside)
         m_centre = candidate;
     }

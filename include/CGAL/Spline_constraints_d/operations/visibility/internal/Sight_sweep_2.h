@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_SIGHT_SWEEP_2_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Curve_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/joined_edges.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -69,6 +70,7 @@ class Sight_sweep_2
     std::size_t arc;
   };
 
+  Run_of_steps& m_run;
   const Curve_parts_2& m_parts;
   std::vector<Sight_crossing> m_crossings;
   std::vector<Sight_arc_2> m_arcs;
@@ -80,25 +82,36 @@ class Sight_sweep_2
   bool m_is_complete = true;
 
 public:
-  Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings)
-    : m_parts(parts), m_crossings(std::move(crossings))
+  // When the run ends while sectors are looked at, what is seen in the others is not known.
+  // \throws Run_stopped before
+  Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings,
+                Run_of_steps& run)
+    : m_run(run), m_parts(parts), m_crossings(std::move(crossings))
   {
     const std::vector<bool> are_copies = copies();
     std::erase_if(m_crossings, [&](const Sight_crossing& crossing) {
       return are_copies[crossing.curves[0]] || are_copies[crossing.curves[1]];
     });
-    for (Sight_crossing& crossing : m_crossings)
+    for (Sight_crossing& crossing : m_crossings) {
+      m_run.check();
       settle(crossing);
+    }
     for (std::size_t i = 0; i < parts.number_of_curves(); ++i)
       if (!are_copies[i])
-        for (const Hull_piece_2& piece : parts.pieces()[i])
+        for (const Hull_piece_2& piece : parts.pieces()[i]) {
+          m_run.check();
           append_sight_arcs(piece.curve(), viewpoint, m_arcs);
-    for (const Sight_arc_2& arc : m_arcs)
+        }
+    for (const Sight_arc_2& arc : m_arcs) {
+      m_run.check();
       m_distances.push_back(arc.distance(arc.range()));
+    }
     make_clusters(viewpoint);
     find_spans();
-    for (std::size_t s = 0; s + 1 < m_clusters.size(); ++s)
+    for (std::size_t s = 0; s + 1 < m_clusters.size(); ++s) {
       m_fronts.push_back(front_of(s));
+      m_run.add_progress(1 / static_cast<double>(m_clusters.size()));
+    }
     make_edges();
     join_arcs();
   }
@@ -157,16 +170,20 @@ private:
     std::vector<Event> events;
     for (int axis = 0; axis < 4; ++axis)
       events.push_back({Rational_interval(Exact_rational(axis)), {}, std::nullopt, std::nullopt, {}});
-    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
+      m_run.check();
       for (int end = 0; end < 2; ++end) {
         const Rational_interval& direction = m_arcs[i].direction(end);
         const Parameter_range range = m_arcs[i].range_of_end(end);
         events.push_back({direction.lower == 4 ? Rational_interval(Exact_rational(0)) : direction,
                           m_arcs[i].distance(range), std::pair(i, end), m_arcs[i].curve(), m_arcs[i].on_curve(range)});
       }
-    for (const Sight_crossing& crossing : m_crossings)
+    }
+    for (const Sight_crossing& crossing : m_crossings) {
+      m_run.check();
       if (crossing.kind != Intersection_kind::OVERLAP)
         append_directions(crossing, viewpoint, events);
+    }
     std::sort(events.begin(), events.end());
     for (Event& event : events)
       if (!m_clusters.empty() && event.direction.lower <= m_clusters.back().direction.upper) {
@@ -321,6 +338,8 @@ private:
   // What is nearest in a sector, from a cluster to the next one.
   Front front_of(std::size_t sector) const
   {
+    if (m_run.must_stop())
+      return {Sight::UNKNOWN, 0};
     const Exact_rational direction =
         simple_dyadic_between(m_clusters[sector].direction.upper, m_clusters[sector + 1].direction.lower);
     std::vector<Candidate> candidates;
@@ -336,8 +355,11 @@ private:
       std::erase_if(candidates, [&](const Candidate& candidate) { return candidate.distance.lower > nearest; });
       if (candidates.size() == 1)
         return {Sight::ARC, candidates[0].arc};
-      for (Candidate& candidate : candidates)
+      for (Candidate& candidate : candidates) {
+        if (m_run.must_stop())
+          return {Sight::UNKNOWN, 0};
         refine(candidate, direction);
+      }
     }
     const bool are_the_same = std::all_of(candidates.begin() + 1, candidates.end(),
                                           [&](const Candidate& other) { return do_overlap(candidates[0], other); });

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_ELEMENTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBILITY_INTERNAL_KERNEL_ELEMENTS_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Kernel_element_2.h>
 
@@ -27,10 +28,13 @@ struct Turning_part
   int turn;   // 1 to the left, -1 to the right, 0 straight
 };
 
-inline std::vector<Turning_part> turning_parts(const std::vector<Tangent_family>& tangents, const Exact_pair& origin)
+// \throws Run_stopped
+inline std::vector<Turning_part> turning_parts(const std::vector<Tangent_family>& tangents, const Exact_pair& origin,
+                                               Run_of_steps& run)
 {
   std::vector<Turning_part> result;
   for (const Tangent_family& family : tangents) {
+    run.check();
     const Exact_tensor curvature = family.curvature();
     std::vector<Exact_root> cuts{Exact_root(Exact_rational(0))};
     for (Exact_root& root : inner_roots(curvature, narrow_sight()))
@@ -48,12 +52,12 @@ inline std::vector<Turning_part> turning_parts(const std::vector<Tangent_family>
 The elements that bound a kernel around the origin, single tangents first. Of a part that turns to the right the
 tangents at its ends suffice: the height of the others in a direction is less. At an inflection this is the tangent at
 the end of a part that turns left; so it is left out there. No tangent is given twice, other than one of two arcs, which
-is an element too.
+is an element too. Throws Run_stopped.
 */
 inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_family>& tangents,
-                                                     const Exact_pair& origin)
+                                                     const Exact_pair& origin, Run_of_steps& run)
 {
-  const std::vector<Turning_part> parts = turning_parts(tangents, origin);
+  const std::vector<Turning_part> parts = turning_parts(tangents, origin, run);
   std::vector<Kernel_element_2> lines, arcs;
   std::set<Exact_pair> duals_of_lines;
   std::map<Exact_pair, Exact_pair> ends_of_arcs;   // of dual points
@@ -68,7 +72,8 @@ inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_f
       for (const Kernel_element_2& half : arc.halves())
         self(self, half);
   };
-  for (const auto& [element, turn] : parts)
+  for (const auto& [element, turn] : parts) {
+    run.check();
     if (turn > 0) {
       append_arc(append_arc, element);
       for (int end = 0; end < 2; ++end)
@@ -77,6 +82,7 @@ inline std::vector<Kernel_element_2> kernel_elements(const std::vector<Tangent_f
           append_line(element, end);
     } else if (turn == 0)
       append_line(element, 0);
+  }
   for (const auto& [element, turn] : parts)
     for (int end = 0; end < 2 && turn < 0; ++end)
       if (const auto dual = element.dual_of_end(end); dual && ends_of_arcs.count(*dual) == 0)

@@ -1,0 +1,5 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Regions between curves, for all kernels.
+#include <CGAL/Spline_constraints_d/operations/regions/internal/region_boundaries.h>
