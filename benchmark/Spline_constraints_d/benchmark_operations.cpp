@@ -7,14 +7,14 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/loci/alpha_sectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
-#include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/loci/alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -66,7 +66,7 @@ void segments_with_segments(benchmark::State& state)
   for (auto _ : state) {
     const auto result = SC::pairwise_intersections(first, second);
     points = 0;
-    for (const auto& pair : result.pairs)
+    for (const auto& pair : result.pairs())
       points += pair.intersections.size();
   }
   state.counters["intersections"] = static_cast<double>(points);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What finds the common points of two operands, where curves meet themselves, and where surfaces touch.
+// What other sources of the library have is only declared.
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED
+
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>

@@ -2,5 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The common curves of two surfaces.
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Joined_parts.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_curves.h>
+// What other sources of the library have is only declared.
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED
+
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>

@@ -4,11 +4,12 @@
 // The bisector of two planar curves, untrimmed: all points at the same distance from both along their normals, the
 // poles where it goes to infinity included.
 //
-//   bisector_curves [A B]
+//   bisector_curves [A B] [--time-limit S] [--output FILE.svg]
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first planar curve of each counts; without them, two cubics
-// are taken. Writes bisector_curves.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad
-// input.
+// are taken. The curves are drawn. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
@@ -39,19 +40,30 @@ Curve read_curve(const std::string& path)
 int main(int argc, char* argv[])
 {
   try {
-    if (argc != 1 && argc != 3)
-      throw SC::Invalid_input("usage: bisector_curves [A B]");
-    const Curve a =
-        argc == 3 ? read_curve(argv[1]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}});
-    const Curve b = argc == 3 ? read_curve(argv[2])
-                              : SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}});
-    const auto bisector = SC::bisector_curves(a, b);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    SC::Solver_options options{.tolerance = 1e-8};
+    std::vector<std::string> files;
+    std::string output = "bisector_curves.svg";
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (words[i] == "--time-limit" && i + 1 < words.size())
+        options.time_limit = number_of<double>(words[++i]);
+      else if (words[i] == "--output" && i + 1 < words.size())
+        output = words[++i];
+      else
+        files.push_back(words[i]);
+    if (!files.empty() && files.size() != 2)
+      throw SC::Invalid_input("usage: bisector_curves [A B] [--time-limit S] [--output FILE.svg]");
+    const Curve a = files.empty() ? SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}})
+                                  : read_curve(files[0]);
+    const Curve b = files.empty() ? SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}})
+                                  : read_curve(files[1]);
+    const auto bisector = SC::bisector_curves(a, b, options);
 
     const CGAL::Bbox_2 box = a.bbox() + b.bbox();
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
     const CGAL::Bbox_2 window(box.xmin() - size / 4, box.ymin() - size / 20, box.xmax() + size / 20,
                               box.ymax() + size / 20);
-    std::ofstream file("bisector_curves.svg");
+    std::ofstream file(output);
     SC::SVG_writer picture(file, window, 700);
     const char* const colours[] = {"#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b"};
     std::size_t index = 0;

@@ -41,14 +41,14 @@ int main()
   std::vector<std::size_t> counts;
   bool is_complete = true;
   for (const K::Point_2& point : points) {
-    const auto projections = SC::projections(point, ellipse);   // the nearest first
-    is_complete = is_complete && projections.summary.is_complete;
-    counts.push_back(projections.feet.size());
-    for (const auto& foot : projections.feet)
-      draw_pair(picture, point, foot.point(1), &foot == &projections.feet.front() ? "#d62728" : "#999");
+    const auto projections = SC::projections(point, ellipse); // the nearest first
+    is_complete = is_complete && projections.summary().is_complete;
+    counts.push_back(projections.feet().size());
+    for (const auto& foot : projections.feet())
+      draw_pair(picture, point, foot.point(1), &foot == &projections.feet().front() ? "#d62728" : "#999");
     picture.point(point, "#2ca02c");
     std::cout << "(" << point << ") has " << counts.back() << " feet, the nearest at the parameter "
-              << projections.feet.front().parameter(1) << '\n';
+              << projections.feet().front().parameter(1) << '\n';
   }
 
   const auto closest = SC::closest_points(first, second);

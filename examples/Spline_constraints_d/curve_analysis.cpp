@@ -49,18 +49,18 @@ int main()
   std::ofstream out("curve_analysis.svg");
   SC::SVG_writer picture(out, CGAL::Bbox_2(-0.9, -1.6, 7.7, 5.1), 780);
   picture.curve(curve, "#1f77b4", 2);
-  for (const auto& bitangent : bitangents.bitangents) {
+  for (const auto& bitangent : bitangents.bitangents()) {
     const K::Point_2 p = bitangent.contact(0).point(), q = bitangent.contact(1).point();
     std::cout << "bitangent: " << bitangent.solution().kind() << " at " << bitangent.contact(0).parameter() << " and "
               << bitangent.contact(1).parameter() << '\n';
     const K::Vector_2 more = (q - p) * K::FT(0.6 / std::sqrt(CGAL::to_double((q - p).squared_length())));
     picture.curve(SC::segment_curve(p - more, q + more), "#888", 1);
   }
-  for (const auto& feature : heights.features)
+  for (const auto& feature : heights.features())
     show(picture, "height", feature, CGAL::certainly(feature.is_global()) ? "#d95f02" : "#fdb863", 16);
-  for (const auto& feature : vertices.features)
+  for (const auto& feature : vertices.features())
     show(picture, "curvature", feature, feature.kind() == Kind::MAXIMUM ? "#d62728" : "#2ca02c");
-  for (const auto& feature : inflections.features)
+  for (const auto& feature : inflections.features())
     show(picture, "turn", feature, "#7b3294");
 
   const std::vector<std::pair<std::string, std::string>> legend{{"inflection", "#7b3294"},
@@ -76,11 +76,11 @@ int main()
                              i < 3 ? -1.1 : -1.45),
                   legend[i].first, legend[i].second);
 
-  const bool is_complete = inflections.summary.is_complete && vertices.summary.is_complete &&
-      heights.summary.is_complete && bitangents.summary.is_complete;
+  const bool is_complete = inflections.summary().is_complete && vertices.summary().is_complete &&
+      heights.summary().is_complete && bitangents.summary().is_complete;
   std::cout << inflections.count(Kind::INFLECTION) << " inflections, " << vertices.count(Kind::MAXIMUM)
-            << " largest and " << vertices.count(Kind::MINIMUM) << " smallest curvatures, " << heights.features.size()
-            << " extreme points, " << bitangents.bitangents.size()
+            << " largest and " << vertices.count(Kind::MINIMUM) << " smallest curvatures, " << heights.features().size()
+            << " extreme points, " << bitangents.bitangents().size()
             << " bitangents; complete: " << (is_complete ? "yes" : "no") << '\n';
   return is_complete && inflections.count(Kind::INFLECTION) == 6 ? 0 : 1;
 }

@@ -49,9 +49,9 @@ void intersect_curves(const std::vector<Entry>& a, const std::vector<Entry>& b, 
   };
   const auto result = &a == &b ? SC::pairwise_intersections(curves(a), options)
                                : SC::pairwise_intersections(curves(a), curves(b), options);
-  for (const auto& [i, j, intersections] : result.pairs)
+  for (const auto& [i, j, intersections] : result.pairs())
     report.add(a[i], b[j], intersections);
-  report.add(result.summary);
+  report.add(result.summary());
 }
 
 template <class Entry, class Other_entry, class Operation>

@@ -128,7 +128,8 @@ public:
       print_place(set.end(curve, 0).point());
       m_curves.push_back(flat(SC::polyline_curve(set.polyline(curve, error))));
     }
-    for (const auto* points : {&set.points(), &set.singular_points(), &set.undecided()})
+    const auto undecided = set.undecided_points();
+    for (const auto* points : {&set.points(), &set.singular_points(), &undecided})
       for (const auto& point : *points)
         add_point(first, second, point);
   }

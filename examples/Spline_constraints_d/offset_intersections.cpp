@@ -7,9 +7,9 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_arcs_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -29,8 +29,8 @@ void draw(SC::SVG_writer& svg, const std::string& what, const SC::Locus_intersec
 {
   for (const auto& answer : answers) {
     std::cout << what << ": " << answer.kind() << " at parameter " << answer.parameter(0) << ", ("
-              << answer.coordinate(0) << ", " << answer.coordinate(1) << ")\n";
-    svg.point(K::Point_2(answer.coordinate(0), answer.coordinate(1)), color, 10);
+              << answer.coordinate(0).value() << ", " << answer.coordinate(1).value() << ")\n";
+    svg.point(K::Point_2(answer.coordinate(0).value(), answer.coordinate(1).value()), color, 10);
   }
 }
 

@@ -32,7 +32,7 @@ int main()
          " polygon { fill: none; stroke: #d62728; stroke-width: 1.8 } text { font: 12px sans-serif; fill: #223 "
          "}</style>\n<rect width='800' height='410' fill='white'/>\n";
   std::size_t count = 0;
-  for (const auto& trap : result.traps) {
+  for (const auto& trap : result.traps()) {
     double length = 0;
     for (std::size_t i = 0; i < 3; ++i)
       length += std::sqrt(CGAL::to_double(CGAL::squared_distance(trap.points()[i], trap.points()[(i + 1) % 3])));
@@ -49,6 +49,6 @@ int main()
     out << "'/>\n<text x='30' y='52'>perimeter " << std::round(length * 1000) / 1000 << "</text>\n</g>\n";
   }
   out << "</svg>\n";
-  std::cout << "complete: " << (result.summary.is_complete ? "yes" : "no") << '\n';
-  return result.summary.is_complete && count == 8 ? 0 : 1;
+  std::cout << "complete: " << (result.summary().is_complete ? "yes" : "no") << '\n';
+  return result.summary().is_complete && count == 8 ? 0 : 1;
 }

@@ -48,27 +48,27 @@ int main()
          " .contact { fill: #222 } text { font: 13px sans-serif; fill: #223 }</style>\n<rect x='-300' y='-180' "
          "width='600' height='360' fill='white'/>\n";
   for (const auto emptiness : {SC::Emptiness::NOT_EMPTY, SC::Emptiness::UNDECIDED, SC::Emptiness::EMPTY})
-    for (const auto& circle : result.circles)
+    for (const auto& circle : result.circles())
       if (circle.emptiness() == emptiness) {
-        std::cout << circle.solution().kind() << ", " << emptiness << ": center (" << circle.center(0) << ", "
-                  << circle.center(1) << "), radius " << circle.radius() << '\n';
+        std::cout << circle.solution().kind() << ", " << emptiness << ": center (" << circle.center(0).value() << ", "
+                  << circle.center(1).value() << "), radius " << circle.radius().value() << '\n';
         out << "<circle class='" << (emptiness == SC::Emptiness::EMPTY ? "empty" : "touching") << "' cx='"
-            << scale * circle.center(0) << "' cy='" << -scale * circle.center(1) << "' r='" << scale * circle.radius()
-            << "'/>\n";
+            << scale * circle.center(0).value() << "' cy='" << -scale * circle.center(1).value() << "' r='"
+            << scale * circle.radius().value() << "'/>\n";
       }
   for (const Curve& curve : curves)
     write_curve(out, curve);
-  for (const auto& circle : result.circles)
+  for (const auto& circle : result.circles())
     if (circle.emptiness() == SC::Emptiness::EMPTY)
       for (std::size_t i = 0; i < 3; ++i) {
         const K::Point_2 p = circle.contact(i).point();
         out << "<circle class='contact' cx='" << scale * CGAL::to_double(p.x()) << "' cy='"
             << -scale * CGAL::to_double(p.y()) << "' r='4'/>\n";
       }
-  out << "<text x='-290' y='168'>" << result.circles.size() << " circles touch three curves, "
+  out << "<text x='-290' y='168'>" << result.circles().size() << " circles touch three curves, "
       << result.count(SC::Emptiness::EMPTY) << " of them empty (bold)</text>\n</svg>\n";
-  std::cout << result.summary << '\n';
-  return result.summary.is_complete && result.count(SC::Emptiness::EMPTY) == 2 &&
+  std::cout << result.summary() << '\n';
+  return result.summary().is_complete && result.count(SC::Emptiness::EMPTY) == 2 &&
           result.count(SC::Emptiness::UNDECIDED) == 0
       ? 0
       : 1;

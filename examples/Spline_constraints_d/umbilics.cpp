@@ -33,7 +33,7 @@ int main()
 
   Scene scene;
   scene.add(surface, {190, 210, 235});
-  for (const auto& umbilic : set.points) {
+  for (const auto& umbilic : set.points()) {
     const std::vector<double> place = umbilic.parameters.point();
     std::cout << "umbilic at (" << umbilic.point << "), " << umbilic.parameters.kind() << '\n';
     constexpr int steps = 24;
@@ -48,7 +48,7 @@ int main()
   }
   std::ofstream out("umbilics.svg");
   scene.write(out);
-  std::cout << "umbilics: " << set.points.size() << ", " << set.undecided.size()
+  std::cout << "umbilics: " << set.points().size() << ", " << set.undecided().size()
             << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << '\n';
   return set.is_complete() ? 0 : 3;
 }

@@ -4,6 +4,7 @@
 #ifndef TEST_PAIR_LOCUS_TEST_TOOLS_H
 #define TEST_PAIR_LOCUS_TEST_TOOLS_H
 
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 

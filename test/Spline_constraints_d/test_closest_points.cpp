@@ -3,9 +3,9 @@
 
 // Closest points and feet of perpendiculars against exact answers.
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
@@ -84,10 +84,10 @@ TEST(Closest_points, FeetOnAnEllipse)
 {
   const auto ellipse = SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(2, 0), K::Vector_2(0, 1));
   const auto inside = SC::projections(K::Point_2(K::FT(1) / 2, 0), ellipse);
-  EXPECT_TRUE(inside.summary.is_complete);
-  ASSERT_EQ(inside.feet.size(), 4u);
+  EXPECT_TRUE(inside.summary().is_complete);
+  ASSERT_EQ(inside.feet().size(), 4u);
   std::vector<std::pair<double, double>> feet;
-  for (const auto& foot : inside.feet) {
+  for (const auto& foot : inside.feet()) {
     EXPECT_EQ(foot.kind(), Solution_kind::CERTIFIED);
     EXPECT_EQ(foot.point(0), K::Point_2(K::FT(1) / 2, 0));
     feet.emplace_back(CGAL::to_double(foot.point(1).x()), CGAL::to_double(foot.point(1).y()));
@@ -99,18 +99,18 @@ TEST(Closest_points, FeetOnAnEllipse)
     EXPECT_TRUE(std::abs(feet[i].first - expected[i].first) < 1e-14 &&
                 std::abs(feet[i].second - expected[i].second) < 1e-14)
         << i;
-  EXPECT_EQ(inside.feet[3].squared_distance_range(), exactly(Exact_rational(25) / 4));
-  EXPECT_EQ(SC::projections(K::Point_2(K::FT(3) / 10, K::FT(1) / 5), ellipse).feet.size(), 4u);
-  EXPECT_EQ(SC::projections(K::Point_2(3, 2), ellipse).feet.size(), 2u);
-  EXPECT_EQ(SC::projections(K::Point_2(7, 5), ellipse).feet.size(), 2u);
-  const auto at_cusp = SC::projections(K::Point_2(K::FT(3) / 2, 0), ellipse);   // of the evolute: three feet are one
-  EXPECT_TRUE(at_cusp.summary.is_complete);
-  ASSERT_EQ(at_cusp.feet.size(), 2u);
-  EXPECT_EQ(at_cusp.feet[0].kind(), Solution_kind::CLUSTER);
-  EXPECT_NEAR(CGAL::to_double(at_cusp.feet[0].point(1).x()), 2, 1e-9);
-  EXPECT_EQ(at_cusp.feet[1].kind(), Solution_kind::CERTIFIED);
-  EXPECT_EQ(at_cusp.feet[1].point(1), K::Point_2(-2, 0));
-  expect_distance(K::Point_2(0, 0), ellipse, 1, 2);   // two feet, by symmetry
+  EXPECT_EQ(inside.feet()[3].squared_distance_range(), exactly(Exact_rational(25) / 4));
+  EXPECT_EQ(SC::projections(K::Point_2(K::FT(3) / 10, K::FT(1) / 5), ellipse).feet().size(), 4u);
+  EXPECT_EQ(SC::projections(K::Point_2(3, 2), ellipse).feet().size(), 2u);
+  EXPECT_EQ(SC::projections(K::Point_2(7, 5), ellipse).feet().size(), 2u);
+  const auto at_cusp = SC::projections(K::Point_2(K::FT(3) / 2, 0), ellipse); // of the evolute: three feet are one
+  EXPECT_TRUE(at_cusp.summary().is_complete);
+  ASSERT_EQ(at_cusp.feet().size(), 2u);
+  EXPECT_EQ(at_cusp.feet()[0].kind(), Solution_kind::CLUSTER);
+  EXPECT_NEAR(CGAL::to_double(at_cusp.feet()[0].point(1).x()), 2, 1e-9);
+  EXPECT_EQ(at_cusp.feet()[1].kind(), Solution_kind::CERTIFIED);
+  EXPECT_EQ(at_cusp.feet()[1].point(1), K::Point_2(-2, 0));
+  expect_distance(K::Point_2(0, 0), ellipse, 1, 2); // two feet, by symmetry
 }
 
 // At a corner, a foot is perpendicular to one of the sides; ends are no feet.
@@ -121,8 +121,8 @@ TEST(Closest_points, FeetAtCorners)
        {std::pair(K::Point_2(4, 3), 2u), std::pair(K::Point_2(2, 5), 1u), std::pair(K::Point_2(1, 1), 2u),
         std::pair(K::Point_2(5, -1), 0u), std::pair(K::Point_2(1, 0), 2u)}) {
     const auto feet = SC::projections(point, corner);
-    EXPECT_TRUE(feet.summary.is_complete);
-    EXPECT_EQ(feet.feet.size(), count) << point;
+    EXPECT_TRUE(feet.summary().is_complete);
+    EXPECT_EQ(feet.feet().size(), count) << point;
   }
   expect_distance(K::Point_2(5, -1), corner, 2);
   expect_distance(K::Point_2(-3, -4), corner, 25);
@@ -362,7 +362,7 @@ TEST(Closest_points, Sphere)
   const auto pole = SC::closest_points(K::Point_3(0, 0, 3), sphere);
   EXPECT_EQ(pole.squared_distance_range(), exactly(1));
   // besides the poles, where a derivative is zero
-  const auto feet = SC::projections(K::Point_3(5, 3, 1), sphere).feet;
+  const auto feet = SC::projections(K::Point_3(5, 3, 1), sphere).feet();
   EXPECT_EQ(std::count_if(feet.begin(), feet.end(), [](const auto& foot) { return CGAL::abs(foot.point(1).z()) < 1; }),
             2);
 

@@ -7,6 +7,7 @@
 #include "surface_test_names.h"
 
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 
 #include <gtest/gtest.h>

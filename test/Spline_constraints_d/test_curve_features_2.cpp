@@ -29,9 +29,9 @@ using Answers = std::vector<std::pair<Kind, double>>;
 
 Answers answers(const SC::Curve_features_2<K>& result)
 {
-  EXPECT_TRUE(result.summary.is_complete);
+  EXPECT_TRUE(result.summary().is_complete);
   Answers answers;
-  for (const auto& feature : result.features)
+  for (const auto& feature : result.features())
     answers.emplace_back(feature.kind(), std::round(feature.point_on_curve().parameter() * 1e12) / 1e12);
   return answers;
 }
@@ -53,7 +53,7 @@ TEST(Curve_features_2, InflectionsOfGraphs)
 {
   EXPECT_EQ(answers(SC::inflections(graph({0, 0, 0, 1}))), (Answers{{Kind::INFLECTION, 0}}));
   EXPECT_EQ(answers(SC::inflections(graph({0, 0, 0, 0, 1}))), (Answers{{Kind::STATIONARY, 0}}));
-  EXPECT_TRUE(SC::inflections(graph({0, 0, 1})).features.empty());
+  EXPECT_TRUE(SC::inflections(graph({0, 0, 1})).features().empty());
   // y = x^4 - x^2 + x with y'' = 12 x^2 - 2.
   EXPECT_EQ(answers(SC::inflections(graph({0, 1, -1, 0, 1}))),
             (Answers{{Kind::INFLECTION, -0.408248290464}, {Kind::INFLECTION, 0.408248290464}}));
@@ -63,8 +63,9 @@ TEST(Curve_features_2, StraightAndSingular)
 {
   const auto straight = SC::inflections(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, 1)));
   ASSERT_EQ(answers(straight), (Answers{{Kind::CONSTANT, 0.5}}));
-  EXPECT_TRUE(straight.features[0].is_family());
-  EXPECT_EQ(straight.features[0].point_on_curve().parameter_range(), (std::pair<Exact_rational, Exact_rational>(0, 1)));
+  EXPECT_TRUE(straight.features()[0].is_family());
+  EXPECT_EQ(straight.features()[0].point_on_curve().parameter_range(),
+            (std::pair<Exact_rational, Exact_rational>(0, 1)));
   EXPECT_EQ(answers(SC::inflections(SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 0}}))),
             (Answers{{Kind::CONSTANT, 0.5}, {Kind::BREAK, 1}, {Kind::CONSTANT, 1.5}}));
 
@@ -84,8 +85,8 @@ TEST(Curve_features_2, VerticesOfAnEllipse)
   const auto vertices = SC::curvature_extremes(ellipse);
   EXPECT_EQ(answers(vertices),
             (Answers{{Kind::MAXIMUM, 0}, {Kind::MINIMUM, 1}, {Kind::MAXIMUM, 2}, {Kind::MINIMUM, 3}}));
-  EXPECT_EQ(vertices.features[1].point_on_curve().point(), K::Point_2(1, 4));
-  EXPECT_TRUE(SC::inflections(ellipse).features.empty());
+  EXPECT_EQ(vertices.features()[1].point_on_curve().point(), K::Point_2(1, 4));
+  EXPECT_TRUE(SC::inflections(ellipse).features().empty());
 
   // Parts of it, with two and three vertices inside.
   EXPECT_EQ(answers(SC::curvature_extremes(ellipse.restricted(K::FT(1) / 2, K::FT(5) / 2))),
@@ -98,8 +99,9 @@ TEST(Curve_features_2, CircleIsAFamily)
 {
   const auto vertices = SC::curvature_extremes(SC::circle_curve(K::Point_2(0, 0), K::FT(5)));
   ASSERT_EQ(answers(vertices), (Answers{{Kind::CONSTANT, 2}}));
-  EXPECT_TRUE(vertices.features[0].is_family());
-  EXPECT_EQ(vertices.features[0].point_on_curve().parameter_range(), (std::pair<Exact_rational, Exact_rational>(0, 4)));
+  EXPECT_TRUE(vertices.features()[0].is_family());
+  EXPECT_EQ(vertices.features()[0].point_on_curve().parameter_range(),
+            (std::pair<Exact_rational, Exact_rational>(0, 4)));
 }
 
 // Quadratic pieces have no inflection inside; a zigzag of control points makes the curvature change its sign at the
@@ -109,7 +111,7 @@ TEST(Curve_features_2, FeaturesAtBreaks)
   const Curve zigzag(2, {0, 0, 0, 1, 2, 2, 2}, Points{{0, 0}, {1, 2}, {3, -2}, {4, 0}});
   const auto result = SC::inflections(zigzag);
   EXPECT_EQ(answers(result), (Answers{{Kind::INFLECTION, 1}}));
-  EXPECT_TRUE(result.features[0].is_at_break() && result.features[0].solutions().empty());
+  EXPECT_TRUE(result.features()[0].is_at_break() && result.features()[0].solutions().empty());
   EXPECT_EQ(SC::curvature_extremes(zigzag).count(Kind::BREAK), 1u);
 
   // A corner of a closed curve at its seam.
@@ -124,10 +126,10 @@ TEST(Curve_features_2, Seams)
   const Curve square = SC::polyline_curve(Points{{1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {1, 0}});
   const auto heights = SC::extreme_points(square, K::Vector_2(0, 1));
   EXPECT_EQ(answers(heights), (Answers{{Kind::MINIMUM, 0.5}, {Kind::MAXIMUM, 2.5}, {Kind::MINIMUM, 4.5}}));
-  for (const auto& feature : heights.features)
+  for (const auto& feature : heights.features())
     EXPECT_TRUE(feature.is_family() && CGAL::certainly(feature.is_global()));
   const auto turns = SC::inflections(square);
-  EXPECT_TRUE(turns.count(Kind::CONSTANT) == 5 && turns.count(Kind::BREAK) == 4 && turns.features.size() == 9);
+  EXPECT_TRUE(turns.count(Kind::CONSTANT) == 5 && turns.count(Kind::BREAK) == 4 && turns.features().size() == 9);
   EXPECT_EQ(answers(SC::extreme_points(square, K::Vector_2(1, 1))), (Answers{{Kind::MAXIMUM, 2}, {Kind::MINIMUM, 4}}));
 
   // Quadratic pieces that turn to the left and to the right: an inflection on each knot.
@@ -146,7 +148,7 @@ TEST(Curve_features_2, ExtremePoints)
 {
   const auto circle = SC::extreme_points(SC::circle_curve(K::Point_2(0, 0), K::FT(5)), K::Vector_2(1, 0));
   EXPECT_EQ(answers(circle), (Answers{{Kind::MAXIMUM, 0}, {Kind::MINIMUM, 2}}));
-  EXPECT_TRUE(CGAL::certainly(circle.features[0].is_global()) && CGAL::certainly(circle.features[1].is_global()));
+  EXPECT_TRUE(CGAL::certainly(circle.features()[0].is_global()) && CGAL::certainly(circle.features()[1].is_global()));
 
   const auto cubic = SC::extreme_points(graph({0, 0, 0, 1}), K::Vector_2(0, 1));
   EXPECT_EQ(answers(cubic), (Answers{{Kind::MINIMUM, -1}, {Kind::STATIONARY, 0}, {Kind::MAXIMUM, 1}}));
@@ -159,11 +161,11 @@ TEST(Curve_features_2, ExtremePoints)
       (Answers{{Kind::MINIMUM, 0}, {Kind::MAXIMUM, 1.5}, {Kind::MINIMUM, 3}, {Kind::MAXIMUM, 4}, {Kind::MINIMUM, 5}}));
   const std::vector<bool> is_global{false, true, true, false, true};
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_TRUE(CGAL::certainly(plateau.features[i].is_global() == is_global[i])) << i;
+    EXPECT_TRUE(CGAL::certainly(plateau.features()[i].is_global() == is_global[i])) << i;
 
   const auto level = SC::extreme_points(SC::segment_curve(K::Point_2(0, 0), K::Point_2(2, 0)), K::Vector_2(0, 1));
-  ASSERT_EQ(level.features.size(), 1u);
-  EXPECT_TRUE(level.features[0].kind() == Kind::CONSTANT && CGAL::certainly(level.features[0].is_global()));
+  ASSERT_EQ(level.features().size(), 1u);
+  EXPECT_TRUE(level.features()[0].kind() == Kind::CONSTANT && CGAL::certainly(level.features()[0].is_global()));
   EXPECT_THROW(SC::extreme_points(graph({0, 1}), K::Vector_2(0, 0)), SC::Invalid_input);
 }
 
@@ -171,7 +173,7 @@ TEST(Curve_features_2, ExtremePoints)
 TEST(Curve_features_2, Ties)
 {
   const auto global = [](const SC::Curve_features_2<K>& result, Kind kind) {
-    return std::count_if(result.features.begin(), result.features.end(), [=](const auto& feature) {
+    return std::count_if(result.features().begin(), result.features().end(), [=](const auto& feature) {
       EXPECT_TRUE(feature.is_global().is_certain());
       return feature.kind() == kind && CGAL::certainly(feature.is_global());
     });
@@ -211,10 +213,10 @@ TEST(Curve_features_2, RandomCurves)
     }
     const Curve curve(degree, knots, points, weights);
     const auto result = SC::inflections(curve);
-    EXPECT_TRUE(result.summary.is_complete);
+    EXPECT_TRUE(result.summary().is_complete);
     constexpr int samples = 200;
     std::vector<int> count(samples, 0);
-    for (const auto& feature : result.features)
+    for (const auto& feature : result.features())
       if (feature.kind() == Kind::INFLECTION) {
         ++found;
         ++count[static_cast<int>(std::floor(feature.point_on_curve().parameter() / 3 * samples))];
@@ -228,7 +230,7 @@ TEST(Curve_features_2, RandomCurves)
     for (int i = 0; i <= samples; ++i)
       highest = std::max(highest, CGAL::to_double((curve(K::FT(3 * i) / samples) - CGAL::ORIGIN) * direction));
     std::size_t global = 0;
-    for (const auto& feature : SC::extreme_points(curve, direction).features)
+    for (const auto& feature : SC::extreme_points(curve, direction).features())
       if (feature.kind() == Kind::MAXIMUM && CGAL::certainly(feature.is_global())) {
         ++global;
         EXPECT_GE(CGAL::to_double((feature.point_on_curve().point() - CGAL::ORIGIN) * direction), highest - 1e-12);

@@ -6,6 +6,7 @@
 
 #include "surface_test_names.h"
 
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 

@@ -6,6 +6,7 @@
 
 #include "surface_test_names.h"
 
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
@@ -460,7 +461,15 @@ TEST(Intersection_curves, what_is_not_proved_is_undecided)
   const Intersection same = SC::intersection_curves(a, a, {.tolerance = 1e-2});
   EXPECT_FALSE(same.is_complete());
   ASSERT_FALSE(same.undecided().empty());
-  EXPECT_EQ(same.undecided()[0].kind(), SC::Intersection_kind::UNDECIDED);
+  EXPECT_EQ(same.undecided_points()[0].kind(), SC::Intersection_kind::UNDECIDED);
+  const SC::Undecided_part part = same.undecided()[0];
+  ASSERT_EQ(part.place.size(), 3u);
+  ASSERT_EQ(part.parameters.size(), 2u);
+  for (const std::size_t operand : {0, 1}) {
+    EXPECT_EQ(part.parameters[operand].operand, operand);
+    EXPECT_EQ(part.parameters[operand].ranges.size(), 2u);
+  }
+  EXPECT_FALSE(part.reason.empty());
   auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
   // they touch along the axis of y, and have a hyperbola in common, one branch of which crosses it
   const SC::Implicit_surface_3 cone(z * z == x * y), other(z * z == x * x + x);

@@ -3,10 +3,11 @@
 
 // Intersections with implicit curves and surfaces against exact answers.
 
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -44,7 +45,7 @@ std::vector<std::array<double, d>> points_of(const SC::Locus_intersections<d>& i
       auto& point = result.emplace_back();
       for (std::size_t i = 0; i < d; ++i) {
         EXPECT_LT(intersection.coordinate_range(i).second - intersection.coordinate_range(i).first, 1e-12);
-        point[i] = std::nearbyint(intersection.coordinate(i) * 1e9) / 1e9 + 0.0;
+        point[i] = std::nearbyint(intersection.coordinate(i).value() * 1e9) / 1e9 + 0.0;
       }
     }
   std::sort(result.begin(), result.end());
@@ -267,7 +268,7 @@ TEST(Locus_intersections, PlantedPoints)
               1)
         << round;
     for (const auto& answer : intersections)
-      EXPECT_NEAR(CGAL::to_double(curve(Exact_rational(answer.parameter(0))).x()), answer.coordinate(0), 1e-12);
+      EXPECT_NEAR(CGAL::to_double(curve(Exact_rational(answer.parameter(0))).x()), answer.coordinate(0).value(), 1e-12);
   }
 }
 

@@ -4,8 +4,8 @@
 // Offsets as polylines: circles, a parabola with two cusps on one side and none on the other, gaps at corners, and the
 // exact distance of every point.
 
-#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_arcs_2.h>
 
 #include <CGAL/Exact_rational.h>
@@ -27,8 +27,8 @@ namespace {
 // them next to their chord.
 void check_arcs(const SC::Offset_arcs_2& arcs, const Curve& curve, double distance, double error)
 {
-  EXPECT_TRUE(arcs.cusps.is_complete());
-  for (const SC::Offset_arc_2& arc : arcs.arcs) {
+  EXPECT_TRUE(arcs.cusps().is_complete());
+  for (const SC::Offset_arc_2& arc : arcs.arcs()) {
     ASSERT_GE(arc.samples.size(), 4u);
     for (std::size_t i = 0; i < arc.samples.size(); ++i) {
       const auto& [p, t] = arc.samples[i];
@@ -56,9 +56,9 @@ TEST(Offset_arcs_2, circle)
   const Curve circle = SC::to_bspline_curve(K::Circle_2(Point(1, 2), 9));
   for (const int distance : {-2, 1}) {
     const auto offset = SC::offset_arcs(SC::Offset_curve_2(circle, distance), 1e-3);
-    ASSERT_EQ(offset.arcs.size(), 1u);
+    ASSERT_EQ(offset.arcs().size(), 1u);
     check_arcs(offset, circle, distance, 1e-3);
-    for (const SC::Offset_sample_2& sample : offset.arcs[0].samples)
+    for (const SC::Offset_sample_2& sample : offset.arcs()[0].samples)
       EXPECT_NEAR(std::hypot(sample.point[0] - 1, sample.point[1] - 2), 3 - distance, 1e-13);
   }
 }
@@ -71,19 +71,19 @@ TEST(Offset_arcs_2, parabola)
   const SC::Exact_rational r(std::sqrt(2.0));
   const auto left = SC::offset_arcs(SC::Offset_curve_2(parabola, r), 1e-3),
              right = SC::offset_arcs(SC::Offset_curve_2(parabola, SC::Exact_rational(-r)), 1e-3);
-  ASSERT_EQ(left.arcs.size(), 3u);
+  ASSERT_EQ(left.arcs().size(), 3u);
   check_arcs(left, parabola, std::sqrt(2.0), 1e-3);
   for (std::size_t i = 0; i < 3; ++i) {
-    const SC::Offset_arc_2& arc = left.arcs[i];
+    const SC::Offset_arc_2& arc = left.arcs()[i];
     EXPECT_EQ(arc.is_at_cusp[0], i > 0);
     EXPECT_EQ(arc.is_at_cusp[1], i < 2);
     if (i > 0) {
-      EXPECT_EQ(left.arcs[i - 1].samples.back().point, arc.samples.front().point);
+      EXPECT_EQ(left.arcs()[i - 1].samples.back().point, arc.samples.front().point);
       EXPECT_NEAR(2 * arc.samples.front().parameter - 1, i == 1 ? -0.5 : 0.5, 1e-12);
     }
   }
-  ASSERT_EQ(right.arcs.size(), 1u);
-  EXPECT_TRUE(right.cusps.empty());
+  ASSERT_EQ(right.arcs().size(), 1u);
+  EXPECT_TRUE(right.cusps().empty());
   check_arcs(right, parabola, -std::sqrt(2.0), 1e-3);
 }
 
@@ -91,9 +91,9 @@ TEST(Offset_arcs_2, gaps_at_corners)
 {
   const Curve angle = SC::polyline_curve(std::vector<Point>{{0, 0}, {4, 0}, {4, 3}});
   const auto offset = SC::offset_arcs(SC::Offset_curve_2(angle, -1), 0.5);
-  ASSERT_EQ(offset.arcs.size(), 2u);
-  EXPECT_EQ(offset.arcs[0].samples.back().point, (std::array<double, 2>{4, -1}));
-  EXPECT_EQ(offset.arcs[1].samples.front().point, (std::array<double, 2>{5, 0}));
+  ASSERT_EQ(offset.arcs().size(), 2u);
+  EXPECT_EQ(offset.arcs()[0].samples.back().point, (std::array<double, 2>{4, -1}));
+  EXPECT_EQ(offset.arcs()[1].samples.front().point, (std::array<double, 2>{5, 0}));
 }
 
 TEST(Offset_arcs_2, bad_input)

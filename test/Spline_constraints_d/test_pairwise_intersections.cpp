@@ -77,17 +77,17 @@ TEST(Pairwise_intersections, are_those_of_each_pair)
   const std::vector<Curve> curves = random_cubics(40, 0.2, generator), others = random_cubics(30, 0.2, generator);
   const auto between = SC::pairwise_intersections(curves, others);
   const auto within = SC::pairwise_intersections(curves);
-  EXPECT_TRUE(between.summary.is_complete);
-  EXPECT_TRUE(within.summary.is_complete);
+  EXPECT_TRUE(between.summary().is_complete);
+  EXPECT_TRUE(within.summary().is_complete);
   std::size_t pairs_between = 0, pairs_within = 0;
   const auto expect_next = [](const auto& result, std::size_t& next, std::size_t i, std::size_t j,
                               const auto& expected) {
     if (expected.empty())
       return;
-    ASSERT_LT(next, result.pairs.size());
-    EXPECT_EQ(result.pairs[next].first, i);
-    EXPECT_EQ(result.pairs[next].second, j);
-    expect_equal(result.pairs[next++].intersections, expected);
+    ASSERT_LT(next, result.pairs().size());
+    EXPECT_EQ(result.pairs()[next].first, i);
+    EXPECT_EQ(result.pairs()[next].second, j);
+    expect_equal(result.pairs()[next++].intersections, expected);
   };
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (std::size_t j = 0; j < others.size(); ++j)
@@ -95,8 +95,8 @@ TEST(Pairwise_intersections, are_those_of_each_pair)
     for (std::size_t j = i + 1; j < curves.size(); ++j)
       expect_next(within, pairs_within, i, j, SC::intersections(curves[i], curves[j]));
   }
-  EXPECT_EQ(between.pairs.size(), pairs_between);
-  EXPECT_EQ(within.pairs.size(), pairs_within);
+  EXPECT_EQ(between.pairs().size(), pairs_between);
+  EXPECT_EQ(within.pairs().size(), pairs_within);
   EXPECT_GT(pairs_between, 50u);
   EXPECT_GT(pairs_within, 25u);
 }
@@ -109,15 +109,15 @@ TEST(Pairwise_intersections, of_a_grid)
     vertical.push_back(segment(i, -1, i, 20));
   }
   const auto result = SC::pairwise_intersections(horizontal, vertical);
-  EXPECT_TRUE(result.summary.is_complete);
-  ASSERT_EQ(result.pairs.size(), 400u);
-  for (const auto& pair : result.pairs) {
+  EXPECT_TRUE(result.summary().is_complete);
+  ASSERT_EQ(result.pairs().size(), 400u);
+  for (const auto& pair : result.pairs()) {
     ASSERT_EQ(pair.intersections.size(), 1u);
     EXPECT_EQ(pair.intersections[0].kind(), Kind::TRANSVERSAL);
     EXPECT_NEAR(pair.intersections[0].point().x(), static_cast<double>(pair.second), 1e-12);
     EXPECT_NEAR(pair.intersections[0].point().y(), static_cast<double>(pair.first), 1e-12);
   }
-  EXPECT_TRUE(SC::pairwise_intersections(horizontal).pairs.empty());   // parallels
+  EXPECT_TRUE(SC::pairwise_intersections(horizontal).pairs().empty()); // parallels
 }
 
 TEST(Pairwise_intersections, of_curves_that_share_ends_or_touch)
@@ -125,15 +125,15 @@ TEST(Pairwise_intersections, of_curves_that_share_ends_or_touch)
   const std::vector<Curve> chain{segment(0, 0, 1, 0), segment(1, 0, 1, 1), segment(1, 1, 0, 1), segment(0, 1, 0, 0),
                                  SC::bezier_curve(std::vector<Point>{{0, 0.5}, {0.5, -0.5}, {1, 0.5}})};
   const auto result = SC::pairwise_intersections(chain);
-  EXPECT_TRUE(result.summary.is_complete);
+  EXPECT_TRUE(result.summary().is_complete);
   std::size_t ends = 0, contacts = 0;
-  for (const auto& pair : result.pairs) {
+  for (const auto& pair : result.pairs()) {
     ends += pair.intersections.count(Kind::END_POINT);
     contacts += pair.intersections.count(Kind::TANGENT);
   }
-  EXPECT_EQ(result.pairs.size(), 7u);
-  EXPECT_EQ(ends, 6u);       // the corners, and the ends of the parabola
-  EXPECT_EQ(contacts, 1u);   // its apex on the lower side
+  EXPECT_EQ(result.pairs().size(), 7u);
+  EXPECT_EQ(ends, 6u);     // the corners, and the ends of the parabola
+  EXPECT_EQ(contacts, 1u); // its apex on the lower side
 }
 
 TEST(Pairwise_intersections, of_curves_in_space)
@@ -145,9 +145,9 @@ TEST(Pairwise_intersections, of_curves_in_space)
   const std::vector<SC::Bspline_curve_3<Kernel>> lines{line(-1, 0, 0, 1, 0, 0), line(0, -1, 0, 0, 1, 0),
                                                        line(0, 0, -1, 0, 0, 1), line(-1, -1, 1, 1, 1, 1)};
   const auto result = SC::pairwise_intersections(lines);
-  EXPECT_TRUE(result.summary.is_complete);
-  ASSERT_EQ(result.pairs.size(), 4u);   // three axes through the origin, and the end of one on the diagonal above
-  for (const auto& pair : result.pairs)
+  EXPECT_TRUE(result.summary().is_complete);
+  ASSERT_EQ(result.pairs().size(), 4u); // three axes through the origin, and the end of one on the diagonal above
+  for (const auto& pair : result.pairs())
     EXPECT_LT(CGAL::squared_distance(pair.intersections[0].point(),
                                      pair.second == 3 ? Kernel::Point_3(0, 0, 1) : Kernel::Point_3(0, 0, 0)),
               1e-24);
@@ -158,13 +158,13 @@ TEST(Pairwise_intersections, with_those_of_each_curve_with_itself)
   const Curve loop = SC::bezier_curve(std::vector<Point>{{0, 0}, {3, 2}, {-2, 2}, {1, 0}});
   const std::vector<Curve> curves{segment(0, 5, 1, 5), loop, segment(-1, 0.25, 2, 0.25)};
   const auto result = SC::pairwise_intersections(curves, {}, SC::Self_intersections::INCLUDED);
-  EXPECT_TRUE(result.summary.is_complete);
-  ASSERT_EQ(result.pairs.size(), 2u);
-  EXPECT_TRUE(result.pairs[0].first == 1 && result.pairs[0].second == 1);
-  expect_equal(result.pairs[0].intersections, SC::self_intersections(loop));
-  EXPECT_EQ(result.pairs[0].intersections.size(), 1u);
-  EXPECT_TRUE(result.pairs[1].first == 1 && result.pairs[1].second == 2);
-  EXPECT_EQ(SC::pairwise_intersections(curves).pairs.size(), 1u);
+  EXPECT_TRUE(result.summary().is_complete);
+  ASSERT_EQ(result.pairs().size(), 2u);
+  EXPECT_TRUE(result.pairs()[0].first == 1 && result.pairs()[0].second == 1);
+  expect_equal(result.pairs()[0].intersections, SC::self_intersections(loop));
+  EXPECT_EQ(result.pairs()[0].intersections.size(), 1u);
+  EXPECT_TRUE(result.pairs()[1].first == 1 && result.pairs()[1].second == 2);
+  EXPECT_EQ(SC::pairwise_intersections(curves).pairs().size(), 1u);
 }
 
 TEST(Pairwise_intersections, of_splines_with_many_pieces_leave_out_most_pairs_of_pieces)
@@ -199,11 +199,11 @@ TEST(Pairwise_intersections, of_views_and_empty_collections)
   };
   const std::vector<Element> drawing{{segment(0, 0, 1, 1), 3}, {segment(0, 1, 1, 0), 4}};
   const auto result = SC::pairwise_intersections(drawing | std::views::transform(&Element::curve));
-  ASSERT_EQ(result.pairs.size(), 1u);
-  EXPECT_EQ(result.pairs[0].intersections.size(), 1u);
+  ASSERT_EQ(result.pairs().size(), 1u);
+  EXPECT_EQ(result.pairs()[0].intersections.size(), 1u);
   const auto none = SC::pairwise_intersections(std::vector<Curve>());
-  EXPECT_TRUE(none.pairs.empty());
-  EXPECT_TRUE(none.summary.is_complete);
+  EXPECT_TRUE(none.pairs().empty());
+  EXPECT_TRUE(none.summary().is_complete);
 }
 
 TEST(Pairwise_intersections, bad_input)

@@ -6,12 +6,12 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Evolute_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -71,8 +71,8 @@ TEST(Procedural_curves, OffsetOfParabola)
     EXPECT_EQ(answers.count(Kind::TRANSVERSAL), 3u);
     EXPECT_EQ(parameters_of(answers, 0), (std::vector<double>{-0.866025404, 0, 0.866025404}));
     for (const auto& answer : answers) {
-      EXPECT_NEAR(answer.coordinate(0), 0, 1e-12);
-      EXPECT_NEAR(answer.coordinate(1), std::abs(answer.parameter(0)) < 0.5 ? 1 : 1.25, 1e-12);
+      EXPECT_NEAR(answer.coordinate(0).value(), 0, 1e-12);
+      EXPECT_NEAR(answer.coordinate(1).value(), std::abs(answer.parameter(0)) < 0.5 ? 1 : 1.25, 1e-12);
     }
   }
   const auto across =
@@ -81,23 +81,23 @@ TEST(Procedural_curves, OffsetOfParabola)
   // On the other side there is one point.
   const auto below = SC::intersections(SC::Offset_curve_2(parabola, -1), axis);
   expect_complete(below, 1);
-  EXPECT_NEAR(below[0].coordinate(1), -1, 1e-14);
+  EXPECT_NEAR(below[0].coordinate(1).value(), -1, 1e-14);
 
   const auto itself = SC::self_intersections(offset);
   expect_complete(itself, 1);
   EXPECT_EQ(itself[0].kind(), Kind::TRANSVERSAL);
   EXPECT_NEAR(itself[0].parameter(0), -std::sqrt(0.75), 1e-12);
   EXPECT_NEAR(itself[0].parameter(1), std::sqrt(0.75), 1e-12);
-  EXPECT_NEAR(itself[0].coordinate(0), 0, 1e-12);
-  EXPECT_NEAR(itself[0].coordinate(1), 1.25, 1e-12);
+  EXPECT_NEAR(itself[0].coordinate(0).value(), 0, 1e-12);
+  EXPECT_NEAR(itself[0].coordinate(1).value(), 1.25, 1e-12);
   const auto cusps = SC::cusps(offset);
   expect_complete(cusps, 2);
   EXPECT_EQ(cusps.count(Kind::TRANSVERSAL), 2u);
   EXPECT_NEAR(std::abs(cusps[0].parameter(0)), std::sqrt(std::cbrt(4.0) - 1) / 2, 1e-14);
   for (const auto& cusp : cusps) {
     const std::array<double, 2> p = offset(cusp.parameter_range(0).first);
-    EXPECT_NEAR(cusp.coordinate(0), p[0], 1e-7);
-    EXPECT_NEAR(cusp.coordinate(1), p[1], 1e-7);
+    EXPECT_NEAR(cusp.coordinate(0).value(), p[0], 1e-7);
+    EXPECT_NEAR(cusp.coordinate(1).value(), p[1], 1e-7);
   }
   // Up to the distance 1/2 there are none; then the first cusp is the center of curvature at the vertex: the offset
   // goes on.
@@ -120,7 +120,7 @@ TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
   expect_complete(at_vertex, 1);
   EXPECT_NEAR(at_vertex[0].parameter(0), 1 - std::sqrt(3.0) / 4, 1e-12);
   EXPECT_NEAR(at_vertex[0].parameter(1), 1 + std::sqrt(0.75), 1e-12);
-  EXPECT_NEAR(at_vertex[0].coordinate(1), 1.25, 1e-12);
+  EXPECT_NEAR(at_vertex[0].coordinate(1).value(), 1.25, 1e-12);
 
   // The normal from (x,y) on the ellipse meets the axis at 3x/4, at the distance 3/4 if x^2/16 + y^2 = 9/16: so x^2 =
   // 7/3.
@@ -128,8 +128,8 @@ TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
   const auto at_seam = SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(3, 4)));
   expect_complete(at_seam, 2);
   for (const auto& answer : at_seam) {
-    EXPECT_NEAR(answer.coordinate(1), 0, 1e-12);
-    EXPECT_NEAR(std::abs(answer.coordinate(0)), std::sqrt(21.0) / 4, 1e-12);
+    EXPECT_NEAR(answer.coordinate(1).value(), 0, 1e-12);
+    EXPECT_NEAR(std::abs(answer.coordinate(0).value()), std::sqrt(21.0) / 4, 1e-12);
   }
   expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(1, 3))), 0);
   expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, -1)), 0);
@@ -174,8 +174,8 @@ TEST(Procedural_curves, OffsetsOfCircles)
     expect_complete(answers, 2);
     EXPECT_EQ(answers.count(Kind::TRANSVERSAL), 2u);
     for (const auto& answer : answers) {
-      EXPECT_NEAR(answer.coordinate(0), 1.5, 1e-12);
-      EXPECT_NEAR(std::abs(answer.coordinate(1)), std::sqrt(1.75), 1e-12);
+      EXPECT_NEAR(answer.coordinate(0).value(), 1.5, 1e-12);
+      EXPECT_NEAR(std::abs(answer.coordinate(1).value()), std::sqrt(1.75), 1e-12);
     }
   }
   const auto touching = SC::intersections(outside, SC::Implicit_curve_2(y - 2, wide));
@@ -239,7 +239,7 @@ TEST(Procedural_curves, Evolutes)
   const auto two =
       SC::intersections(evolute, SC::Evolute_2(parabola.transformed(K::Aff_transformation_2(0, 1, 0, 1, 0, 0))));
   expect_complete(two, 1);
-  EXPECT_NEAR(two[0].coordinate(0), two[0].coordinate(1), 1e-12);
+  EXPECT_NEAR(two[0].coordinate(0).value(), two[0].coordinate(1).value(), 1e-12);
 
   // An evolute with a pole, at the inflection of a cubic; and straight curves, which have none.
   // y = x^3
@@ -297,8 +297,8 @@ TEST(Procedural_curves, PlantedNormals)
         << round;
     for (const auto& answer : answers) {
       const std::array<double, 2> p = offset(answer.parameter_range(0).first);
-      EXPECT_NEAR(p[0], answer.coordinate(0), 1e-9);
-      EXPECT_NEAR(p[1], answer.coordinate(1), 1e-9);
+      EXPECT_NEAR(p[0], answer.coordinate(0).value(), 1e-9);
+      EXPECT_NEAR(p[1], answer.coordinate(1).value(), 1e-9);
     }
     found += static_cast<int>(answers.size());
   }
@@ -361,7 +361,7 @@ TEST(Procedural_curves, OffsetSurface)
   EXPECT_EQ(answers.count(Kind::TRANSVERSAL), 2u);
   EXPECT_TRUE(std::any_of(answers.begin(), answers.end(), [](const auto& answer) {
     return std::abs(answer.parameter(1, 0) - 0.375) < 1e-12 && std::abs(answer.parameter(1, 1)) < 1e-12 &&
-        std::abs(answer.coordinate(2) - 301.0 / 320) < 1e-12;
+        std::abs(answer.coordinate(2).value() - 301.0 / 320) < 1e-12;
   }));
   EXPECT_THROW(SC::Offset_surface_3(SC::sphere_surface(K::Point_3(0, 0, 0), K::FT(1)), 1), Invalid_input);
 }

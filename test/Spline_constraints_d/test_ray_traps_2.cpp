@@ -38,10 +38,10 @@ TEST(Ray_traps_2, PedalTriangle)
   for (int i = 0; i < 3; ++i)   // without the corners, where two points are one
     sides.push_back(SC::segment_curve(corners[i], corners[(i + 1) % 3]).restricted(K::FT(1) / 8, K::FT(7) / 8));
   const auto result = SC::ray_traps(sides);
-  EXPECT_TRUE(result.summary.is_complete);
-  ASSERT_EQ(result.traps.size(), 1u);
-  EXPECT_TRUE(result.traps[0].solution().is_certified());
-  EXPECT_NEAR(length(result.traps[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
+  EXPECT_TRUE(result.summary().is_complete);
+  ASSERT_EQ(result.traps().size(), 1u);
+  EXPECT_TRUE(result.traps()[0].solution().is_certified());
+  EXPECT_NEAR(length(result.traps()[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
 }
 
 // The line of centers meets each circle twice; one of the points is the seam of the first circle.
@@ -50,7 +50,7 @@ TEST(Ray_traps_2, CommonNormalsOfCircles)
   const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)),
                                    SC::circle_curve(K::Point_2(5, 0), K::Point_2(5, 2))};
   const auto result = SC::ray_traps(circles);
-  EXPECT_TRUE(result.summary.is_complete) << result.summary;
+  EXPECT_TRUE(result.summary().is_complete) << result.summary();
   ASSERT_EQ(result.size(), 4u);
   std::vector<double> lengths;
   for (const auto& trap : result) {
@@ -68,10 +68,10 @@ TEST(Ray_traps_2, ThreeCircles)
                                    SC::circle_curve(K::Point_2(5, 0), K::FT(2)),
                                    SC::circle_curve(K::Point_2(1, 6), K::FT(1))};
   const auto result = SC::ray_traps(circles);
-  EXPECT_TRUE(result.summary.is_complete) << result.summary;
-  EXPECT_EQ(result.traps.size(), 8u);
+  EXPECT_TRUE(result.summary().is_complete) << result.summary();
+  EXPECT_EQ(result.traps().size(), 8u);
   const K::Point_2 centers[] = {{0, 0}, {5, 0}, {1, 6}};
-  for (const auto& trap : result.traps) {
+  for (const auto& trap : result.traps()) {
     EXPECT_TRUE(trap.solution().is_certified());
     for (int i = 0; i < 3; ++i) {   // equal angles with the normal, on the same side
       const K::Vector_2 normal = trap.points()[i] - centers[i], in = trap.points()[(i + 2) % 3] - trap.points()[i],
@@ -93,9 +93,9 @@ TEST(Ray_traps_2, BetweenCorners)
   };
   const Curve two_sides = SC::polyline_curve(std::vector<K::Point_2>{a + (b - a) / 8, b, b + (c - b) / 4});
   const auto result = SC::ray_traps(std::vector<Curve>{two_sides, part(b, c, 3), part(c, a, 1)});
-  EXPECT_TRUE(result.summary.is_complete) << result.summary;
-  ASSERT_EQ(result.traps.size(), 1u);
-  EXPECT_NEAR(length(result.traps[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
+  EXPECT_TRUE(result.summary().is_complete) << result.summary();
+  ASSERT_EQ(result.traps().size(), 1u);
+  EXPECT_NEAR(length(result.traps()[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
 }
 
 // Normals of a circle that meet the two legs of a right angle at right angles; of the one to its corner there is no
@@ -107,13 +107,13 @@ TEST(Ray_traps_2, NoLawAtACorner)
     return SC::ray_traps(std::vector<Curve>{angle, SC::circle_curve(center, K::FT(1))});
   };
   const auto inside = traps_with_circle_around({0, 3});
-  EXPECT_TRUE(inside.summary.is_complete) << inside.summary;
-  ASSERT_EQ(inside.traps.size(), 4u);
-  for (const auto& trap : inside.traps)
+  EXPECT_TRUE(inside.summary().is_complete) << inside.summary();
+  ASSERT_EQ(inside.traps().size(), 4u);
+  for (const auto& trap : inside.traps())
     EXPECT_NEAR(std::abs(CGAL::to_double(trap.points()[0].x())), 1.5, 1e-12);
   const auto at_corner = traps_with_circle_around({3, -3});
-  EXPECT_TRUE(at_corner.summary.is_complete) << at_corner.summary;
-  EXPECT_TRUE(at_corner.traps.empty());
+  EXPECT_TRUE(at_corner.summary().is_complete) << at_corner.summary();
+  EXPECT_TRUE(at_corner.traps().empty());
 }
 
 TEST(Ray_traps_2, BadInput)

@@ -6,8 +6,8 @@
 
 #include "pair_locus_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/bitangents_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/curve_features_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
@@ -70,7 +70,7 @@ std::vector<double> errors_on_diagonal(const Locus& locus, const Curve& c)
 // Those that are not ends of an open curve.
 std::size_t number_of_vertices(const Curve& c)
 {
-  const auto extremes = SC::curvature_extremes(c).features;
+  const auto extremes = SC::curvature_extremes(c).features();
   return static_cast<std::size_t>(std::count_if(extremes.begin(), extremes.end(), [&](const auto& extreme) {
     const auto& [begin, end] = extreme.point_on_curve().parameter_range();
     return (extreme.kind() == SC::Curve_feature_kind::MAXIMUM || extreme.kind() == SC::Curve_feature_kind::MINIMUM) &&
@@ -88,7 +88,7 @@ void check_topology(const Locus& locus, const Curve& curve)
   EXPECT_EQ(errors.size(), number_of_vertices(curve));
   for (const double error : errors)
     EXPECT_NEAR(error, 0, 1e-9);
-  EXPECT_EQ(locus.number_of_poles(), SC::bitangents(curve).bitangents.size());
+  EXPECT_EQ(locus.number_of_poles(), SC::bitangents(curve).bitangents().size());
 }
 
 } // namespace
@@ -134,7 +134,7 @@ TEST(Self_bisector_curves_2, circles_and_lines)
     EXPECT_FALSE(locus.is_complete());
     EXPECT_TRUE(locus.curves().empty());
     ASSERT_FALSE(locus.undecided().empty());
-    for (const SC::Undecided_region& region : locus.undecided())
+    for (const SC::Undecided_region& region : locus.undecided_regions())
       EXPECT_EQ(region.reason, SC::Undecided_reason::CONTINUUM);
   }
   expect_numbers(SC::self_bisector_curves(SC::polyline_curve(std::vector<Point>{{0, 0}, {3, 1}})), 0, 0, 0, 0);

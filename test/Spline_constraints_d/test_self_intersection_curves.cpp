@@ -308,7 +308,8 @@ TEST(Self_intersection_curves, undecided_at_breaks)
           return false;
     return true;
   };
-  EXPECT_TRUE(std::any_of(cut.undecided().begin(), cut.undecided().end(), has_pinch_point));
+  const auto undecided = cut.undecided_points();
+  EXPECT_TRUE(std::any_of(undecided.begin(), undecided.end(), has_pinch_point));
 
   const Surface loop = polynomial_surface(2, [](const Function& u, const Function& v) {
     return std::array{u * u, u * u * u - u, v};

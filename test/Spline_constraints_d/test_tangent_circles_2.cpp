@@ -44,10 +44,11 @@ std::vector<bool> touched_from_outside(const Circle& circle, const std::vector<K
 {
   std::vector<bool> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double distance = std::hypot(circle.center(0) - CGAL::to_double(centers[i].x()),
-                                       circle.center(1) - CGAL::to_double(centers[i].y()));
-    result.push_back(std::abs(distance - circle.radius() - radii[i]) < 1e-9 * circle.radius());
-    EXPECT_TRUE(result.back() || std::abs(distance - std::abs(circle.radius() - radii[i])) < 1e-9 * circle.radius());
+    const double distance = std::hypot(circle.center(0).value() - CGAL::to_double(centers[i].x()),
+                                       circle.center(1).value() - CGAL::to_double(centers[i].y()));
+    result.push_back(std::abs(distance - circle.radius().value() - radii[i]) < 1e-9 * circle.radius().value());
+    EXPECT_TRUE(result.back() ||
+                std::abs(distance - std::abs(circle.radius().value() - radii[i])) < 1e-9 * circle.radius().value());
   }
   return result;
 }
@@ -58,15 +59,15 @@ void check_apollonius(const std::vector<K::Point_2>& centers, const std::vector<
   for (std::size_t i = 0; i < 3; ++i)
     circles.push_back(SC::circle_curve(centers[i], K::FT(radii[i])));
   const auto result = SC::tangent_circles(circles[0], circles[1], circles[2]);
-  EXPECT_TRUE(result.summary.is_complete) << result.summary;
-  EXPECT_EQ(result.circles.size(), 8u);
+  EXPECT_TRUE(result.summary().is_complete) << result.summary();
+  EXPECT_EQ(result.circles().size(), 8u);
   std::vector<std::vector<bool>> sides;
   for (const auto& circle : result) {
     EXPECT_TRUE(circle.solution().is_certified());
     sides.push_back(touched_from_outside(circle, centers, radii));
     const bool is_outside = sides.back() == std::vector<bool>{true, true, true};
     EXPECT_EQ(circle.emptiness(), is_outside ? Emptiness::EMPTY : Emptiness::NOT_EMPTY)
-        << circle.center(0) << ' ' << circle.center(1) << ' ' << circle.radius();
+        << circle.center(0).value() << ' ' << circle.center(1).value() << ' ' << circle.radius().value();
   }
   std::sort(sides.begin(), sides.end());
   EXPECT_EQ(std::unique(sides.begin(), sides.end()), sides.end());   // each of the eight ways once
@@ -85,14 +86,14 @@ TEST(Tangent_circles_2, Triangle)
   for (int i = 0; i < 3; ++i)
     sides.push_back(SC::segment_curve(corners[i], corners[(i + 1) % 3]));
   const auto result = SC::tangent_circles(sides[0], sides[1], sides[2]);
-  EXPECT_TRUE(result.summary.is_complete) << result.summary;
-  ASSERT_EQ(result.circles.size(), 1u);
-  const auto& circle = result.circles[0];
+  EXPECT_TRUE(result.summary().is_complete) << result.summary();
+  ASSERT_EQ(result.circles().size(), 1u);
+  const auto& circle = result.circles()[0];
   EXPECT_TRUE(circle.solution().is_certified());
   EXPECT_EQ(circle.emptiness(), Emptiness::EMPTY);
   EXPECT_TRUE(holds(circle.center_range(0), 6) && holds(circle.center_range(1), 4) &&
               holds(circle.squared_radius_range(), 16));
-  EXPECT_NEAR(circle.radius(), 4, 1e-13);
+  EXPECT_NEAR(circle.radius().value(), 4, 1e-13);
 }
 
 // A polygonal curve has a corner and an end that is no contact: inside of the circle, or outside.
@@ -102,9 +103,9 @@ TEST(Tangent_circles_2, CornersAndEnds)
               second = SC::segment_curve(K::Point_2(14, 0), K::Point_2(5, 12));
   const auto emptiness_of_incircle = [&](const Points& third) {
     const auto result = SC::tangent_circles(first, second, SC::polyline_curve(third));
-    EXPECT_TRUE(result.summary.is_complete) << result.summary;
+    EXPECT_TRUE(result.summary().is_complete) << result.summary();
     std::vector<Emptiness> found;
-    for (const auto& circle : result.circles)
+    for (const auto& circle : result.circles())
       if (holds(circle.center_range(0), 6) && holds(circle.center_range(1), 4) &&
           holds(circle.squared_radius_range(), 16))
         found.push_back(circle.emptiness());
@@ -124,10 +125,10 @@ TEST(Tangent_circles_2, Doubles)
   const auto result =
       SC::tangent_circles(SC::segment_curve(Point(-1, 7), Point(7, 1)), SC::segment_curve(Point(-7, -1), Point(-1, 7)),
                           SC::segment_curve(Point(-7, -5), Point(7, -5)));
-  ASSERT_EQ(result.circles.size(), 1u);
-  EXPECT_EQ(result.circles[0].emptiness(), Emptiness::EMPTY);
-  EXPECT_TRUE(holds(result.circles[0].center_range(0), 0) && holds(result.circles[0].center_range(1), 0) &&
-              holds(result.circles[0].squared_radius_range(), 25));
+  ASSERT_EQ(result.circles().size(), 1u);
+  EXPECT_EQ(result.circles()[0].emptiness(), Emptiness::EMPTY);
+  EXPECT_TRUE(holds(result.circles()[0].center_range(0), 0) && holds(result.circles()[0].center_range(1), 0) &&
+              holds(result.circles()[0].squared_radius_range(), 25));
 }
 
 // A random curve of degree 3, moved such that it touches a circle at a point with a given parameter.
@@ -164,7 +165,7 @@ TEST(Tangent_circles_2, PlantedCircles)
                                 random));
     }
     const auto result = SC::tangent_circles(curves[0], curves[1], curves[2]);
-    EXPECT_TRUE(result.summary.is_complete) << result.summary;
+    EXPECT_TRUE(result.summary().is_complete) << result.summary();
     std::size_t planted = 0;
     for (const auto& circle : result) {
       if (holds(circle.contact(0).parameter_range(), parameters[0]) &&
@@ -180,11 +181,11 @@ TEST(Tangent_circles_2, PlantedCircles)
       for (const Curve& curve : curves)
         for (int i = 0; i <= 300; ++i) {
           const K::Point_2 p = curve(K::FT(i) / 300);
-          nearest = std::min(
-              nearest,
-              std::hypot(CGAL::to_double(p.x()) - circle.center(0), CGAL::to_double(p.y()) - circle.center(1)));
+          nearest = std::min(nearest,
+                             std::hypot(CGAL::to_double(p.x()) - circle.center(0).value(),
+                                        CGAL::to_double(p.y()) - circle.center(1).value()));
         }
-      if (nearest < circle.radius() * (1 - 1e-9)) {
+      if (nearest < circle.radius().value() * (1 - 1e-9)) {
         EXPECT_EQ(circle.emptiness(), Emptiness::NOT_EMPTY);
       }
     }
@@ -208,18 +209,18 @@ TEST(Tangent_circles_2, AnyOrder)
     std::vector<std::vector<std::pair<double, Emptiness>>> answers(3);
     for (std::size_t first = 0; first < 3; ++first) {
       const auto result = SC::tangent_circles(curves[first], curves[(first + 1) % 3], curves[(first + 2) % 3]);
-      EXPECT_TRUE(result.summary.is_complete) << round << ' ' << result.summary;
+      EXPECT_TRUE(result.summary().is_complete) << round << ' ' << result.summary();
       for (const auto& circle : result) {
-        answers[first].emplace_back(circle.radius(), circle.emptiness());
+        answers[first].emplace_back(circle.radius().value(), circle.emptiness());
         double nearest = 1e300;
         for (const Curve& curve : curves)
           for (int i = 0; first == 0 && i <= 400; ++i) {
             const K::Point_2 p = curve(K::FT(i) / 400);
-            nearest = std::min(
-                nearest,
-                std::hypot(CGAL::to_double(p.x()) - circle.center(0), CGAL::to_double(p.y()) - circle.center(1)));
+            nearest = std::min(nearest,
+                               std::hypot(CGAL::to_double(p.x()) - circle.center(0).value(),
+                                          CGAL::to_double(p.y()) - circle.center(1).value()));
           }
-        EXPECT_TRUE(circle.emptiness() == Emptiness::NOT_EMPTY || nearest > circle.radius() * (1 - 1e-9));
+        EXPECT_TRUE(circle.emptiness() == Emptiness::NOT_EMPTY || nearest > circle.radius().value() * (1 - 1e-9));
         empty += circle.emptiness() == Emptiness::EMPTY;
       }
       std::sort(answers[first].begin(), answers[first].end());

@@ -45,12 +45,12 @@ void expect_umbilics(const Surface& surface, const std::vector<std::array<double
 {
   const Umbilics found = SC::umbilics(surface);
   EXPECT_TRUE(found.is_complete());
-  ASSERT_EQ(found.points.size(), points.size());
-  for (const Umbilics::Umbilic& umbilic : found.points)
+  ASSERT_EQ(found.points().size(), points.size());
+  for (const Umbilics::Umbilic& umbilic : found.points())
     EXPECT_TRUE(umbilic.parameters.is_certified());
   for (const auto& [x, y, z] : points) {
     std::size_t count = 0;
-    for (const Umbilics::Umbilic& umbilic : found.points)
+    for (const Umbilics::Umbilic& umbilic : found.points())
       count += std::hypot(CGAL::to_double(umbilic.point.x()) - x, CGAL::to_double(umbilic.point.y()) - y,
                           CGAL::to_double(umbilic.point.z()) - z) < 1e-12;
     EXPECT_EQ(count, 1u) << x << ' ' << y << ' ' << z;
@@ -94,9 +94,9 @@ TEST(Umbilics, paraboloids)
   // at the vertex, where both equations have terms of the second order only
   const Umbilics round = SC::umbilics(paraboloid(1, 1));
   EXPECT_TRUE(round.is_complete());
-  ASSERT_EQ(round.points.size(), 1u);
-  EXPECT_EQ(round.points[0].parameters.kind(), SC::Solution_kind::CLUSTER);
-  for (const auto& [lower, upper] : round.points[0].parameters.exact_box())
+  ASSERT_EQ(round.points().size(), 1u);
+  EXPECT_EQ(round.points()[0].parameters.kind(), SC::Solution_kind::CLUSTER);
+  for (const auto& [lower, upper] : round.points()[0].parameters.exact_box())
     EXPECT_TRUE(lower <= 0 && 0 <= upper);
 }
 
@@ -121,11 +121,11 @@ TEST(Umbilics, rigid_motions)
   });
   const Umbilics before = SC::umbilics(surface), after = SC::umbilics(surface.transformed(turn));
   EXPECT_TRUE(before.is_complete() && after.is_complete());
-  ASSERT_FALSE(before.points.empty());
-  ASSERT_EQ(before.points.size(), after.points.size());
-  for (std::size_t i = 0; i < before.points.size(); ++i)
+  ASSERT_FALSE(before.points().empty());
+  ASSERT_EQ(before.points().size(), after.points().size());
+  for (std::size_t i = 0; i < before.points().size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      EXPECT_NEAR(before.points[i].parameters.point()[k], after.points[i].parameters.point()[k], 1e-13);
+      EXPECT_NEAR(before.points()[i].parameters.point()[k], after.points()[i].parameters.point()[k], 1e-13);
 }
 
 TEST(Umbilics, undecided)
@@ -134,7 +134,7 @@ TEST(Umbilics, undecided)
        {SC::sphere_surface<K>(Point(0, 0, 0), 1), graph([](const Function&x, const Function&y) { return x + y; })}) {
     const Umbilics found = SC::umbilics(surface);
     EXPECT_FALSE(found.is_complete());
-    EXPECT_TRUE(found.points.empty());
+    EXPECT_TRUE(found.points().empty());
   }
 }
 

@@ -8,13 +8,16 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_solution.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -36,6 +39,13 @@ struct Common_point
   // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
   bool is_repeated;
 };
+
+// What stands for all common points with parameters in a box, where none were looked for.
+inline Common_point undecided_common_point(const Parameter_box& box, Undecided_reason reason)
+{
+  return {Intersection_kind::UNDECIDED, box, std::vector<bool>(box.size(), false), undecided_solution(box, reason),
+          false};
+}
 
 } // namespace Common
 } // namespace internal
@@ -66,7 +76,7 @@ private:
   Point m_point;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a common point that an operation has found, of these operands.
   Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands)
     : m_common(std::move(common)), m_split(operands.first_parameter(1))
   {
@@ -75,7 +85,6 @@ public:
     ranges.resize(m_split);
     m_point = internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(ranges)));
   }
-#endif
 
   //! what is proved.
   Intersection_kind kind() const { return m_common.kind; }
@@ -134,24 +143,33 @@ private:
 
 The answers of an operation that finds common points, and whether they are all.
 
-\tparam Answer `Intersection` or `Locus_intersection`.
+\tparam Answer_ `Intersection` or `Locus_intersection`.
 */
-template <class Answer>
+template <class Answer_>
 class Intersection_set
 {
-  std::vector<Answer> m_answers;
-  Summary m_summary;
-
 public:
+  //! an answer.
+  using Answer = Answer_;
+  //! passes the answers.
   using const_iterator = typename std::vector<Answer>::const_iterator;
 
-#ifndef DOXYGEN_RUNNING
-  Intersection_set(std::vector<Answer> answers, const Summary& summary)
-    : m_answers(std::move(answers)), m_summary(summary)
+private:
+  std::vector<Answer> m_answers;
+  Summary m_summary;
+  std::function<Undecided_part(const Answer&)> m_undecided_part; // is called where somebody asks
+
+public:
+  //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why.
+  Intersection_set(std::vector<Answer> answers, const Summary& work,
+                   std::function<Undecided_part(const Answer&)> undecided_part)
+    : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
   }
-#endif
+
+  //! no answers, and nothing is undecided.
+  Intersection_set() = default;
 
   //! @{ the answers.
   const_iterator begin() const { return m_answers.begin(); }
@@ -170,6 +188,16 @@ public:
 
   //! whether there are no others, by proof, and none is undecided.
   bool is_complete() const { return m_summary.is_complete; }
+
+  //! what is undecided, where in space and on the operands, and why: the answers of the kind `UNDECIDED`.
+  std::vector<Undecided_part> undecided() const
+  {
+    std::vector<Undecided_part> result;
+    for (const Answer& answer : m_answers)
+      if (answer.kind() == Intersection_kind::UNDECIDED)
+        result.push_back(m_undecided_part(answer));
+    return result;
+  }
 
   //! the work of the solver.
   const Summary& summary() const { return m_summary; }

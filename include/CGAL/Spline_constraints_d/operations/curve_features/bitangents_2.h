@@ -8,7 +8,9 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_on_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -32,11 +34,10 @@ class Bitangent_2
   Solution_d<double> m_solution;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a line with these contacts.
   Bitangent_2(std::array<Point_on_spline<Kernel, 1, 2>, 2> contacts, Solution_d<double> solution)
     : m_contacts(std::move(contacts)), m_solution(std::move(solution))
   {}
-#endif
 
   //! the point where it touches the first (0) or second (1) curve; of one curve, the contact with the smaller (0) or
   //! larger (1) parameter.
@@ -53,13 +54,13 @@ public:
 The bitangents of two curves or of one.
 */
 template <SplineKernel Kernel>
-struct Bitangents_2
+class Bitangents_2 : public Answer_list<Bitangent_2<Kernel>>
 {
-  //! what was found: certified ones, clusters, families (a `CONTINUUM`), and what is undecided.
-  std::vector<Bitangent_2<Kernel>> bitangents;
+public:
+  using Answer_list<Bitangent_2<Kernel>>::Answer_list;
 
-  //! whether there are no others, by proof, and none is undecided; and the work of the solver.
-  Summary summary;
+  //! what was found: certified ones, clusters, families (a `CONTINUUM`), and what is undecided.
+  const std::vector<Bitangent_2<Kernel>>& bitangents() const { return this->answers(); }
 };
 
 namespace internal {
@@ -77,7 +78,9 @@ class Bitangent_finder
 
   const std::array<const Planar_map*, 2> m_curves;
   Budgeted_solver m_solve;
-  Bitangents_2<Kernel> m_result;
+  std::vector<Bitangent_2<Kernel>> m_found;
+  std::vector<Undecided_part> m_undecided;
+  bool m_is_stopped = false;
 
 public:
   Bitangent_finder(const Planar_map& first, const Planar_map& second, const Solver_options& options)
@@ -91,8 +94,7 @@ public:
     for (const Smooth_part& first : smooth_parts(*m_curves[0]))
       for (const Smooth_part& second : second_parts)
         solve_pair(first, second, whole(first, second));
-    m_result.summary = m_solve.total();
-    return std::move(m_result);
+    return {std::move(m_found), std::move(m_undecided), m_solve.total()};
   }
 
   // Those of the first curve with itself: of each polynomial piece, and of each two of them without the corners where
@@ -102,7 +104,7 @@ public:
     const std::vector<Smooth_part> pieces = smooth_parts(*m_curves[0], [](const auto&, const auto&) { return false; });
     const std::size_t n = pieces.size();
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = i; j < n; ++j) {
+      for (std::size_t j = i; j < n && !ends(); ++j) {
         std::vector<Joint> joints;
         if (j == i + 1)
           append(joints, curved_joint(pieces[i], pieces[j], false));
@@ -111,8 +113,7 @@ public:
         for (const Region& region : without(whole(pieces[i], pieces[j]), joints))
           i == j ? solve_piece(pieces[i], region) : solve_pair(pieces[i], pieces[j], {region});
       }
-    m_result.summary = m_solve.total();
-    return std::move(m_result);
+    return {std::move(m_found), std::move(m_undecided), m_solve.total()};
   }
 
 private:
@@ -131,6 +132,8 @@ private:
   void solve_pair(const Smooth_part& first, const Smooth_part& second, const std::vector<Region>& regions)
   {
     for (const Region& region : regions) {
+      if (ends())
+        return;
       const std::vector<Unknown> u = unknowns_in(region);
       const Vector_expression<2> tangent = first.curve(1, u[0]), chord = first.curve(0, u[0]) - second.curve(0, u[1]);
       std::vector<Constraint> constraints{cross(tangent, second.curve(1, u[1])) == 0, cross(tangent, chord) == 0,
@@ -147,6 +150,8 @@ private:
   */
   void solve_piece(const Smooth_part& piece, const Region& region)
   {
+    if (ends())
+      return;
     const std::vector<Unknown> u = unknowns_in(region);
     const Vector_expression<2> tangent = piece.curve(1, u[0]);
     const Expression between = u[0] - u[1];
@@ -172,9 +177,28 @@ private:
   {
     for (const Solution_d<double>& solution : solutions) {
       const auto box = solution.exact_box();
-      m_result.bitangents.emplace_back(
-          std::array<Contact, 2>{Contact(*m_curves[0], {box[0]}), Contact(*m_curves[1], {box[1]})}, solution);
+      m_found.emplace_back(std::array<Contact, 2>{Contact(*m_curves[0], {box[0]}), Contact(*m_curves[1], {box[1]})},
+                           solution);
+      if (solution.kind() == Solution_kind::UNDECIDED)
+        add_undecided({box[0], box[1]}, solution.reason());
     }
+  }
+
+  // Whether the run ends, so that what follows is undecided: one part stands for it.
+  bool ends()
+  {
+    if (!m_solve.must_stop())
+      return false;
+    if (!std::exchange(m_is_stopped, true))
+      add_undecided({m_curves[0]->domain(0), m_curves[1]->domain(0)}, m_solve.reason());
+    return true;
+  }
+
+  void add_undecided(const Region& region, Undecided_reason reason)
+  {
+    const std::size_t second = m_curves[0] == m_curves[1] ? 0 : 1;
+    m_undecided.push_back(
+        undecided_on_curves({{*m_curves[0], 0, region[0]}, {*m_curves[1], second, region[1]}}, in_words(reason)));
   }
 
   static void append(std::vector<Joint>& joints, std::vector<Joint> more)

@@ -7,8 +7,11 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Sign_sequence.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/critical_values.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/reason_of.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_on_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Uncertain.h>
@@ -67,13 +70,12 @@ class Curve_feature_2
   std::vector<Solution_d<double>> m_solutions;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a feature that an operation has found.
   Curve_feature_2(Curve_feature_kind kind, Point_on_spline<Kernel, 1, 2> point,
                   const internal::Common::Sign_event& event, CGAL::Uncertain<bool> is_global)
     : m_kind(kind), m_point(std::move(point)), m_is_family(event.is_family()), m_is_at_break(event.is_break),
       m_is_global(is_global), m_solutions(event.zeros)
   {}
-#endif
 
   //! what is proved.
   Curve_feature_kind kind() const { return m_kind; }
@@ -102,18 +104,19 @@ public:
 The features of a curve in the order of their parameters.
 */
 template <SplineKernel Kernel>
-struct Curve_features_2
+class Curve_features_2 : public Answer_list<Curve_feature_2<Kernel>>
 {
-  //! all features, by increasing parameters.
-  std::vector<Curve_feature_2<Kernel>> features;
+public:
+  using Answer_list<Curve_feature_2<Kernel>>::Answer_list;
 
-  //! the work of the solver, for all pieces; complete unless a limit ended the run.
-  Summary summary;
+  //! all features, by increasing parameters.
+  const std::vector<Curve_feature_2<Kernel>>& features() const { return this->answers(); }
 
   //! number of features of a kind.
   std::size_t count(Curve_feature_kind kind) const
   {
-    return std::count_if(features.begin(), features.end(), [=](const auto& feature) { return feature.kind() == kind; });
+    return static_cast<std::size_t>(
+        std::count_if(this->begin(), this->end(), [=](const auto& feature) { return feature.kind() == kind; }));
   }
 };
 
@@ -150,13 +153,26 @@ inline Curve_feature_kind kind_of_inflection(const Sign_event& event)
                                                                                     : kind;
 }
 
+// Features of a curve, those among them that are undecided, and the work.
+template <class Kernel>
+Curve_features_2<Kernel> curve_features(std::vector<Curve_feature_2<Kernel>> features, const Planar_map& curve,
+                                        const Summary& work)
+{
+  std::vector<Undecided_part> undecided;
+  for (const Curve_feature_2<Kernel>& feature : features)
+    if (feature.kind() == Curve_feature_kind::UNDECIDED)
+      undecided.push_back(undecided_on_curves({{curve, 0, feature.point_on_curve().parameter_range()}},
+                                              reason_of(feature.solutions())));
+  return {std::move(features), std::move(undecided), work};
+}
+
 // The features that the signs of a formula of the curvature make.
 template <class Kernel, class Kind>
 Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces,
                                             const Sign_sequence& signs, const Kind& kind_of_event,
                                             Budgeted_solver& solve)
 {
-  Curve_features_2<Kernel> result;
+  std::vector<Curve_feature_2<Kernel>> result;
   for (const Sign_event& event : signs.events()) {
     Curve_feature_kind kind = kind_of_event(event);
     if (event.is_cut)
@@ -165,10 +181,9 @@ Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::
       kind = Curve_feature_kind::UNDECIDED;
     else if (!event.is_family() && is_singular(pieces, event, solve))
       kind = Curve_feature_kind::SINGULAR;
-    result.features.emplace_back(kind, Point_on_spline<Kernel, 1, 2>(curve, {event.range}), event, false);
+    result.emplace_back(kind, Point_on_spline<Kernel, 1, 2>(curve, {event.range}), event, false);
   }
-  result.summary = solve.total();
-  return result;
+  return curve_features(std::move(result), curve, solve.total());
 }
 
 // The square of the curvature, with its sign.
@@ -222,6 +237,8 @@ public:
   {
     CGAL::Uncertain<bool> result = true;
     for (std::size_t j = 0; j < m_candidates.size(); ++j) {
+      if (m_solve.must_stop())
+        return CGAL::Uncertain<bool>::indeterminate();
       const CGAL::Uncertain<CGAL::Sign> comparison =
           i == j ? CGAL::Uncertain<CGAL::Sign>(CGAL::ZERO) : compare(m_candidates[j], m_candidates[i]);
       if (!comparison.is_certain())
@@ -451,7 +468,7 @@ Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve,
   const internal::Common::Sign_sequence signs(pieces, map.is_closed(), slope, is_continuous, solve);
   const std::vector<internal::Common::Sign_event> events = internal::Curve_features::events_with_ends(signs, map);
 
-  Curve_features_2<typename Curve::Kernel> result;
+  std::vector<Curve_feature_2<typename Curve::Kernel>> result;
   const internal::Curve_features::Height_comparison heights(curve, pieces, d, events, solve);
   for (std::size_t i = 0; i < events.size(); ++i) {
     const Curve_feature_kind kind =
@@ -460,11 +477,10 @@ Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve,
     const CGAL::Uncertain<bool> is_global = may_be_global
         ? heights.is_global(i, kind == Curve_feature_kind::MINIMUM ? -1 : 1)
         : CGAL::Uncertain<bool>(false);
-    result.features.emplace_back(kind, Point_on_spline<typename Curve::Kernel, 1, 2>(map, {events[i].range}), events[i],
-                                 is_global);
+    result.emplace_back(kind, Point_on_spline<typename Curve::Kernel, 1, 2>(map, {events[i].range}), events[i],
+                        is_global);
   }
-  result.summary = solve.total();
-  return result;
+  return internal::Curve_features::curve_features(std::move(result), map, solve.total());
 }
 
 /*!

@@ -7,7 +7,9 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_on_curves.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -48,10 +50,38 @@ struct Offset_arc_2
 
 An offset as polylines.
 */
-struct Offset_arcs_2
+class Offset_arcs_2
 {
-  std::vector<Offset_arc_2> arcs;   ///< by increasing parameters
-  Locus_intersections<2> cusps;     ///< the cusps, certified, as `cusps()` finds them
+  std::vector<Offset_arc_2> m_arcs;
+  Locus_intersections<2> m_cusps;
+  std::vector<Undecided_part> m_undecided;
+  Summary m_summary;
+
+public:
+  //! what `offset_arcs()` has found; `undecided` are parts of the curve without arcs.
+  Offset_arcs_2(std::vector<Offset_arc_2> arcs, Locus_intersections<2> cusps, std::vector<Undecided_part> undecided)
+    : m_arcs(std::move(arcs)), m_cusps(std::move(cusps)), m_undecided(std::move(undecided)),
+      m_summary(m_cusps.summary())
+  {
+    for (Undecided_part& cusp : m_cusps.undecided())
+      m_undecided.push_back(std::move(cusp));
+    m_summary.is_complete = m_undecided.empty();
+  }
+
+  //! the arcs, by increasing parameters.
+  const std::vector<Offset_arc_2>& arcs() const { return m_arcs; }
+
+  //! the cusps, certified, as `cusps()` finds them.
+  const Locus_intersections<2>& cusps() const { return m_cusps; }
+
+  //! whether these are all arcs and cusps.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the parts of the curve whose offsets are not there, or for which it is undecided whether there is a cusp.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
 };
 
 /*!
@@ -75,16 +105,25 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
   using namespace internal;
   using namespace internal::Curve_features;
   internal::check_error(error, "offset_arcs");
-  Offset_arcs_2 result{{}, cusps(offset, options)};
+  Operation_budget budget(options);
+  Locus_intersections<2> all_cusps = cusps(offset, budget.remaining());
+  std::vector<Offset_arc_2> arcs;
+  std::vector<Undecided_part> undecided;
   const auto is_cusp_at = [&](const Exact_rational& t) {
-    return std::any_of(result.cusps.begin(), result.cusps.end(), [&](const auto& cusp) {
+    return std::any_of(all_cusps.begin(), all_cusps.end(), [&](const auto& cusp) {
       return cusp.kind() != Intersection_kind::OVERLAP && cusp.multiplicity() % 2 == 1 &&
           cusp.parameter_range(0).first <= t && t <= cusp.parameter_range(0).second;
     });
   };
   for (const Smooth_part& part : smooth_parts(offset.curve())) {
+    if (budget.must_stop()) {
+      undecided.push_back(undecided_on_curves(
+          {{offset.curve(), 0, {part.curve.begin(), offset.curve().domain(0).second}}}, in_words(budget.reason())));
+      undecided.back().place.clear(); // that is where the curve is, not its offset
+      break;
+    }
     std::vector<Exact_rational> stops = part.curve.map().breaks(0);
-    for (const auto& cusp : result.cusps)
+    for (const auto& cusp : all_cusps)
       if (const Exact_rational t(cusp.parameter(0)); part.curve.begin() < t && t < part.curve.end())
         stops.push_back(t);
     std::sort(stops.begin(), stops.end());
@@ -102,13 +141,13 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const bool begins_at_cusp = is_cusp_at(stops[i]);
       if (i == 0 || begins_at_cusp)
-        result.arcs.push_back({{sample_at(stops[i])}, {begins_at_cusp, false}});
-      Offset_arc_2& arc = result.arcs.back();
+        arcs.push_back({{sample_at(stops[i])}, {begins_at_cusp, false}});
+      Offset_arc_2& arc = arcs.back();
       append_samples(arc.samples, sample_at(stops[i + 1]), between, is_chord, {2, 20});
       arc.is_at_cusp[1] = is_cusp_at(stops[i + 1]);
     }
   }
-  return result;
+  return {std::move(arcs), std::move(all_cusps), std::move(undecided)};
 }
 
 } // namespace Spline_constraints

@@ -50,6 +50,11 @@ inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_o
   };
   std::vector<Locus_intersection<2>> result;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (solve.must_stop()) {
+      result.push_back(internal::Intersections::undecided_locus_intersection<2>(
+          {{{pieces[i].begin(), offset.domain().second}}}, solve.reason()));
+      break;
+    }
     const auto [u] = parameters(pieces[i].map());
     const Vector_expression<2> tangent = pieces[i](1, u);
     const Expression turn = r * determinant(tangent, pieces[i](2, u));
@@ -99,11 +104,17 @@ inline Locus_intersections<2> self_intersections(const Offset_curve_2& offset, c
   }
   std::vector<Locus_intersection<2>> result;
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (std::size_t j = i; j < pieces.size(); ++j)
+    for (std::size_t j = i; j < pieces.size(); ++j) {
+      if (solve.must_stop()) { // one answer stands for all pairs that follow
+        result.push_back(internal::Intersections::undecided_locus_intersection<2>(
+            {{offset.domain()}, {offset.domain()}}, solve.reason()));
+        return internal::Intersections::ordered_by_kind(std::move(result), solve.total());
+      }
       for (Locus_intersection<2>& answer :
            internal::Loci::Offset_self_intersection(offset.distance(), pieces[i], pieces[j], offset.domain())
                .solutions(solve))
         result.push_back(std::move(answer));
+    }
   return internal::Intersections::ordered_by_kind(std::move(result), solve.total());
 }
 

@@ -10,11 +10,14 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_on_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <array>
 #include <cstddef>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,11 +37,10 @@ class Ray_trap_2
   Solution_d<double> m_solution;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a path with these points of reflection.
   Ray_trap_2(std::vector<typename Kernel::Point_2> points, Solution_d<double> solution)
     : m_points(std::move(points)), m_solution(std::move(solution))
   {}
-#endif
 
   //! the points of reflection: of each curve the one in the middle of the range of its parameter.
   const std::vector<typename Kernel::Point_2>& points() const { return m_points; }
@@ -54,21 +56,14 @@ public:
 The ray-traps of some curves.
 */
 template <SplineKernel Kernel>
-struct Ray_traps_2
+class Ray_traps_2 : public Answer_list<Ray_trap_2<Kernel>>
 {
+public:
+  using Answer_list<Ray_trap_2<Kernel>>::Answer_list;
+
   //! what was found: certified ones, clusters, families (a `CONTINUUM`, of which the middle of the cover is given), and
   //! what is undecided.
-  std::vector<Ray_trap_2<Kernel>> traps;
-
-  //! whether there are no others, by proof, and none is undecided; and the work of the solver.
-  Summary summary;
-
-  //! @{ the same as `traps`.
-  auto begin() const { return traps.begin(); }
-  auto end() const { return traps.end(); }
-  std::size_t size() const { return traps.size(); }
-  bool empty() const { return traps.empty(); }
-  //! @}
+  const std::vector<Ray_trap_2<Kernel>>& traps() const { return this->answers(); }
 };
 
 namespace internal {
@@ -135,6 +130,16 @@ inline std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirr
   return result;
 }
 
+// What is undecided of the paths with parameters in a box.
+inline Undecided_part undecided_trap(const std::vector<Planar_map>& curves, const std::vector<Exact_range>& box,
+                                     Undecided_reason reason)
+{
+  std::vector<Curve_range> parts;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    parts.push_back({curves[i], i, box[i]});
+  return undecided_on_curves(parts, in_words(reason));
+}
+
 template <SplineKernel Kernel>
 Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const Solution_d<double>& solution)
 {
@@ -164,38 +169,55 @@ At a corner there is no law of reflection, so what passes through one is no trap
 parts without that point. A path that would be reflected there according to one of the tangents is excluded by proof, or
 is `UNDECIDED`. The ends of a curve that is not closed belong to it.
 
-\tparam Curve a model of `ParametricCurve_2`.
+\tparam Curves a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves, in the order in which they reflect.
 \param options those of the solver; limits hold for the operation as a whole.
+\return a `Ray_traps_2` with the kernel of the curves.
 \throws Invalid_input for fewer than two curves; when an option makes no sense.
 
 Complexity: that of a system of \f$n\f$ equations for each choice of one smooth part of each curve.
 
 Source: \cgalCite{ek-gcs-01}, section 3.1.
 */
-template <ParametricCurve_2 Curve>
-Ray_traps_2<typename Curve::Kernel> ray_traps(const std::vector<Curve>& curves, const Solver_options& options = {})
+template <std::ranges::input_range Curves>
+requires ParametricCurve_2<std::ranges::range_value_t<Curves>>
+auto ray_traps(Curves&& curves, const Solver_options& options = {})
 {
-  if (curves.size() < 2)
-    throw Invalid_input("ray_traps: " + std::to_string(curves.size()) + " curves, at least 2 are needed");
-  const std::vector<Spline_map<1, 2>> maps(curves.begin(), curves.end());
-  std::vector<std::vector<internal::Curve_features::Mirror>> mirrors;
+  using namespace internal::Curve_features;
+  using Kernel = typename std::ranges::range_value_t<Curves>::Kernel;
+  std::vector<internal::Planar_map> maps;
+  for (const auto& curve : curves)
+    maps.emplace_back(curve);
+  if (maps.size() < 2)
+    throw Invalid_input("ray_traps: " + std::to_string(maps.size()) + " curves, at least 2 are needed");
+  std::vector<std::vector<Mirror>> all_mirrors;
   std::vector<int> last;
-  for (const Spline_map<1, 2>& map : maps) {
-    mirrors.push_back(internal::Curve_features::mirrors(map));
-    last.push_back(static_cast<int>(mirrors.back().size()) - 1);
+  for (const internal::Planar_map& map : maps) {
+    all_mirrors.push_back(mirrors(map));
+    last.push_back(static_cast<int>(all_mirrors.back().size()) - 1);
   }
   internal::Common::Budgeted_solver solve(options);
-  Ray_traps_2<typename Curve::Kernel> result;
+  std::vector<Ray_trap_2<Kernel>> traps;
+  std::vector<Undecided_part> undecided;
   internal::for_each_index(last, [&](const std::vector<int>& choice) {
-    std::vector<const internal::Curve_features::Mirror*> chosen;
+    if (solve.must_stop())
+      return;
+    std::vector<const Mirror*> chosen;
     for (std::size_t i = 0; i < choice.size(); ++i)
-      chosen.push_back(&mirrors[i][choice[i]]);
-    for (const Solution_d<double>& solution : solve(internal::Curve_features::ray_trap_constraints(chosen)))
-      result.traps.push_back(internal::Curve_features::ray_trap<typename Curve::Kernel>(maps, solution));
+      chosen.push_back(&all_mirrors[i][choice[i]]);
+    for (const Solution_d<double>& solution : solve(ray_trap_constraints(chosen))) {
+      traps.push_back(ray_trap<Kernel>(maps, solution));
+      if (solution.kind() == Solution_kind::UNDECIDED)
+        undecided.push_back(undecided_trap(maps, solution.exact_box(), solution.reason()));
+    }
   });
-  result.summary = solve.total();
-  return result;
+  if (solve.reason() != Undecided_reason::NONE) { // one part stands for all mirrors that were not looked at
+    std::vector<internal::Exact_range> domains;
+    for (const internal::Planar_map& map : maps)
+      domains.push_back(map.domain(0));
+    undecided.push_back(undecided_trap(maps, domains, solve.reason()));
+  }
+  return Ray_traps_2<Kernel>(std::move(traps), std::move(undecided), solve.total());
 }
 
 } // namespace Spline_constraints

@@ -7,7 +7,10 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/reason_of.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_on_curves.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Circle_emptiness.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -15,7 +18,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,13 +67,12 @@ private:
   Solution_d<double> m_solution;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a circle that an operation has found.
   Tangent_circle_2(std::array<Point_on_spline<Kernel, 1, 2>, 3> contacts,
                    const internal::Distances::Enclosed_circle& circle, Emptiness emptiness, Solution_d<double> solution)
     : m_contacts(std::move(contacts)), m_center{circle.center[0].pair(), circle.center[1].pair()},
       m_squared_radius(circle.squared_radius.pair()), m_emptiness(emptiness), m_solution(std::move(solution))
   {}
-#endif
 
   //! the point where it touches the first (0), second (1) or third (2) curve.
   const Point_on_spline<Kernel, 1, 2>& contact(std::size_t curve) const { return m_contacts[curve]; }
@@ -79,11 +83,15 @@ public:
   //! a range of the square of the radius.
   const Range& squared_radius_range() const { return m_squared_radius; }
 
-  //! the middle of the range of a coordinate of the center; not a number where the range is infinite.
-  double center(std::size_t axis) const { return m_center[axis].first / 2 + m_center[axis].second / 2; }
+  //! the middle of the range of a coordinate of the center; none where the range is infinite.
+  std::optional<double> center(std::size_t axis) const { return middle_of(m_center[axis]); }
 
-  //! the radius: the root of the middle of the range of its square.
-  double radius() const { return std::sqrt(m_squared_radius.first / 2 + m_squared_radius.second / 2); }
+  //! the radius: the root of the middle of the range of its square; none where that is infinite.
+  std::optional<double> radius() const
+  {
+    const std::optional<double> square = middle_of(m_squared_radius);
+    return square ? std::optional(std::sqrt(*square)) : std::nullopt;
+  }
 
   //! what is proved of the disk.
   Emptiness emptiness() const { return m_emptiness; }
@@ -91,6 +99,13 @@ public:
   //! the answer of the solver, with its proof: the unknowns are the three parameters, and \f$a\f$ or \f$b\f$ as
   //! explained at `tangent_circles()`. Nothing is proved of an `UNDECIDED` one.
   const Solution_d<double>& solution() const { return m_solution; }
+
+private:
+  static std::optional<double> middle_of(const Range& range)
+  {
+    const double middle = range.first / 2 + range.second / 2;
+    return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
+  }
 };
 
 /*!
@@ -99,27 +114,20 @@ public:
 The circles that are tangent to three curves.
 */
 template <SplineKernel Kernel>
-struct Tangent_circles_2
+class Tangent_circles_2 : public Answer_list<Tangent_circle_2<Kernel>>
 {
-  //! what was found: certified ones, clusters, families (a `CONTINUUM`), and what is undecided.
-  std::vector<Tangent_circle_2<Kernel>> circles;
+public:
+  using Answer_list<Tangent_circle_2<Kernel>>::Answer_list;
 
-  //! whether there are no others, by proof, and none is undecided; and the work of the solver.
-  Summary summary;
+  //! what was found: certified ones, clusters, families (a `CONTINUUM`), and what is undecided.
+  const std::vector<Tangent_circle_2<Kernel>>& circles() const { return this->answers(); }
 
   //! number of circles with this known of their disks.
   std::size_t count(Emptiness emptiness) const
   {
-    return std::count_if(circles.begin(), circles.end(),
-                         [=](const auto& circle) { return circle.emptiness() == emptiness; });
+    return static_cast<std::size_t>(
+        std::count_if(this->begin(), this->end(), [=](const auto& circle) { return circle.emptiness() == emptiness; }));
   }
-
-  //! @{ the same as `circles`.
-  auto begin() const { return circles.begin(); }
-  auto end() const { return circles.end(); }
-  std::size_t size() const { return circles.size(); }
-  bool empty() const { return circles.empty(); }
-  //! @}
 };
 
 namespace internal {
@@ -138,7 +146,8 @@ class Tangent_circle_finder
   std::array<std::vector<Homogeneous_piece>, 3> m_pieces;
   Exact_rational m_scale;   // of the normal: the length of the domain
   Budgeted_solver m_solve;
-  Tangent_circles_2<Kernel> m_result;
+  std::vector<Tangent_circle_2<Kernel>> m_found;
+  std::vector<Undecided_part> m_undecided;
 
 public:
   template <class C1, class C2, class C3>
@@ -155,16 +164,27 @@ public:
                                    third = smooth_parts(m_curves[2]);
     for (const Smooth_part& a : first)
       for (const Smooth_part& b : second)
-        for (const Smooth_part& c : third)
+        for (const Smooth_part& c : third) {
+          if (m_solve.must_stop()) { // one part stands for all that follows
+            add_undecided({m_curves[0].domain(0), m_curves[1].domain(0), m_curves[2].domain(0)},
+                          in_words(m_solve.reason()));
+            return result();
+          }
           solve({&a, &b, &c});
-    m_result.summary = m_solve.total();
-    m_result.summary.is_complete = // what the other form decided does not count
-        std::none_of(m_result.circles.begin(), m_result.circles.end(),
-                     [](const auto& circle) { return circle.solution().kind() == Solution_kind::UNDECIDED; });
-    return std::move(m_result);
+        }
+    return result();
   }
 
 private:
+  Tangent_circles_2<Kernel> result() { return {std::move(m_found), std::move(m_undecided), m_solve.total()}; }
+
+  void add_undecided(const std::array<Parameter_range, 3>& ranges, std::string reason)
+  {
+    m_undecided.push_back(undecided_on_curves(
+        {{m_curves[0], 0, ranges[0]}, {m_curves[1], 1, ranges[1]}, {m_curves[2], 2, ranges[2]}}, std::move(reason)));
+    m_undecided.back().place.clear(); // centers may be anywhere
+  }
+
   // Ranges that overlap, so that no circle is at the end of both; what is found twice is reported once.
   static Exact_rational limit() { return Exact_rational(17) / 16; }
 
@@ -243,8 +263,10 @@ private:
     const Upward_rounding_guard guard;
     const Enclosed_circle circle = enclosed(contacts[0].parameter_range(), box[3], form);
     const bool is_known = solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER;
-    m_result.circles.emplace_back(std::move(contacts), circle,
-                                  is_known ? emptiness(circle, box, parts) : Emptiness::UNDECIDED, solution);
+    if (solution.kind() == Solution_kind::UNDECIDED)
+      add_undecided({box[0], box[1], box[2]}, reason_of(solution));
+    m_found.emplace_back(std::move(contacts), circle, is_known ? emptiness(circle, box, parts) : Emptiness::UNDECIDED,
+                         solution);
   }
 
   // The circle of a range of parameters on the first curve and a range of a or b.
@@ -336,7 +358,7 @@ not. Where the derivative of a curve is zero, families of circles come back that
 \param c1 the first curve.
 \param c2 the second curve.
 \param c3 the third curve.
-\param options those of the solver; limits hold for each system.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: two systems of four equations in four unknowns for each three smooth parts. Source: \cgalCite{ek-gcs-01},

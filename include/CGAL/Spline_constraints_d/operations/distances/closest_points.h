@@ -6,11 +6,15 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
-#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/distance_bounds.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
+#endif
 
 #include <array>
 #include <cstddef>
@@ -43,13 +47,11 @@ private:
   std::array<Point, 2> m_points;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  Point_pair(internal::Distances::Critical_distance distance, const internal::Common::Spline_patch<d>& a,
-             const internal::Common::Spline_patch<d>& b)
-    : m_distance(std::move(distance)), m_points{internal::kernel_object<Kernel, Point>(a(m_distance.sample[0])),
-                                                internal::kernel_object<Kernel, Point>(b(m_distance.sample[1]))}
+  //! a pair of points that an operation has found.
+  explicit Point_pair(internal::Distances::Located_distance<d> found)
+    : m_distance(std::move(found.distance)), m_points{internal::kernel_object<Kernel, Point>(found.points[0]),
+                                                      internal::kernel_object<Kernel, Point>(found.points[1])}
   {}
-#endif
 
   //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the
   //! derivatives of the distance are as they were asked for; in a `CONTINUUM` there are infinitely many; of `CLUSTER`
@@ -89,13 +91,13 @@ public:
 The feet of the perpendiculars from a point: pairs of that point, which is operand 0, and a foot, operand 1.
 */
 template <SplineKernel Kernel, int d>
-struct Projections
+class Projections : public Answer_list<Point_pair<Kernel, d>>
 {
-  //! the feet, by increasing distance.
-  std::vector<Point_pair<Kernel, d>> feet;
+public:
+  using Answer_list<Point_pair<Kernel, d>>::Answer_list;
 
-  //! whether there are no others, by proof, and none is undecided; and the work of the solver.
-  Summary summary;
+  //! the feet, by increasing distance.
+  const std::vector<Point_pair<Kernel, d>>& feet() const { return this->answers(); }
 };
 
 /*!
@@ -104,47 +106,48 @@ struct Projections
 Where two operands are closest to each other: all pairs of points that may be, and the distance.
 */
 template <SplineKernel Kernel, int d>
-class Closest_points
+class Closest_points : public Answer_list<Point_pair<Kernel, d>>
 {
 public:
+  //! a closed range of numbers.
   using Range = std::pair<Exact_rational, Exact_rational>;
-  using const_iterator = typename std::vector<Point_pair<Kernel, d>>::const_iterator;
 
 private:
-  std::vector<Point_pair<Kernel, d>> m_pairs;
   Range m_squared_distance;
-  Summary m_summary;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  Closest_points(std::vector<Point_pair<Kernel, d>> pairs, Range squared_distance, const Summary& summary)
-    : m_pairs(std::move(pairs)), m_squared_distance(std::move(squared_distance)), m_summary(summary)
+  //! these pairs, and a range of the square of the distance. Every pair of closest points is one of the pairs, or
+  //! belongs to a continuum that is one. Never empty.
+  Closest_points(std::vector<Point_pair<Kernel, d>> pairs, std::vector<Undecided_part> undecided, const Summary& work,
+                 Range squared_distance)
+    : Answer_list<Point_pair<Kernel, d>>(std::move(pairs), std::move(undecided), work),
+      m_squared_distance(std::move(squared_distance))
   {}
-#endif
-
-  //! @{ the pairs: every pair of closest points is one of them, or belongs to a continuum that is one. Never empty.
-  const_iterator begin() const { return m_pairs.begin(); }
-  const_iterator end() const { return m_pairs.end(); }
-  std::size_t size() const { return m_pairs.size(); }
-  bool empty() const { return m_pairs.empty(); }
-  const Point_pair<Kernel, d>& operator[](std::size_t i) const { return m_pairs[i]; }
-  //! @}
 
   //! whether there is just one pair of closest points, by proof.
-  bool is_unique() const { return m_pairs.size() == 1 && m_pairs[0].kind() == Solution_kind::CERTIFIED; }
-
-  //! whether none of the pairs is undecided.
-  bool is_complete() const { return m_summary.is_complete; }
+  bool is_unique() const { return this->size() == 1 && (*this)[0].kind() == Solution_kind::CERTIFIED; }
 
   //! the square of the distance of the operands lies between these numbers; they are equal where it is known exactly.
   const Range& squared_distance_range() const { return m_squared_distance; }
 
   //! the distance of the operands lies between these doubles.
   std::pair<double, double> distance_range() const { return internal::Distances::root_range(m_squared_distance); }
-
-  //! the work of the solver.
-  const Summary& summary() const { return m_summary; }
 };
+
+namespace internal {
+namespace Distances {
+
+template <SplineKernel Kernel, int d>
+std::vector<Point_pair<Kernel, d>> point_pairs(std::vector<Located_distance<d>> found)
+{
+  std::vector<Point_pair<Kernel, d>> result;
+  for (Located_distance<d>& pair : found)
+    result.emplace_back(std::move(pair));
+  return result;
+}
+
+} // namespace Distances
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDDistances
@@ -162,7 +165,7 @@ well.
 point, in the same dimension.
 \param point the point.
 \param object the curve or surface.
-\param options those of the solver.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when a coordinate is not finite, the weight of the object is not proved to have one sign, or an
 option makes no sense.
 
@@ -176,14 +179,10 @@ requires internal::Common::Spline_operands<Point, Object> &&
   using Operand = internal::Common::Spline_operand<Object>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Common::Spline_patch<d> a = internal::Common::Spline_operand<Point>::patch(point),
-                                          b = Operand::patch(object);
-  internal::Distances::Critical_distances<d> search(a, b, internal::Common::perpendicular_before, options);
-  Projections<Kernel, d> result;
-  for (internal::Distances::Critical_distance& foot : search.all())
-    result.feet.emplace_back(std::move(foot), a, b);
-  result.summary = search.summary();
-  return result;
+  auto found = internal::Distances::projections_of<d>(internal::Common::Spline_operand<Point>::map(point),
+                                                      Operand::map(object), options);
+  return Projections<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
+                                std::move(found.undecided), found.summary);
 }
 
 /*!
@@ -208,7 +207,8 @@ first parameter of the seam.
 `ParametricSurface_3`, of the same kernel in the same dimension.
 \param a the first operand.
 \param b the second operand.
-\param options those of the solver. Its limits hold for each of the systems.
+\param options those of the solver; limits hold for the operation as a whole. Where one is reached, one answer is
+`UNDECIDED`, with all parameters as its ranges.
 \throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
 sense.
 
@@ -222,14 +222,10 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
   using Operand = internal::Common::Spline_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Common::Spline_patch<d> first = Operand::patch(a),
-                                          second = internal::Common::Spline_operand<B>::patch(b);
-  internal::Distances::Critical_distances<d> search(first, second, internal::Common::least_distance, options);
-  std::vector<Point_pair<Kernel, d>> pairs;
-  const std::vector<internal::Distances::Critical_distance> nearest = search.nearest();
-  for (const internal::Distances::Critical_distance& pair : nearest)
-    pairs.emplace_back(pair, first, second);
-  return Closest_points<Kernel, d>(std::move(pairs), search.least_squared_distance(), search.summary());
+  auto found =
+      internal::Distances::nearest_points_of<d>(Operand::map(a), internal::Common::Spline_operand<B>::map(b), options);
+  return Closest_points<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
+                                   std::move(found.undecided), found.summary, std::move(found.squared_distance));
 }
 
 /*!

@@ -7,17 +7,15 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Curve_tree.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/distance_bounds.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
+#endif
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,34 +41,40 @@ public:
   using Point = typename internal::Ambient_space<Kernel, d>::Point;
 
 private:
-  Range m_squared_distance;
-  std::size_t m_curve;
-  std::array<Exact_rational, 2> m_parameters;
+  internal::Distances::Found_hausdorff_distance<d> m_found;
   std::array<Point, 2> m_points;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  Hausdorff_distance(Range squared_distance, std::size_t curve, const std::array<Exact_rational, 2>& parameters,
-                     const std::array<Point, 2>& points)
-    : m_squared_distance(std::move(squared_distance)), m_curve(curve), m_parameters(parameters), m_points(points)
+  //! what `hausdorff_distance()` has found, with points of the kernel.
+  explicit Hausdorff_distance(internal::Distances::Found_hausdorff_distance<d> found)
+    : m_found(std::move(found)), m_points{internal::kernel_object<Kernel, Point>(m_found.points[0]),
+                                          internal::kernel_object<Kernel, Point>(m_found.points[1])}
   {}
-#endif
 
   //! the square of the distance lies between these numbers.
-  const Range& squared_distance_range() const { return m_squared_distance; }
+  const Range& squared_distance_range() const { return m_found.squared_distance; }
 
   //! the distance lies between these doubles.
-  std::pair<double, double> distance_range() const { return internal::Distances::root_range(m_squared_distance); }
+  std::pair<double, double> distance_range() const { return internal::Distances::root_range(m_found.squared_distance); }
 
   //! the curve that has the far point, 0 or 1.
-  std::size_t curve() const { return m_curve; }
+  std::size_t curve() const { return m_found.curve; }
 
   //! the parameter on the first (0) or second (1) curve: on `curve()`, of a point whose distance from the other curve
   //! lies in the range as well, by proof; on the other one, of a point near the one that is nearest to it.
-  const Exact_rational& parameter(std::size_t curve) const { return m_parameters[curve]; }
+  const Exact_rational& parameter(std::size_t curve) const { return m_found.parameters[curve]; }
 
   //! the point with this parameter.
   const Point& point(std::size_t curve) const { return m_points[curve]; }
+
+  //! whether the bounds differ by no more than the tolerance.
+  bool is_complete() const { return m_found.summary.is_complete; }
+
+  //! the parts of both curves that may be farther from the other one than the lower bound and the tolerance say.
+  const std::vector<Undecided_part>& undecided() const { return m_found.undecided; }
+
+  //! the work: its nodes are parts of the curves.
+  const Summary& summary() const { return m_found.summary; }
 };
 
 namespace internal {
@@ -84,117 +88,15 @@ concept Curves_of_one_space = (ParametricCurve_2<A> && ParametricCurve_2<B>) ||
 template <class Curve>
 using Hausdorff_distance_of = Hausdorff_distance<typename Curve::Kernel, ParametricCurve_2<Curve> ? 2 : 3>;
 
-/*
-max_u min_v |A(u) - B(v)|^2, by branch and bound. At the middle of a range of u, the least distance from B is bounded
-from below: so is the maximum. On the range, it is bounded from above by the distances from points of B that move with
-u.
-*/
-template <int d>
-class Farthest_point_search
-{
-  struct Task
-  {
-    const Curve_tree<d>* node;
-    double upper;
-  };
-
-  const Curve_tree<d> &m_from, &m_to;
-  const double m_tolerance;
-
-public:
-  struct Result
-  {
-    double lower, upper;   // of the squared distance
-    std::array<const Curve_tree<d>*, 2> nodes;   // with the points in their middles
-  };
-
-  Farthest_point_search(const Curve_tree<d>& from, const Curve_tree<d>& to, double tolerance)
-    : m_from(from), m_to(to), m_tolerance(tolerance)
-  {}
-
-  // Makes bounds of a known distance those of the larger one of that and this.
-  void include_in(Result& best) const
-  {
-    const auto is_nearer = [](const Task& p, const Task& q) { return p.upper < q.upper; };
-    std::vector<Task> tasks;
-    const auto push = [&](const Curve_tree<d>& node, double upper) {
-      const Nearest_point<d> nearest = nearest_point<d>(m_to, node.middle_point(), m_tolerance / 4);
-      if (nearest.lower > best.lower) {
-        best.lower = nearest.lower;
-        best.nodes = {&node, nearest.node};
-      }
-      tasks.push_back({&node, (std::min)(upper, upper_bound(node, *nearest.node))});
-      std::push_heap(tasks.begin(), tasks.end(), is_nearer);
-    };
-    push(m_from, std::numeric_limits<double>::infinity());
-    while (!roots_are_within(best.lower, tasks.front().upper, m_tolerance) && !tasks.front().node->is_tiny()) {
-      std::pop_heap(tasks.begin(), tasks.end(), is_nearer);
-      const Task task = tasks.back();
-      tasks.pop_back();
-      for (const Curve_tree<d>& child : task.node->children())
-        push(child, task.upper);
-    }
-    best.upper = (std::max)({best.upper, best.lower, tasks.front().upper});
-  }
-
-private:
-  // Of the distances of a range of A from B: from the point of B in the middle of a part, and from points B(v + s(u -
-  // m)) that follow A(u).
-  double upper_bound(const Curve_tree<d>& from, const Curve_tree<d>& nearest) const
-  {
-    const double from_point = from.squared_distance_bounds(nearest.middle_point()).sup(),
-                 speed = nearest.speed_along(from);
-    const Exact_rational reach(to_rational(from.radius()) * to_rational(std::abs(speed)));
-    const Parameter_range range(Exact_rational(nearest.middle() - reach), Exact_rational(nearest.middle() + reach));
-    const auto [first, last] = m_to.patch().domain(0);
-    if (reach == 0 || range.first < first || last < range.second)
-      return from_point;
-    return (std::min)(from_point,
-                      moving_distance_bound(from, nearest.middle_point(), m_to.tangents_over(range), speed));
-  }
-
-  // By the mean value theorem, D = A - B lies in D(m) + (A' - s B') (u - m), and the derivative of |D|^2 in 2 <D, A' -
-  // s B'>.
-  static double moving_distance_bound(const Curve_tree<d>& a, const Double_intervals<d>& b_middle,
-                                      const Double_intervals<d>& b_tangents, double speed)
-  {
-    const Double_intervals<d> slope = moved_along(a.tangents(), -speed, b_tangents),
-                              at_middle = a.middle_point() - b_middle,
-                              offset = moved_along(at_middle, a.steps(), slope);
-    return (std::min)(squared_norm(offset).sup(),
-                      (squared_norm(at_middle) + 2.0 * dot(offset, slope) * a.steps()).sup());
-  }
-};
-
 template <class C1, class C2>
-Hausdorff_distance_of<C1> hausdorff_distance(const C1& c1, const C2& c2, double tolerance, bool is_one_sided)
+Hausdorff_distance_of<C1> hausdorff_distance(const C1& c1, const C2& c2, double tolerance, bool is_one_sided,
+                                             const Solver_options& options)
 {
   constexpr int d = ParametricCurve_2<C1> ? 2 : 3;
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw Invalid_input("hausdorff_distance: the tolerance must be positive and finite");
-  using Point = typename Hausdorff_distance_of<C1>::Point;
-  const std::array<Curve_tree<d>, 2> curves{Curve_tree<d>(Spline_patch<d>(c1)), Curve_tree<d>(Spline_patch<d>(c2))};
-  typename Farthest_point_search<d>::Result result{-1, 0, {}};   // any distance is larger
-  std::size_t curve = 0;
-  {
-    [[maybe_unused]] const Upward_rounding_guard guard;
-    Farthest_point_search<d>(curves[0], curves[1], tolerance).include_in(result);
-    if (!is_one_sided) {
-      const double known = result.lower;
-      Farthest_point_search<d>(curves[1], curves[0], tolerance).include_in(result);
-      curve = result.lower > known ? 1 : 0;
-    }
-  }
-  if (curve == 1)
-    std::swap(result.nodes[0], result.nodes[1]);
-  const auto parameter = [&](std::size_t i) { return result.nodes[i]->middle(); };
-  const auto point = [&](std::size_t i) {
-    return kernel_object<typename C1::Kernel, Point>(curves[i].patch()(std::array{parameter(i)}));
-  };
-  return {{to_rational(result.lower), to_rational(result.upper)},
-          curve,
-          {parameter(0), parameter(1)},
-          {point(0), point(1)}};
+  return Hausdorff_distance_of<C1>(
+      hausdorff_distance_of<d>(exact_map<d>(c1), exact_map<d>(c2), tolerance, is_one_sided, options));
 }
 
 } // namespace Distances
@@ -221,14 +123,16 @@ are parallel.
 \param c1 the first curve.
 \param c2 the second curve.
 \param tolerance the largest difference of the bounds that is good enough.
+\param options a time limit and a visitor; where the run ends early, the bounds are certified, but farther apart. Its
+tolerance and the number of nodes do not matter.
 \throws Invalid_input when the tolerance is not positive and finite, or the weight of a curve is not proved to have one
 sign.
 */
 template <class C1, class C2>
-  requires internal::Distances::Curves_of_one_space<C1, C2>
-auto hausdorff_distance(const C1& c1, const C2& c2, double tolerance = 1e-6)
+requires internal::Distances::Curves_of_one_space<C1, C2>
+auto hausdorff_distance(const C1& c1, const C2& c2, double tolerance = 1e-6, const Solver_options& options = {})
 {
-  return internal::Distances::hausdorff_distance(c1, c2, tolerance, false);
+  return internal::Distances::hausdorff_distance(c1, c2, tolerance, false, options);
 }
 
 /*!
@@ -238,10 +142,11 @@ the largest distance of a point of the first curve from the second curve, \f$h(C
 `hausdorff_distance()`.
 */
 template <class C1, class C2>
-  requires internal::Distances::Curves_of_one_space<C1, C2>
-auto one_sided_hausdorff_distance(const C1& c1, const C2& c2, double tolerance = 1e-6)
+requires internal::Distances::Curves_of_one_space<C1, C2>
+auto one_sided_hausdorff_distance(const C1& c1, const C2& c2, double tolerance = 1e-6,
+                                  const Solver_options& options = {})
 {
-  return internal::Distances::hausdorff_distance(c1, c2, tolerance, true);
+  return internal::Distances::hausdorff_distance(c1, c2, tolerance, true, options);
 }
 
 } // namespace Spline_constraints

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_REGION_DISTANCES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_REGION_DISTANCES_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -44,15 +45,19 @@ public:
 
 private:
   std::vector<Pair> m_pairs;
+  std::vector<Undecided_part> m_undecided;
   Range m_squared_distance;
   Summary m_summary;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  Region_distance_2(std::vector<Pair> pairs, Range squared_distance, const Summary& summary)
-    : m_pairs(std::move(pairs)), m_squared_distance(std::move(squared_distance)), m_summary(summary)
-  {}
-#endif
+  //! these pairs, and a range of the square of the distance.
+  Region_distance_2(std::vector<Pair> pairs, std::vector<Undecided_part> undecided, Range squared_distance,
+                    const Summary& work)
+    : m_pairs(std::move(pairs)), m_undecided(std::move(undecided)), m_squared_distance(std::move(squared_distance)),
+      m_summary(work)
+  {
+    m_summary.is_complete = m_undecided.empty();
+  }
 
   //! where the boundaries are nearest to each other: every pair of nearest points is one of these, or belongs to a
   //! continuum that is one. None if a boundary of one region is inside of the other.
@@ -73,8 +78,12 @@ public:
     return {do_certainly, may_meet};
   }
 
-  //! whether none of the pairs is undecided.
+  //! whether none of the pairs is undecided, and all were looked at that may be nearest.
   bool is_complete() const { return m_summary.is_complete; }
+
+  //! boxes around boundaries of the first region that may have other pairs of nearest points, and why that is not
+  //! decided.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
   //! the work of the solver.
   const Summary& summary() const { return m_summary; }
@@ -131,6 +140,19 @@ std::vector<std::pair<std::size_t, Bspline_curve_2<Kernel>>> parts_on_boundaries
   return result;
 }
 
+// That of their first points, which is an upper bound.
+template <class Curve>
+Exact_rational squared_distance_of_begins(const Curve& a, const Curve& b)
+{
+  const auto p = exact_object(a(a.domain(0).first)), q = exact_object(b(b.domain(0).first));
+  return CGAL::squared_distance(p, q);
+}
+
+inline Undecided_part undecided_curve(const CGAL::Bbox_2& box, Undecided_reason reason)
+{
+  return {{{box.xmin(), box.xmax()}, {box.ymin(), box.ymax()}}, {}, in_words(reason)};
+}
+
 template <class Parts>
 std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& b)
 {
@@ -159,7 +181,7 @@ of their boxes, as long as that is not larger than a distance that is known.
 
 \param a the first region.
 \param b the second region.
-\param options those of the solver.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: \f$O(nm \log nm)\f$ for \f$n\f$ and \f$m\f$ curves, and `closest_points()` for those pairs whose boxes are
@@ -170,28 +192,41 @@ Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, cons
                                           const Solver_options& options = {})
 {
   using Result = Region_distance_2<Kernel>;
-  options.check();
-  Summary summary;
-  summary.is_complete = true;
+  internal::Common::Operation_budget budget(options);
   if (internal::Distances::has_boundary_in(a, b) || internal::Distances::has_boundary_in(b, a))
-    return Result({}, {Exact_rational(0), Exact_rational(0)}, summary);
+    return Result({}, {}, {Exact_rational(0), Exact_rational(0)}, budget.total());
   std::vector<typename Result::Pair> pairs;
+  std::vector<Undecided_part> undecided;
   std::optional<typename Result::Range> distance;
   const auto first = internal::Distances::parts_on_boundaries(a), second = internal::Distances::parts_on_boundaries(b);
+  const auto include = [&](const typename Result::Range& range) {
+    distance = distance
+        ? typename Result::Range{(std::min)(distance->first, range.first), (std::min)(distance->second, range.second)}
+        : range;
+  };
   for (const internal::Distances::Curves_by_distance& curves : internal::Distances::curves_by_distance(first, second)) {
     if (distance && curves.least_squared_distance > distance->second)
       break;
-    const auto nearest = closest_points(first[curves.first].second, second[curves.second].second, options);
-    const auto& [lower, upper] = nearest.squared_distance_range();
-    distance = distance
-        ? typename Result::Range{(std::min)(distance->first, lower), (std::min)(distance->second, upper)}
-        : nearest.squared_distance_range();
-    summary += nearest.summary();
+    const Bspline_curve_2<Kernel>&c = first[curves.first].second, &other = second[curves.second].second;
+    if (budget.must_stop()) {
+      include({curves.least_squared_distance, internal::Distances::squared_distance_of_begins(c, other)});
+      undecided.push_back(internal::Distances::undecided_curve(c.bbox(), budget.reason()));
+      continue;
+    }
+    const auto nearest = closest_points(c, other, budget.remaining());
+    include(nearest.squared_distance_range());
+    budget.add(nearest.summary());
     for (const auto& points : nearest)
       pairs.push_back({{first[curves.first].first, second[curves.second].first}, points});
+    for (const Undecided_part& part : nearest.undecided())
+      undecided.push_back({part.place, {}, part.reason});
   }
   std::erase_if(pairs, [&](const auto& pair) { return pair.points.squared_distance_range().first > distance->second; });
-  return Result(std::move(pairs), *distance, summary);
+  if (std::none_of(pairs.begin(), pairs.end(),
+                   [](const auto& pair) { return pair.points.kind() == Solution_kind::UNDECIDED; }) &&
+      !budget.must_stop())
+    undecided.clear(); // they are farther
+  return Result(std::move(pairs), std::move(undecided), *distance, budget.total());
 }
 
 } // namespace Spline_constraints

@@ -6,12 +6,18 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/reason_of.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_solution.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -70,13 +76,12 @@ private:
   Solution_d<double> m_solution;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! a common point that an operation has found, with ranges of its coordinates and of the parameters of each operand.
   Locus_intersection(Intersection_kind kind, const std::array<Double_range, d>& coordinates,
                      std::vector<std::vector<internal::Intersections::Locus_parameter>> parameters,
                      Solution_d<double> solution)
     : m_kind(kind), m_coordinates(coordinates), m_parameters(std::move(parameters)), m_solution(std::move(solution))
   {}
-#endif
 
   //! what is proved. `END_POINT`: at an end of some operand.
   Intersection_kind kind() const { return m_kind; }
@@ -85,8 +90,18 @@ public:
   //! is known.
   const Double_range& coordinate_range(std::size_t i) const { return m_coordinates[i]; }
 
-  //! the middle of that range; not a number where nothing is known.
-  double coordinate(std::size_t i) const { return m_coordinates[i].first / 2 + m_coordinates[i].second / 2; }
+  //! the middle of that range; none where nothing is known.
+  std::optional<double> coordinate(std::size_t i) const
+  {
+    const double middle = m_coordinates[i].first / 2 + m_coordinates[i].second / 2;
+    return std::isfinite(middle) ? std::optional(middle) : std::nullopt;
+  }
+
+  //! number of operands.
+  std::size_t number_of_operands() const { return m_parameters.size(); }
+
+  //! number of parameters of an operand; 0 of an implicit one.
+  std::size_t number_of_parameters(std::size_t operand) const { return m_parameters[operand].size(); }
 
   //! the range of a parameter of an operand, which are numbered as they were given. \pre The operand has such a
   //! parameter: implicit ones have none.
@@ -133,11 +148,47 @@ namespace internal {
 namespace Intersections {
 
 template <int d>
+Undecided_part undecided_part(const Locus_intersection<d>& answer)
+{
+  Undecided_part result{{}, {}, reason_of(answer.solution())};
+  for (std::size_t i = 0; i < d; ++i)
+    result.place.push_back(answer.coordinate_range(i));
+  for (std::size_t operand = 0; operand < answer.number_of_operands(); ++operand)
+    if (answer.number_of_parameters(operand) > 0) {
+      result.parameters.push_back({operand, {}});
+      for (std::size_t axis = 0; axis < answer.number_of_parameters(operand); ++axis)
+        result.parameters.back().ranges.push_back(double_range(answer.parameter_range(operand, axis)));
+    }
+  return result;
+}
+
+// What stands for all common points with parameters in these ranges of each operand, where none were looked for.
+template <int d>
+Locus_intersection<d>
+undecided_locus_intersection(const std::vector<std::vector<std::pair<Exact_rational, Exact_rational>>>& ranges,
+                             Undecided_reason reason)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<std::pair<double, double>, d> coordinates;
+  coordinates.fill({-infinity, infinity});
+  std::vector<std::vector<Locus_parameter>> parameters;
+  std::vector<std::pair<Exact_rational, Exact_rational>> box;
+  for (const auto& operand : ranges) {
+    parameters.emplace_back();
+    for (const auto& range : operand) {
+      parameters.back().emplace_back(range, range);
+      box.push_back(range);
+    }
+  }
+  return {Intersection_kind::UNDECIDED, coordinates, std::move(parameters), undecided_solution(box, reason)};
+}
+
+template <int d>
 Locus_intersections<d> ordered_by_kind(std::vector<Locus_intersection<d>> intersections, const Summary& summary)
 {
   std::stable_sort(intersections.begin(), intersections.end(),
                    [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
-  return Locus_intersections<d>(std::move(intersections), summary);
+  return Locus_intersections<d>(std::move(intersections), summary, undecided_part<d>);
 }
 
 } // namespace Intersections

@@ -57,7 +57,7 @@ auto contact_points(const A& a, const B& b, const Solver_options& options = {})
   internal::Common::Budgeted_solver solve(options);
   const auto pair = internal::Common::patch_pair(a, b);
   if (!pair)
-    return Intersections<Kernel, 3>({}, Summary());
+    return Intersections<Kernel, 3>();
   std::vector<internal::Common::Common_point> points = internal::Intersections::contacts_of_surfaces(*pair, solve);
   return internal::Intersections::intersections_at<Kernel, 3>(std::move(points), *pair, solve.total());
 }

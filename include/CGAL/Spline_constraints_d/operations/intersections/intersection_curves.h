@@ -5,14 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERSECTION_CURVES_H
 
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Solved_part.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
-#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_curves.h>
-#endif
-
-#include <utility>
-#include <vector>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Found_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/surface_shapes.h>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -70,11 +64,9 @@ requires internal::Intersections::Surface_pair<A, B>
     Surface_intersection<internal::Intersections::Common_surface_kernel<A, B>>
     intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
-  options.check();
-  const internal::Intersections::Surface_equations surfaces(internal::Intersections::surface_shape(a),
-                                                            internal::Intersections::surface_shape(b));
-  std::vector<internal::Intersections::Solved_part> parts{internal::Intersections::common_curves(surfaces, options)};
-  return Surface_intersection<internal::Intersections::Common_surface_kernel<A, B>>(std::move(parts));
+  return Surface_intersection<internal::Intersections::Common_surface_kernel<A, B>>(
+      internal::Intersections::intersection_of(internal::Intersections::surface_shape(a),
+                                               internal::Intersections::surface_shape(b), options));
 }
 
 } // namespace Spline_constraints

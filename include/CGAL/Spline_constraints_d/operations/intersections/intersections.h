@@ -11,6 +11,8 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -81,9 +83,29 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
   internal::Common::Budgeted_solver solve(options);
   const auto pair = internal::Common::patch_pair(a, b);
   if (!pair)
-    return Intersections<Kernel, d>({}, Summary());
+    return Intersections<Kernel, d>();
   std::vector<internal::Common::Common_point> points = internal::Intersections::common_points<d>(*pair, solve);
   return internal::Intersections::intersections_at<Kernel, d>(std::move(points), *pair, solve.total());
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIntersections
+
+the same, written to an output iterator, one after the other: also those that are undecided.
+\param a,b,options as above.
+\param output takes objects of type `Intersection` with the kernel and dimension of the operands.
+\returns the output iterator behind the last one.
+\throws Invalid_input as the function above.
+*/
+template <class A, class B, class Output>
+requires internal::Common::Intersection_operands<A, B> &&
+    std::output_iterator<Output,
+                         Intersection<typename internal::Common::Intersection_operand<A>::Kernel,
+                                      internal::Common::Intersection_operand<A>::dimension>>
+        Output intersections(const A& a, const B& b, Output output, const Solver_options& options = {})
+{
+  const auto found = intersections(a, b, options);
+  return std::copy(found.begin(), found.end(), output);
 }
 
 } // namespace Spline_constraints

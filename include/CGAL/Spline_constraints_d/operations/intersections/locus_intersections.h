@@ -65,7 +65,16 @@ public:
 
   Locus_intersections<d> operator()()
   {
-    for_each_choice({}, [&](const Pieces& pieces) { intersect(pieces); });
+    for_each_choice({}, [&](const Pieces& pieces) {
+      if (!m_solve.must_stop())
+        intersect(pieces);
+    });
+    if (m_solve.reason() != Undecided_reason::NONE) { // one answer stands for all choices that were not looked at
+      std::vector<std::vector<Range>> domains;
+      for (const Operand& operand : m_operands)
+        domains.push_back(operand.domains);
+      m_result.push_back(undecided_locus_intersection<d>(domains, m_solve.reason()));
+    }
     return ordered_by_kind(std::move(m_result), m_solve.total());
   }
 

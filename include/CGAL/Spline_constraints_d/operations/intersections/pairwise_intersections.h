@@ -10,8 +10,10 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <ranges>
 #include <utility>
 #include <vector>
@@ -47,13 +49,45 @@ struct Intersecting_pair
 All intersections between the curves of one collection, or of two.
 */
 template <SplineKernel Kernel, int d>
-struct Pairwise_intersections
+class Pairwise_intersections
 {
-  //! the pairs of curves that meet, or are not proved not to, in lexicographic order.
-  std::vector<Intersecting_pair<Kernel, d>> pairs;
+public:
+  //! two curves that meet.
+  using Pair = Intersecting_pair<Kernel, d>;
 
-  //! whether no intersection is missing, by proof, and none is undecided; and the work of the solver.
-  Summary summary;
+private:
+  std::vector<Pair> m_pairs;
+  std::size_t m_number_of_first;
+  Summary m_summary;
+
+public:
+  //! these pairs. Curves of a second collection are operands behind the first ones.
+  Pairwise_intersections(std::vector<Pair> pairs, std::size_t number_of_first, const Summary& work)
+    : m_pairs(std::move(pairs)), m_number_of_first(number_of_first), m_summary(work)
+  {}
+
+  //! the pairs of curves that meet, or are not proved not to, in lexicographic order.
+  const std::vector<Pair>& pairs() const { return m_pairs; }
+
+  //! whether no intersection is missing, by proof, and none is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! what is undecided, where in space and on the curves, and why. Operands are numbered as the curves of the
+  //! collection; those of a second one go on where the first one ends.
+  std::vector<Undecided_part> undecided() const
+  {
+    std::vector<Undecided_part> result;
+    for (const Pair& pair : m_pairs)
+      for (Undecided_part& part : pair.intersections.undecided()) {
+        for (Undecided_part::Parameters& parameters : part.parameters)
+          parameters.operand = parameters.operand == 0 ? pair.first : m_number_of_first + pair.second;
+        result.push_back(std::move(part));
+      }
+    return result;
+  }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
 };
 
 namespace internal {
@@ -66,7 +100,7 @@ template <class Range>
 using Operand_of_range = Spline_operand<std::ranges::range_value_t<Range>>;
 
 template <class Range>
-auto patches_of(const Range& range)
+auto patches_of(Range&& range)
 {
   std::vector<Spline_patch<Operand_of_range<Range>::dimension>> result;
   for (const auto& curve : range)
@@ -74,22 +108,23 @@ auto patches_of(const Range& range)
   return result;
 }
 
-// Those of the pairs that have any, in points of the kernel of the curves.
+// Those of the pairs that have any, in points of the kernel of the curves. `is_one`: of one collection.
 template <SplineKernel Kernel, int d>
 Pairwise_intersections<Kernel, d> pairwise_intersections_at(std::vector<typename Pairwise_common_points<d>::Pair> pairs,
                                                             const std::vector<Spline_patch<d>>& first,
-                                                            const std::vector<Spline_patch<d>>& second)
+                                                            const std::vector<Spline_patch<d>>& second, bool is_one)
 {
-  Pairwise_intersections<Kernel, d> result;
-  result.summary.is_complete = true;
+  std::vector<Intersecting_pair<Kernel, d>> result;
+  Summary summary;
+  summary.is_complete = true;
   for (auto& pair : pairs) {
     auto intersections = intersections_at<Kernel, d>(std::move(pair.points),
                                                      Patch_pair<d>(first[pair.first], second[pair.second]), pair.work);
-    result.summary += intersections.summary();
+    summary += intersections.summary();
     if (!intersections.empty())
-      result.pairs.push_back({pair.first, pair.second, std::move(intersections)});
+      result.push_back({pair.first, pair.second, std::move(intersections)});
   }
-  return result;
+  return {std::move(result), is_one ? 0 : first.size(), summary};
 }
 
 } // namespace Intersections
@@ -108,7 +143,7 @@ pieces whose bounds meet. The answers are those of `intersections()` for each pa
 pairs to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`, or of `ParametricCurve_3`.
 \param curves the curves.
-\param options those of the solver; limits hold for each pair alone.
+\param options those of the solver; limits hold for the operation as a whole.
 \param self_intersections whether those of each curve with itself are found too.
 \throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
 
@@ -116,7 +151,7 @@ Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of box
 pairs.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range>
-auto pairwise_intersections(const Range& curves, const Solver_options& options = {},
+auto pairwise_intersections(Range&& curves, const Solver_options& options = {},
                             Self_intersections self_intersections = Self_intersections::EXCLUDED)
 {
   using Operand = internal::Intersections::Operand_of_range<Range>;
@@ -126,7 +161,7 @@ auto pairwise_intersections(const Range& curves, const Solver_options& options =
   return internal::Intersections::pairwise_intersections_at<typename Operand::Kernel, d>(
       self_intersections == Self_intersections::INCLUDED ? points.template among_and_within<Concurrency_tag>(patches)
                                                          : points.template among<Concurrency_tag>(patches),
-      patches, patches);
+      patches, patches, true);
 }
 
 /*!
@@ -139,20 +174,40 @@ collection.
 \tparam Range,Other_range ranges of curves of the same type, models of `ParametricCurve_2` or of `ParametricCurve_3`.
 \param curves the first collection.
 \param others the second collection.
-\param options those of the solver; limits hold for each pair alone.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range,
           internal::Intersections::Range_of_curves Other_range>
 requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
-auto pairwise_intersections(const Range& curves, const Other_range& others, const Solver_options& options = {})
+auto pairwise_intersections(Range&& curves, Other_range&& others, const Solver_options& options = {})
 {
   using Operand = internal::Intersections::Operand_of_range<Range>;
   constexpr int d = Operand::dimension;
   const internal::Intersections::Pairwise_common_points<d> points(options);
   const auto first = internal::Intersections::patches_of(curves), second = internal::Intersections::patches_of(others);
   return internal::Intersections::pairwise_intersections_at<typename Operand::Kernel, d>(
-      points.template between<Concurrency_tag>(first, second), first, second);
+      points.template between<Concurrency_tag>(first, second), first, second, false);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIntersections
+
+the pairs of `pairwise_intersections()` of one collection, written to an output iterator: also those that are undecided.
+\param curves,options,self_intersections as above.
+\param output takes objects of type `Intersecting_pair` with the kernel and dimension of the curves.
+\returns the output iterator behind the last one.
+\throws Invalid_input as the function above.
+*/
+template <class Concurrency_tag = CGAL::Sequential_tag, internal::Intersections::Range_of_curves Range, class Output>
+requires std::output_iterator<Output,
+                              Intersecting_pair<typename internal::Intersections::Operand_of_range<Range>::Kernel,
+                                                internal::Intersections::Operand_of_range<Range>::dimension>>
+    Output pairwise_intersections(Range&& curves, Output output, const Solver_options& options = {},
+                                  Self_intersections self_intersections = Self_intersections::EXCLUDED)
+{
+  const auto found = pairwise_intersections<Concurrency_tag>(curves, options, self_intersections);
+  return std::copy(found.pairs().begin(), found.pairs().end(), output);
 }
 
 } // namespace Spline_constraints

@@ -11,6 +11,8 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,8 @@ is `UNDECIDED`, with this piece as both ranges, or, at a break, as a pair of par
 
 \tparam Curve a model of `ParametricCurve_2` or `ParametricCurve_3`.
 \param curve the curve.
-\param options those of the solver, for each pair of arcs; a tolerance concerns only what remains undecided.
+\param options those of the solver; limits hold for the operation as a whole, and a tolerance concerns only what remains
+undecided.
 \returns an `Intersections` with the kernel and dimension of the curve.
 \throws Invalid_input when the weight of the curve is not proved to have one sign, or an option makes no sense.
 
@@ -57,7 +60,24 @@ auto self_intersections(const Curve& curve, const Solver_options& options = {})
   std::vector<internal::Common::Common_point> points =
       internal::Intersections::self_common_points<d>(operands[0], solve);
   return internal::Intersections::intersections_at<typename Operand::Kernel, d>(std::move(points), operands,
-                                                                                solve.total());
+                                                                                solve.total(), {0, 0});
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIntersections
+
+the same, written to an output iterator, one after the other: also those that are undecided.
+\param curve,options as above.
+\param output takes objects of type `Intersection` with the kernel and dimension of the curve.
+\returns the output iterator behind the last one.
+\throws Invalid_input as the function above.
+*/
+template <internal::Common::Parametric_curve Curve, class Output>
+requires std::output_iterator<Output, typename decltype(self_intersections(std::declval<const Curve&>()))::Answer>
+    Output self_intersections(const Curve& curve, Output output, const Solver_options& options = {})
+{
+  const auto found = self_intersections(curve, options);
+  return std::copy(found.begin(), found.end(), output);
 }
 
 } // namespace Spline_constraints

@@ -4,31 +4,17 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_ALPHA_SECTORS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_ALPHA_SECTORS_2_H
 
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
-#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/loci/internal/Pair_of_parts.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-
-#include <cstddef>
-#include <vector>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
+#endif
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Loci {
-
-// The point P = C1 + t N1 = C2 + ratio t N2 with normals of different lengths |N1| and |ratio N2|: one solution t by
-// least squares even where they are parallel.
-inline Double_pair point_of_alpha_sector(double ratio, const Pair_of_points& pair)
-{
-  const Double_pair &a = pair.tangents[0], &b = pair.tangents[1], difference{ratio * b[1] - a[1], a[0] - ratio * b[0]};
-  const double t = -dot(pair.chord, difference) / dot(difference, difference);
-  return {pair.points[0][0] - t * a[1], pair.points[0][1] + t * a[0]};
-}
-
-} // namespace Loci
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDLoci
@@ -59,7 +45,7 @@ the same on both sides. Parallel lines and concentric arcs, with common normals 
 \param c2 the second curve.
 \param alpha the share of the distance from the first curve, exactly; between 0 and 1, where the first and the second
 curve themselves would be the answer.
-\param options those of `solve_curves()`; limits hold for each two parts.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), the derivative of a curve vanishes, or nearly so, or an
 option makes no sense.
 
@@ -70,33 +56,11 @@ template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> alpha_sectors(const C1& c1, const C2& c2, const typename C1::Kernel::FT& alpha,
                                                       const Solver_options& options = {.tolerance = 1e-8})
 {
-  using namespace internal;
-  using namespace internal::Loci;
-  const Exact_rational share = converted_number<Exact_rational>(alpha), rest(1 - share);
-  if (!(share > 0 && rest > 0))
+  const Exact_rational share = internal::converted_number<Exact_rational>(alpha);
+  if (!(share > 0 && share < 1))
     throw Invalid_input("alpha_sectors: alpha is not between 0 and 1");
-  if (share == rest)
-    return bisector_curves(c1, c2, options);
-  const double factor = to_nearest_double(Exact_rational(rest / share));
-  Curve_pair_locus_2<typename C1::Kernel> result(
-      [factor](const Pair_of_points& pair, const std::vector<double>& unknowns) {
-        return point_of_alpha_sector(factor * unknowns[2], pair);
-      });
-  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](Pair_of_parts parts, const Unknown&, const Unknown&) {
-    std::erase_if(parts.closed_unknowns, [&](std::size_t k) {
-      return !has_same_derivative(k == 0 ? parts.first : parts.second, k == 0 ? parts.first : parts.second);
-    });
-    const Exact_rational bound =
-        2 * speed_range(parts.first, "alpha_sectors").second / speed_range(parts.second, "alpha_sectors").first;
-    const std::vector<Unknown> unknowns =
-        unknowns_in({parts.first.map().domain(0), parts.second.map().domain(0), {Exact_rational(-bound), bound}});
-    const Unknown &u = unknowns[0], &v = unknowns[1], &q = unknowns[2];
-    const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u),
-                               b = parts.second(1, v);
-    result.add(parts, {rest * q * dot(d, b) == share * dot(d, a), q * q * squared_norm(b) == squared_norm(a)}, unknowns,
-               options);
-  });
-  return result;
+  return Curve_pair_locus_2<typename C1::Kernel>(internal::Loci::alpha_sector_of(
+      internal::Common::exact_map<2>(c1), internal::Common::exact_map<2>(c2), share, options));
 }
 
 } // namespace Spline_constraints

@@ -4,10 +4,12 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_ENVELOPE_CURVES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_ENVELOPE_CURVES_2_H
 
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
-#include <CGAL/Spline_constraints_d/operations/loci/internal/Pair_of_parts.h>
-
-#include <vector>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
+#endif
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -39,7 +41,7 @@ with parallel tangents are a singular point.
 \param c1 the first curve.
 \param c2 the second curve.
 \param directions whether the tangents may have opposite directions.
-\param options those of `solve_curves()`; limits hold for each two parts.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: that of `solve_curves()` with one equation in two unknowns, for each two smooth parts. Source:
@@ -50,21 +52,9 @@ Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& 
                                                         Tangent_directions directions = Tangent_directions::SAME,
                                                         const Solver_options& options = {.tolerance = 1e-8})
 {
-  using namespace internal;
-  using namespace internal::Loci;
-  Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) {
-    const auto& [first, second] = pair.points;
-    return Double_pair{first[0] + second[0], first[1] + second[1]};
-  });
-  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2),
-                              [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
-                                const Vector_expression<2> a = parts.first(1, u), b = parts.second(1, v);
-                                std::vector<Constraint> constraints{determinant(a, b) == 0};
-                                if (directions == Tangent_directions::SAME)
-                                  constraints.push_back(dot(a, b) > 0);
-                                result.add(parts, constraints, {u, v}, options);
-                              });
-  return result;
+  return Curve_pair_locus_2<typename C1::Kernel>(
+      internal::Loci::envelope_of(internal::Common::exact_map<2>(c1), internal::Common::exact_map<2>(c2),
+                                  directions == Tangent_directions::SAME, options));
 }
 
 } // namespace Spline_constraints

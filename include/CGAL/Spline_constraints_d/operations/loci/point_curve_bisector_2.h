@@ -10,6 +10,9 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,25 +31,45 @@ namespace Spline_constraints {
 
 The bisector of a point and a planar curve: rational curves with exact coefficients.
 */
-struct Point_curve_bisector_2
+class Point_curve_bisector_2
 {
+public:
   //! the kernel of the curves.
   using Kernel = CGAL::Simple_cartesian<Exact_rational>;
   //! a range of the parameter.
   using Range = std::pair<Exact_rational, Exact_rational>;
 
+private:
+  std::vector<Bspline_curve_2<Kernel>> m_curves;
+  std::vector<Range> m_poles;
+  std::vector<Undecided_part> m_undecided;
+  Summary m_summary;
+
+public:
+  //! what `point_curve_bisector()` has found.
+  Point_curve_bisector_2(std::vector<Bspline_curve_2<Kernel>> curves, std::vector<Range> poles,
+                         std::vector<Undecided_part> undecided, const Summary& work)
+    : m_curves(std::move(curves)), m_poles(std::move(poles)), m_undecided(std::move(undecided)), m_summary(work)
+  {
+    m_summary.is_complete = m_undecided.empty();
+  }
+
   //! the curves, by increasing parameters, which are those of the given curve.
-  std::vector<Bspline_curve_2<Kernel>> curves;
+  const std::vector<Bspline_curve_2<Kernel>>& curves() const { return m_curves; }
 
   //! ranges of parameters that are proved to hold a pole, where the bisector goes to infinity and comes back from the
   //! other side, or a point of the curve that is the given point. Each one alone, unless it is a multiple one.
-  std::vector<Range> poles;
+  const std::vector<Range>& poles() const { return m_poles; }
 
-  //! ranges of parameters where nothing is proved.
-  std::vector<Range> undecided;
+  //! whether nothing is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
 
-  //! the work of the solver; complete if nothing is undecided.
-  Summary summary;
+  //! ranges of parameters of the curve, which is operand 1, where nothing is proved; where they are in the plane is not
+  //! told.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
 };
 
 namespace internal {
@@ -69,12 +92,16 @@ class Point_curve_bisector
   Function m_weight;
 
 public:
-  template <ParametricCurve_2 C>
-  Point_curve_bisector(const Exact_pair& point, const C& c) : m_point(point), m_coordinates(c.homogeneous_coordinates())
+  Point_curve_bisector(const Exact_pair& point, const Exact_map<2>& c)
+    : m_point(point), m_coordinates(c.numerators), m_weight(c.weight)
   {
-    const auto [begin, end] = m_coordinates[0].domain(0);
-    m_weight = c.is_rational() ? c.weight() : Function({0}, {{begin, end}}, {1});
+    if (!c.is_rational)
+      m_weight = Function({0}, {{m_coordinates[0].domain(0).first, m_coordinates[0].domain(0).second}}, {1});
   }
+
+  template <ParametricCurve_2 C>
+  Point_curve_bisector(const Exact_pair& point, const C& c) : Point_curve_bisector(point, exact_map<2>(c))
+  {}
 
   // Those of all splines.
   std::vector<Exact_rational> breaks() const
@@ -97,6 +124,52 @@ public:
         denominator);
   }
 };
+
+inline Point_curve_bisector_2 point_curve_bisector_of(const Exact_pair& q, const Exact_map<2>& c,
+                                                      const Exact_rational& margin, const Solver_options& options)
+{
+  using Range = Point_curve_bisector_2::Range;
+  const Point_curve_bisector bisector(q, c);
+  Budgeted_solver solve(options);
+  std::vector<Bspline_curve_2<Point_curve_bisector_2::Kernel>> curves;
+  std::vector<Range> known_poles;
+  std::vector<std::pair<Range, Undecided_reason>> undecided;
+  const Planar_map curve = planar_map(c);
+  const std::vector<Exact_rational> breaks = bisector.breaks();
+  for (std::size_t b = 1; b < breaks.size(); ++b) {
+    if (solve.must_stop()) {
+      undecided.push_back({{breaks[b - 1], breaks.back()}, solve.reason()});
+      break;
+    }
+    const Differentiated_map piece(curve.restricted(0, breaks[b - 1], breaks[b]), 1);
+    const auto [u] = parameters(piece.map());
+    const Constraint equation = determinant(piece(0, u) - Vector_expression<2>(q[0], q[1]), piece(1, u)) == 0;
+    const Solution_set_d<double> poles = solve({equation}, {u});
+    std::vector<Range> ranges;
+    for (const Solution_d<double>& pole : poles) {
+      ranges.push_back(pole.exact_box()[0]); // one at a break belongs to both pieces
+      if (pole.kind() != Solution_kind::UNDECIDED) {
+        if (known_poles.empty() || known_poles.back() != ranges.back())
+          known_poles.push_back(ranges.back());
+      } else if (undecided.empty() || undecided.back().first != ranges.back())
+        undecided.emplace_back(ranges.back(), pole.reason());
+    }
+    std::sort(ranges.begin(), ranges.end());
+    ranges.emplace_back(piece.end(), piece.end());
+    Exact_rational begin = piece.begin();
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const Exact_rational left_out = margin * (ranges[i].first - begin);
+      if (left_out > 0)
+        curves.push_back(bisector(i > 0 ? Exact_rational(begin + left_out) : begin,
+                                  i + 1 < ranges.size() ? Exact_rational(ranges[i].first - left_out) : piece.end()));
+      begin = ranges[i].second;
+    }
+  }
+  std::vector<Undecided_part> parts;
+  for (const auto& [range, reason] : undecided)
+    parts.push_back({{}, {{1, {double_range(range)}}}, in_words(reason)});
+  return {std::move(curves), std::move(known_poles), std::move(parts), solve.total()};
+}
 
 } // namespace Loci
 } // namespace internal
@@ -130,42 +203,11 @@ template <ParametricCurve_2 C>
 Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& point, const C& c,
                                             double margin = 0x1p-10, const Solver_options& options = {})
 {
-  using namespace internal;
-  using namespace internal::Loci;
   if (!(0 < margin && margin < 0.5))
     throw Invalid_input("point_curve_bisector: the margin is not between 0 and 1/2");
-  const Exact_pair q{converted_number<Exact_rational>(point.x()), converted_number<Exact_rational>(point.y())};
-  const Point_curve_bisector bisector(q, c);
-  Budgeted_solver solve(options);
-  Point_curve_bisector_2 result;
-  const Planar_map curve(c);
-  const std::vector<Exact_rational> breaks = bisector.breaks();
-  for (std::size_t b = 1; b < breaks.size(); ++b) {
-    const Differentiated_map piece(curve.restricted(0, breaks[b - 1], breaks[b]), 1);
-    const auto [u] = parameters(piece.map());
-    const Constraint equation = determinant(piece(0, u) - Vector_expression<2>(q[0], q[1]), piece(1, u)) == 0;
-    const Solution_set_d<double> poles = solve({equation}, {u});
-    std::vector<Point_curve_bisector_2::Range> ranges;
-    for (const Solution_d<double>& pole : poles) {
-      ranges.push_back(pole.exact_box()[0]);
-      auto& known = pole.kind() == Solution_kind::UNDECIDED ? result.undecided : result.poles;
-      if (known.empty() || known.back() != ranges.back())   // one at a break belongs to both pieces
-        known.push_back(ranges.back());
-    }
-    std::sort(ranges.begin(), ranges.end());
-    ranges.emplace_back(piece.end(), piece.end());
-    Exact_rational begin = piece.begin();
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-      const Exact_rational left_out = Exact_rational(margin) * (ranges[i].first - begin);
-      if (left_out > 0)
-        result.curves.push_back(
-            bisector(i > 0 ? Exact_rational(begin + left_out) : begin,
-                     i + 1 < ranges.size() ? Exact_rational(ranges[i].first - left_out) : piece.end()));
-      begin = ranges[i].second;
-    }
-  }
-  result.summary = solve.total();
-  return result;
+  const internal::Exact_pair q{internal::converted_number<Exact_rational>(point.x()),
+                               internal::converted_number<Exact_rational>(point.y())};
+  return internal::Loci::point_curve_bisector_of(q, internal::Common::exact_map<2>(c), Exact_rational(margin), options);
 }
 
 } // namespace Spline_constraints

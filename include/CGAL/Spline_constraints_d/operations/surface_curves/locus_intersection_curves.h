@@ -10,11 +10,16 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Locus_system.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Solved_part.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_curve_collector.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -23,6 +28,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -78,16 +84,24 @@ public:
 
   const Locus_system<3>& system() const { return m_system; }
 
-  std::array<double, 3> point(const std::vector<double>& unknowns) const
+  // What the unknowns are in space.
+  static Place_of_unknowns place(const std::shared_ptr<const Locus_pair>& pair)
   {
-    Unknown_domains box;
-    for (const double x : unknowns)
-      box.emplace_back(x, x);
-    std::array<double, 3> result;
-    const Coordinate_ranges<3> ranges = m_system.coordinates(box);
-    std::transform(ranges.begin(), ranges.end(), result.begin(),
-                   [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
-    return result;
+    const auto point = [pair](const std::vector<double>& unknowns) {
+      Unknown_domains box;
+      for (const double x : unknowns)
+        box.emplace_back(x, x);
+      std::array<double, 3> result;
+      const Coordinate_ranges<3> ranges = pair->m_system.coordinates(box);
+      std::transform(ranges.begin(), ranges.end(), result.begin(),
+                     [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
+      return result;
+    };
+    const auto bounds = [pair](const Curve_vertex::Exact_box& box) {
+      const Coordinate_ranges<3> ranges = pair->m_system.coordinates(Unknown_domains(box.begin(), box.end()));
+      return std::vector<Undecided_part::Range>(ranges.begin(), ranges.end());
+    };
+    return {point, bounds, pair->numbers_of_parameters()};
   }
 
   Domain_joints joints() const
@@ -99,6 +113,11 @@ public:
   }
 
 private:
+  std::vector<std::size_t> numbers_of_parameters() const
+  {
+    return {m_pieces[0].is_without_end.size(), m_pieces[1].is_without_end.size()};
+  }
+
   template <class Surface>
   static Locus_piece<3> only_piece(const Surface& surface)
   {
@@ -123,34 +142,52 @@ private:
 
 // A rational or implicit surface; also an offset, if it is rational.
 template <class Surface>
-std::optional<Surface_shape> rational_shape(const Surface& surface)
+Shape rational_shape(const Surface& surface)
 {
   if constexpr (std::same_as<Surface, Offset_surface_3>) {
     const auto rational = rational_offset(surface);
-    return rational ? std::optional(surface_shape(*rational)) : std::nullopt;
+    return rational ? surface_shape(*rational) : nullptr;
   } else if constexpr (Procedural_surface<Surface>)
-    return std::nullopt;
+    return nullptr;
   else
     return surface_shape(surface);
 }
 
 // The curves of two surfaces, if both are rational, or implicit without an end within the other one, so that parameters
 // are all unknowns.
-template <SplineKernel Kernel, class A, class B>
-std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, const Solver_options& options)
+inline std::optional<Found_surface_curves> rational_curves(const Surface_shape& first, const Surface_shape& second,
+                                                           Operation_budget& budget)
 {
-  const std::optional<Surface_shape> first = rational_shape(a), second = first ? rational_shape(b) : std::nullopt;
-  if (!second)
-    return std::nullopt;
-  const Surface_equations surfaces(*first, *second, Unknowns_of_surfaces::ALL_PARAMETERS);
+  const Surface_equations surfaces(first, second, Unknowns_of_surfaces::ALL_PARAMETERS);
   if (surfaces.has_coordinates())
     return std::nullopt;
-  Solved_part part = curves_in_all_parameters(surfaces, options);
-  Surface_curves_3<Kernel> result(
-      [surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
+  Solved_part part = curves_in_all_parameters(surfaces, budget);
+  const auto place = std::make_shared<const Surface_equations>(part.surfaces);
+  Surface_curve_collector result(
+      {[place](const std::vector<double>& unknowns) { return place->point(unknowns); },
+       [place](const Curve_vertex::Exact_box& box) { return double_ranges(place->values(box)); },
+       {surfaces.is_parametric(0) ? 2u : 0u, surfaces.is_parametric(1) ? 2u : 0u}});
   if (part.surfaces.has_system())
     result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), part.poles});
-  return result;
+  return result.found();
+}
+
+// Those of others.
+inline Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair,
+                                              Operation_budget& budget)
+{
+  Surface_curve_collector result(Locus_pair::place(pair));
+  if (pair->system().is_void())
+    return result.found();
+  Constraint_system_d system = make_system(pair->system().constraints());
+  if (std::any_of(system.equalities().begin(), system.equalities().end(),
+                  [](const Spline_function& f) { return f.terms().empty(); })) {
+    result.add_undecided(internal::domain_of(system));
+    return result.found();
+  }
+  Curve_solution_set_d solutions = curves_within_budget(system, budget);
+  result.add(std::move(system), std::move(solutions), pair->joints());
+  return result.found();
 }
 
 } // namespace Surface_curves
@@ -194,23 +231,14 @@ requires(internal::Surface_curves::Surface_locus<A>&& internal::Surface_curves::
     Surface_curves_3<internal::Surface_curves::Kernel_of_loci<A, B>> intersection_curves(
         const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
-  options.check();
-  using Kernel = internal::Surface_curves::Kernel_of_loci<A, B>;
-  if (auto curves = internal::Surface_curves::rational_curves<Kernel>(a, b, options))
-    return std::move(*curves);
-  const internal::Surface_curves::Locus_pair pair(a, b);
-  Surface_curves_3<Kernel> result([pair](const std::vector<double>& unknowns) { return pair.point(unknowns); });
-  if (pair.system().is_void())
-    return result;
-  Constraint_system_d system = make_system(pair.system().constraints());
-  if (std::any_of(system.equalities().begin(), system.equalities().end(),
-                  [](const Spline_function& f) { return f.terms().empty(); })) {
-    result.add_undecided(internal::domain_of(system));
-    return result;
-  }
-  Curve_solution_set_d solutions = internal::curves_within(system, options);
-  result.add(std::move(system), std::move(solutions), pair.joints());
-  return result;
+  using namespace internal::Surface_curves;
+  using Result = Surface_curves_3<Kernel_of_loci<A, B>>;
+  internal::Common::Operation_budget budget(options);
+  const internal::Intersections::Shape first = rational_shape(a), second = first ? rational_shape(b) : nullptr;
+  if (second)
+    if (std::optional<Found_surface_curves> found = rational_curves(*first, *second, budget))
+      return Result(std::move(*found));
+  return Result(procedural_curves(std::make_shared<const Locus_pair>(a, b), budget));
 }
 
 } // namespace Spline_constraints

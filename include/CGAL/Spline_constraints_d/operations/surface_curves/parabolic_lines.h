@@ -4,28 +4,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_PARABOLIC_LINES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_PARABOLIC_LINES_H
 
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
-
-#include <array>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/zeros_on_surface.h>
+#endif
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Surface_curves {
-
-// A positive multiple of <S_uu,n><S_vv,n> - <S_uv,n>^2 in each piece of a surface.
-inline Cell_functions<1> second_form_determinants(const Spline_patch<3>& surface)
-{
-  return Cell_functions<1>(surface, [](const Spline_patch<3>& cell) {
-    const auto [uu, uv, vv] = second_form(cell);
-    return std::array<Exact_function, 1>{uu * vv - uv * uv};
-  });
-}
-
-} // namespace Surface_curves
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
@@ -46,7 +32,7 @@ sign there is no parabolic line here. An isolated solution, as the flat point of
 Pieces of planes, cylinders, cones and other developable surfaces, which satisfy the equation everywhere, are undecided.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
-\param options those of `solve_curves()`; limits hold for each smooth part.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
 sense.
 
@@ -57,10 +43,9 @@ template <internal::Surface_curves::Surface_operand Surface>
 Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>
 parabolic_lines(const Surface& surface, const Solver_options& options = {.tolerance = 1e-8})
 {
-  const internal::Common::Spline_patch<3> patch = internal::Common::Intersection_operand<Surface>::patch(surface);
-  internal::Surface_curves::Surface_zeros<internal::Surface_curves::Operand_kernel<Surface>> zeros(patch, options);
-  zeros.add(internal::Surface_curves::second_form_determinants(patch));
-  return zeros.curves();
+  return Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>(
+      internal::Surface_curves::parabolic_lines_of(internal::Common::Intersection_operand<Surface>::map(surface),
+                                                   options));
 }
 
 } // namespace Spline_constraints

@@ -5,32 +5,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_SELF_INTERSECTION_CURVES_H
 
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Cell_pairs.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Equal_point_pairs.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
-#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
-
-#include <optional>
-#include <utility>
-#include <vector>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/self_intersections_of_surface.h>
+#endif
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Surface_curves {
-
-// A box where nothing is proved.
-inline Curve_solution_set_d undecided_curves(Curve_vertex::Exact_box box, Undecided_reason reason)
-{
-  Summary summary;
-  summary.is_complete = false;
-  return Curve_solution_set_d({}, {}, {}, {}, {{{std::move(box)}, {}, reason}}, summary);
-}
-
-} // namespace Surface_curves
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
@@ -64,7 +45,7 @@ break, what is near an edge that is one point (a pole), and pinch points on an e
 
 \tparam Surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param surface the surface.
-\param options those of `solve_curves()`; limits hold for each two cells.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
 sense.
 
@@ -76,26 +57,9 @@ template <internal::Surface_curves::Surface_operand Surface>
 Surface_intersection<internal::Surface_curves::Operand_kernel<Surface>>
 self_intersection_curves(const Surface& surface, const Solver_options& options = {.tolerance = 1e-8})
 {
-  options.check();
-  const internal::Common::Spline_patch<3> patch = internal::Common::Intersection_operand<Surface>::patch(surface);
-  const internal::Intersections::Surface_shape shape(patch);
-  const internal::Surface_curves::Cell_pairs pairs(patch);
-  std::vector<internal::Intersections::Solved_part> parts;
-  const auto add = [&](Constraint_system_d system) {
-    Curve_solution_set_d solutions = internal::curves_within(system, options);
-    parts.push_back({internal::Intersections::Surface_equations(shape, std::move(system)), std::move(solutions)});
-  };
-  for (const internal::Common::Spline_patch<3>& cell : pairs.single_cells())
-    add(internal::Surface_curves::Equal_point_pairs(cell).system());
-  for (const internal::Common::Parameter_box& cells : pairs.cells_apart())
-    add(internal::Surface_curves::equal_points_of(patch, cells));
-  for (const internal::Common::Parameter_box& cells : pairs.undecided())
-    parts.push_back({internal::Intersections::Surface_equations(shape, Constraint_system_d(cells)),
-                     internal::Surface_curves::undecided_curves(cells, Undecided_reason::TOLERANCE)});
-  if (parts.empty())
-    parts.push_back({internal::Intersections::Surface_equations(shape, std::nullopt),
-                     Curve_solution_set_d({}, {}, {}, {}, {}, Summary())});
-  return Surface_intersection<internal::Surface_curves::Operand_kernel<Surface>>(std::move(parts));
+  return Surface_intersection<internal::Surface_curves::Operand_kernel<Surface>>(
+      internal::Surface_curves::self_intersection_of(internal::Common::Intersection_operand<Surface>::map(surface),
+                                                     options));
 }
 
 } // namespace Spline_constraints

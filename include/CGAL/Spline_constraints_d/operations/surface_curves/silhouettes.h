@@ -4,30 +4,16 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_SILHOUETTES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_SILHOUETTES_H
 
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
-
-#include <array>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/zeros_on_surface.h>
+#endif
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Surface_curves {
-
-// Where the tangent planes of a surface contain a point with the homogeneous coordinates of the eye.
-template <SplineKernel Kernel>
-Surface_curves_3<Kernel> silhouettes(const Spline_patch<3>& surface, const std::array<Exact_rational, 4>& eye,
-                                     const Solver_options& options)
-{
-  Surface_zeros<Kernel> zeros(surface, options);
-  for (const Continuous_part<4>& part : tangent_planes(surface))
-    zeros.add(combined(part.functions, eye));
-  return zeros.curves();
-}
-
-} // namespace Surface_curves
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
@@ -47,7 +33,7 @@ the eye, and at singular points of higher order with irrational parameters, the 
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param viewpoint the eye.
-\param options those of `solve_curves()`; limits hold for each smooth part.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no
 sense.
 
@@ -59,9 +45,9 @@ Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>
 silhouettes(const Surface& surface, const CGAL::Point_3<internal::Surface_curves::Operand_kernel<Surface>>& viewpoint,
             const Solver_options& options = {.tolerance = 1e-8})
 {
-  const auto p = internal::exact_object(viewpoint);
-  return internal::Surface_curves::silhouettes<internal::Surface_curves::Operand_kernel<Surface>>(
-      internal::Common::Intersection_operand<Surface>::patch(surface), {p.x(), p.y(), p.z(), 1}, options);
+  const auto [x, y, z] = internal::Surface_curves::exact_triple(viewpoint);
+  return Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>(internal::Surface_curves::silhouettes_of(
+      internal::Common::Intersection_operand<Surface>::map(surface), {x, y, z, Exact_rational(1)}, options));
 }
 
 /*!
@@ -76,11 +62,11 @@ Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>
 silhouettes(const Surface& surface, const CGAL::Vector_3<internal::Surface_curves::Operand_kernel<Surface>>& direction,
             const Solver_options& options = {.tolerance = 1e-8})
 {
-  const auto v = internal::exact_object(direction);
-  if (v == CGAL::NULL_VECTOR)
+  const auto [x, y, z] = internal::Surface_curves::exact_triple(direction);
+  if (x == 0 && y == 0 && z == 0)
     throw Invalid_input("silhouettes: the direction is zero");
-  return internal::Surface_curves::silhouettes<internal::Surface_curves::Operand_kernel<Surface>>(
-      internal::Common::Intersection_operand<Surface>::patch(surface), {v.x(), v.y(), v.z(), 0}, options);
+  return Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>(internal::Surface_curves::silhouettes_of(
+      internal::Common::Intersection_operand<Surface>::map(surface), {x, y, z, Exact_rational(0)}, options));
 }
 
 } // namespace Spline_constraints

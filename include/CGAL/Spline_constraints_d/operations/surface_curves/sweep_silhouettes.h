@@ -5,14 +5,14 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_SWEEP_SILHOUETTES_H
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/silhouettes_of_sweep.h>
+#endif
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <span>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -36,135 +36,6 @@ struct Affine_motion
   std::vector<Bspline_curve_3<Kernel>> axes{};
 };
 
-namespace internal {
-namespace Surface_curves {
-
-using Space_map = Spline_map<1, 3>;
-
-// A part of a motion between times where a velocity jumps.
-struct Smooth_motion
-{
-  std::vector<Space_map> maps;   // the path, and the three axes if there are any
-
-  // The vector moved, or its velocity.
-  Vector_expression<3> moved(const Vector_expression<3>& x, const Unknown& t, bool is_velocity) const
-  {
-    const auto at = [&](std::size_t k) { return is_velocity ? derivative(maps[k])(t) : maps[k](t); };
-    if (maps.size() == 1)
-      return is_velocity ? at(0) : at(0) + x;
-    return at(0) + at(1) * x[0] + at(2) * x[1] + at(3) * x[2];
-  }
-
-  // The normal of what a plane with the given normal is moved to: normals are transformed by the matrix of cofactors.
-  Vector_expression<3> moved_normal(const Vector_expression<3>& n, const Unknown& t) const
-  {
-    if (maps.size() == 1)
-      return n;
-    const Vector_expression<3> a = maps[1](t), b = maps[2](t), c = maps[3](t);
-    return cross(b, c) * n[0] + cross(c, a) * n[1] + cross(a, b) * n[2];
-  }
-
-  std::array<double, 3> moved(const std::array<double, 3>& x, double time) const
-  {
-    const auto [begin, end] = maps[0].domain(0);
-    const std::array<Exact_rational, 1> t{(std::max)(begin, (std::min)(Exact_rational(time), end))};
-    const auto at = [&](std::size_t k, std::size_t i) { return to_nearest_double(maps[k](t)[i]); };
-    std::array<double, 3> result;
-    for (std::size_t i = 0; i < 3; ++i)
-      result[i] = maps.size() == 1 ? at(0, i) + x[i] : at(0, i) + at(1, i) * x[0] + at(2, i) * x[1] + at(3, i) * x[2];
-    return result;
-  }
-
-  Smooth_motion restricted(const Exact_rational& begin, const Exact_rational& end) const
-  {
-    Smooth_motion result;
-    for (const Space_map& map : maps)
-      result.maps.push_back(map.restricted(0, begin, end));
-    return result;
-  }
-};
-
-template <SplineKernel Kernel>
-std::vector<Smooth_motion> smooth_parts(const Affine_motion<Kernel>& motion)
-{
-  if (!motion.axes.empty() && motion.axes.size() != 3)
-    throw Invalid_input("sweep_silhouettes: a motion has three axes or none");
-  Smooth_motion whole{{Space_map(motion.path)}};
-  for (const Bspline_curve_3<Kernel>& axis : motion.axes)
-    whole.maps.emplace_back(axis);
-  std::vector<Exact_rational> times;
-  for (const Space_map& map : whole.maps) {
-    if (map.domain(0) != whole.maps[0].domain(0))
-      throw Invalid_input("sweep_silhouettes: the path and the axes have different domains");
-    times = united(times, map.breaks(0));
-  }
-  // The times where a derivative jumps, and both ends.
-  std::vector<Exact_rational> cuts{times.front()};
-  for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-    const auto velocity = [&](const Space_map& map, std::size_t k) {
-      return derivative(map.restricted(0, times[k], times[k + 1]))(std::array{times[i]});
-    };
-    if (std::any_of(whole.maps.begin(), whole.maps.end(),
-                    [&](const Space_map& map) { return velocity(map, i - 1) != velocity(map, i); }))
-      cuts.push_back(times[i]);
-  }
-  cuts.push_back(times.back());
-  std::vector<Smooth_motion> result;
-  for (std::size_t i = 1; i < cuts.size(); ++i)
-    result.push_back(whole.restricted(cuts[i - 1], cuts[i]));
-  return result;
-}
-
-// The equations of both surface and envelope: a tangent plane of the moved surface contains its velocity, and the eye.
-inline std::vector<Constraint> silhouette_of_sweep(const Spline_patch<3>& surface,
-                                                   const Vector_of_functions<3>& normals, const Smooth_motion& motion,
-                                                   const Exact_kernel::Point_3& eye, std::span<const Unknown> u)
-{
-  const Vector_expression<3> x = Parametric_vector<3>(surface)(u.first(2)),
-                             normal = motion.moved_normal(Parametric_vector<3>(normals)(u.first(2)), u[2]);
-  const Vector_expression<3> from_eye = motion.moved(x, u[2], false) -
-      vector_of<3>([&](std::size_t i) { return Expression(eye.cartesian(static_cast<int>(i))); });
-  return {dot(motion.moved(x, u[2], true), normal) == 0, dot(from_eye, normal) == 0};
-}
-
-template <SplineKernel Kernel>
-Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface,
-                                           const std::vector<Continuous_part<4>>& planes,
-                                           const std::vector<Smooth_motion>& motion, const Exact_kernel::Point_3& eye,
-                                           const Solver_options& options)
-{
-  Surface_curves_3<Kernel> result(
-      [on_surface = point_on_surface(surface), motion](const std::vector<double>& unknowns) {
-        const auto part = std::find_if(motion.begin(), motion.end() - 1, [&](const Smooth_motion& m) {
-          return unknowns[2] <= CGAL::to_double(m.maps[0].domain(0).second);
-        });
-        return part->moved(on_surface(unknowns), unknowns[2]);
-      });
-  for (const Continuous_part<4>& part : planes)
-    for (const Smooth_motion& moved : motion) {
-      const Curve_vertex::Exact_box domain{part.functions.domain(0), part.functions.domain(1), moved.maps[0].domain(0)};
-      if (part.functions.is_zero()) {
-        result.add_undecided(domain);
-        continue;
-      }
-      const Spline_patch<3> patch = surface.part({domain[0], domain[1]});
-      const auto [x, y, z, offset] = part.functions.splines();
-      Constraint_system_d system(domain);
-      for (const Constraint& equation : silhouette_of_sweep(patch, {x, y, z}, moved, eye, unknowns_in(domain)))
-        system.add(equation);
-      Domain_joints joints;
-      for (const int axis : {0, 1})
-        if (patch.is_closed(axis) && part.functions.ratio(axis, part.functions.size(axis) - 1, 0))
-          joints.closed_unknowns.push_back(static_cast<std::size_t>(axis));
-      Curve_solution_set_d solutions = internal::curves_within(system, options);
-      result.add(std::move(system), std::move(solutions), joints);
-    }
-  return result;
-}
-
-} // namespace Surface_curves
-} // namespace internal
-
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
 
@@ -184,8 +55,8 @@ not joined.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param motion the motion.
-\param viewpoints the eyes.
-\param options those of `solve_curves()`; limits hold for each viewpoint and each two smooth parts.
+\param viewpoints the eyes, a range of points.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
 \return the curves for each viewpoint, in their order. Points are those of the moved surface.
 \throws Invalid_input when there are axes, but not three, the domains of path and axes differ, a coordinate is not
 finite, a weight is not proved to have one sign, or an option makes no sense.
@@ -193,6 +64,31 @@ finite, a weight is not proved to have one sign, or an option makes no sense.
 Complexity: that of `solve_curves()` with two equations in three unknowns. Source: \cgalCite{kes-gcps-05}, section 5,
 equation (33).
 */
+template <internal::Surface_curves::Surface_operand Surface, std::ranges::input_range Viewpoints>
+std::vector<Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>>
+sweep_silhouettes(const Surface& surface,
+                  const Affine_motion<internal::Surface_curves::Operand_kernel<Surface>>& motion,
+                  Viewpoints&& viewpoints, const Solver_options& options = {.tolerance = 1e-8})
+{
+  using Kernel = internal::Surface_curves::Operand_kernel<Surface>;
+  if (!motion.axes.empty() && motion.axes.size() != 3)
+    throw Invalid_input("sweep_silhouettes: a motion has three axes or none");
+  std::vector<internal::Common::Exact_map<3>> axes;
+  for (const Bspline_curve_3<Kernel>& axis : motion.axes)
+    axes.push_back(internal::Common::exact_map<3>(axis));
+  std::vector<internal::Surface_curves::Exact_triple> eyes;
+  for (const CGAL::Point_3<Kernel>& eye : viewpoints)
+    eyes.push_back(internal::Surface_curves::exact_triple(eye));
+  std::vector<Surface_curves_3<Kernel>> result;
+  for (auto& found :
+       internal::Surface_curves::sweep_silhouettes_of(internal::Common::Intersection_operand<Surface>::map(surface),
+                                                      internal::Common::exact_map<3>(motion.path), axes, eyes, options))
+    result.emplace_back(std::move(found));
+  return result;
+}
+
+//! \ingroup PkgSplineConstraintsDSurfaceCurves
+//! the same, with the viewpoints in a list. \throws Invalid_input as the function above.
 template <internal::Surface_curves::Surface_operand Surface>
 std::vector<Surface_curves_3<internal::Surface_curves::Operand_kernel<Surface>>>
 sweep_silhouettes(const Surface& surface,
@@ -200,16 +96,7 @@ sweep_silhouettes(const Surface& surface,
                   const std::vector<CGAL::Point_3<internal::Surface_curves::Operand_kernel<Surface>>>& viewpoints,
                   const Solver_options& options = {.tolerance = 1e-8})
 {
-  using Kernel = internal::Surface_curves::Operand_kernel<Surface>;
-  options.check();
-  const internal::Common::Spline_patch<3> patch = internal::Common::Intersection_operand<Surface>::patch(surface);
-  const std::vector<internal::Common::Continuous_part<4>> planes = internal::Intersections::tangent_planes(patch);
-  const std::vector<internal::Surface_curves::Smooth_motion> parts = internal::Surface_curves::smooth_parts(motion);
-  std::vector<Surface_curves_3<Kernel>> result;
-  for (const CGAL::Point_3<Kernel>& eye : viewpoints)
-    result.push_back(internal::Surface_curves::sweep_silhouettes<Kernel>(patch, planes, parts,
-                                                                         internal::exact_object(eye), options));
-  return result;
+  return sweep_silhouettes<Surface, decltype(viewpoints)>(surface, motion, viewpoints, options);
 }
 
 } // namespace Spline_constraints

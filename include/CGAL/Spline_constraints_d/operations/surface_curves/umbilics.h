@@ -4,15 +4,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_UMBILICS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_UMBILICS_H
 
-#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
-#include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Umbilic_finder.h>
+#endif
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -27,8 +26,9 @@ Umbilics of a surface.
 \tparam Kernel a `SplineKernel`.
 */
 template <SplineKernel Kernel>
-struct Umbilics_3
+class Umbilics_3
 {
+public:
   //! an umbilic.
   struct Umbilic
   {
@@ -38,142 +38,32 @@ struct Umbilics_3
     Solution_d<double> parameters;
   };
 
-  //! all that are proved, each once.
-  std::vector<Umbilic> points;
-  //! boxes in the domain of the surface where nothing is proved.
-  std::vector<std::vector<std::pair<Exact_rational, Exact_rational>>> undecided;
-  //! the work.
-  Summary summary;
-
-  //! whether these are all umbilics, by proof: nothing is undecided.
-  bool is_complete() const { return undecided.empty(); }
-};
-
-namespace internal {
-namespace Surface_curves {
-
-// L F - M E and L G - N E in each piece of a surface S = X/w, times positive factors: the derivatives of S are positive
-// multiples of the tangents, and <p,(X,w)_uu> is one of L for the tangent plane p.
-inline Cell_functions<2> fundamental_form_minors(const Spline_patch<3>& surface)
-{
-  return Cell_functions<2>(surface, [](const Spline_patch<3>& cell) {
-    const Vector_function<3> along_u(tangent_direction(cell, 0)), along_v(tangent_direction(cell, 1));
-    const std::array<Exact_function, 3> second = second_form(cell);
-    const Exact_function first_uu = dot(along_u, along_u).function(), first_uv = dot(along_u, along_v).function(),
-                         first_vv = dot(along_v, along_v).function();
-    return std::array<Exact_function, 2>{second[0] * first_uv - second[1] * first_uu,
-                                         second[0] * first_vv - second[2] * first_uu};
-  });
-}
-
-// Finds the umbilics of a surface.
-template <SplineKernel Kernel>
-class Umbilic_finder
-{
-  using Box = Exact_ranges;
-
-  const Spline_patch<3>& m_patch;
-  Budgeted_solver m_solver;
-  Umbilics_3<Kernel> m_found;
+private:
+  std::vector<Umbilic> m_points;
+  std::vector<Undecided_part> m_undecided;
+  Summary m_summary;
 
 public:
-  Umbilic_finder(const Spline_patch<3>& patch, const Solver_options& options) : m_patch(patch), m_solver(options) {}
-
-  Umbilics_3<Kernel> operator()()
+  //! what `umbilics()` has found, with points of the kernel.
+  explicit Umbilics_3(internal::Surface_curves::Found_umbilics found)
+    : m_undecided(std::move(found.undecided)), m_summary(found.summary)
   {
-    for (const Continuous_part<2>& part : continuous_parts(fundamental_form_minors(m_patch), false)) {
-      const Box domain{part.functions.domain(0), part.functions.domain(1)};
-      for (const Constant_parameter& line : part.lines)
-        add_line(domain, line);
-      if (part.functions.is_zero())
-        m_found.undecided.push_back(domain);
-      else
-        add_zeros(part.functions, domain);
-    }
-    m_found.summary = m_solver.total();
-    m_found.summary.is_complete = m_found.is_complete();
-    return std::move(m_found);
+    for (auto& [point, parameters] : found.points)
+      m_points.push_back({internal::kernel_object<Kernel, typename Kernel::Point_3>(point), std::move(parameters)});
   }
 
-private:
-  // A pole, a singular edge, or a curve of umbilics.
-  void add_line(Box domain, const Constant_parameter& line)
-  {
-    domain[static_cast<std::size_t>(line.axis)] = {line.value, line.value};
-    if (std::find(m_found.undecided.begin(), m_found.undecided.end(), domain) == m_found.undecided.end())
-      m_found.undecided.push_back(std::move(domain));
-  }
+  //! all that are proved, each once.
+  const std::vector<Umbilic>& points() const { return m_points; }
 
-  void add_zeros(const Cell_functions<2>& functions, const Box& domain)
-  {
-    const std::vector<Unknown> u = unknowns_in(domain);
-    const auto [first, second] = functions.splines();
-    const std::array<bool, 2> is_seam{is_seam_of(functions, 0), is_seam_of(functions, 1)};
-    const Solution_set_d<double> zeros =
-        m_solver(std::vector<Constraint>{formula(first, u) == 0, formula(second, u) == 0}, u);
-    for (const Solution_d<double>& zero : zeros) {
-      const Box box = zero.exact_box();
-      if (is_again(zeros, box, domain, is_seam))
-        continue;
-      const bool is_point = zero.kind() == Solution_kind::CERTIFIED || zero.kind() == Solution_kind::CLUSTER;
-      if (is_point && is_regular(box))
-        m_found.points.push_back(
-            {kernel_object<Kernel, typename Kernel::Point_3>(point_on_surface(m_patch)(zero.point())), zero});
-      else
-        m_found.undecided.push_back(box);
-    }
-  }
+  //! where nothing is proved: boxes in space, and in the domain of the surface, which is operand 0.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
-  bool is_seam_of(const Cell_functions<2>& functions, int axis) const
-  {
-    return functions.domain(axis) == m_patch.domain(axis) && m_patch.is_closed(axis) &&
-        functions.ratio(axis, functions.size(axis) - 1, 0);
-  }
+  //! whether these are all umbilics, by proof: nothing is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
 
-  // What is at the upper end of a seam and at its lower end is one point, there once.
-  static bool is_again(const Solution_set_d<double>& zeros, const Box& box, const Box& domain,
-                       const std::array<bool, 2>& is_seam)
-  {
-    for (const std::size_t axis : {0, 1})
-      if (is_seam[axis] && domain[axis].second <= box[axis].second) {
-        Box other = box;
-        other[axis] = {domain[axis].first, domain[axis].first};
-        if (std::any_of(zeros.begin(), zeros.end(),
-                        [&](const Solution_d<double>& zero) { return touch(zero.exact_box(), other); }))
-          return true;
-      }
-    return false;
-  }
-
-  // Where E > 0, by proof, the third minor M G - N F vanishes with the others: all coefficients of the square of the
-  // normal are positive on a box.
-  bool is_regular(const Box& box) const
-  {
-    Box wide = box;
-    for (std::size_t axis : {0, 1})
-      if (const Parameter_range range = m_patch.domain(static_cast<int>(axis));
-          !(box[axis].first < box[axis].second) || box[axis].first < range.first || range.second < box[axis].second) {
-        const Exact_rational margin = Exact_rational((range.second - range.first) / (1 << 20));
-        wide[axis] = {(std::max)(Exact_rational(box[axis].first - margin), range.first),
-                      (std::min)(Exact_rational(box[axis].second + margin), range.second)};
-      }
-    const Spline_patch<3> part = m_patch.part({wide[0], wide[1]});
-    for (int i = 0; i + 1 < static_cast<int>(part.breaks(0).size()); ++i)
-      for (int j = 0; j + 1 < static_cast<int>(part.breaks(1).size()); ++j) {
-        const Spline_patch<3> cell =
-            part.part({{part.breaks(0)[i], part.breaks(0)[i + 1]}, {part.breaks(1)[j], part.breaks(1)[j + 1]}});
-        const std::array<Exact_function, 4> plane = tangent_plane(cell);
-        const Exact_function square = plane[0] * plane[0] + plane[1] * plane[1] + plane[2] * plane[2];
-        if (!std::all_of(square.coefficients().begin(), square.coefficients().end(),
-                         [](const Exact_rational& x) { return x > 0; }))
-          return false;
-      }
-    return true;
-  }
+  //! the work.
+  const Summary& summary() const { return m_summary; }
 };
-
-} // namespace Surface_curves
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
@@ -201,8 +91,8 @@ template <internal::Surface_curves::Surface_operand Surface>
 Umbilics_3<internal::Surface_curves::Operand_kernel<Surface>> umbilics(const Surface& surface,
                                                                        const Solver_options& options = {})
 {
-  const internal::Common::Spline_patch<3> patch = internal::Common::Intersection_operand<Surface>::patch(surface);
-  return internal::Surface_curves::Umbilic_finder<internal::Surface_curves::Operand_kernel<Surface>>(patch, options)();
+  return Umbilics_3<internal::Surface_curves::Operand_kernel<Surface>>(
+      internal::Surface_curves::umbilics_of(internal::Common::Intersection_operand<Surface>::map(surface), options));
 }
 
 } // namespace Spline_constraints

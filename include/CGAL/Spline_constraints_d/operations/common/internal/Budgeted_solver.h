@@ -4,11 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -29,73 +29,58 @@ inline Constraint_system_d system_of(const std::vector<Constraint>& constraints,
   return system;
 }
 
-// Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together,
-// that of time also for what is done between them.
+// Solves the systems of one operation, and adds up the work. Limits are for all systems together.
 class Budgeted_solver
 {
-  using Clock = std::chrono::steady_clock;
-
-  Solver_options m_options;
-  Summary m_total;
-  Clock::time_point m_start = Clock::now();
+  Operation_budget m_budget;
 
 public:
-  explicit Budgeted_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
+  explicit Budgeted_solver(const Solver_options& options) : m_budget(options) {}
+  explicit Budgeted_solver(const Operation_budget& budget) : m_budget(budget) {}
 
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
   {
-    return solve(make_system(constraints));
+    return (*this)(make_system(constraints));
   }
 
   // With these unknowns, whether constraints use them or not.
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
   {
-    return solve(system_of(constraints, unknowns));
+    return (*this)(system_of(constraints, unknowns));
   }
 
-  const Summary& total() const { return m_total; }
+  Solution_set_d<double> operator()(const Constraint_system_d& system)
+  {
+    Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(m_budget.remaining())(system);
+    m_budget.add(result.summary());
+    return result;
+  }
+
+  Operation_budget& budget() { return m_budget; }
+  const Summary& total() const { return m_budget.total(); }
 
   // One for a few more nodes, whose work is added afterwards.
   Budgeted_solver limited(std::size_t nodes) const
   {
     Budgeted_solver result(*this);
-    const std::size_t limit = m_total.nodes + nodes;
-    if (m_options.node_limit == 0 || limit < m_options.node_limit)
-      result.m_options.node_limit = limit;
+    result.m_budget.limit_nodes(nodes);
     return result;
   }
 
-  void add_work_of(const Budgeted_solver& limited) { m_total = limited.m_total; }
+  void add_work_of(const Budgeted_solver& limited)
+  {
+    Summary more = limited.total();
+    more.nodes -= total().nodes;
+    more.seconds -= total().seconds;
+    m_budget.add(more);
+  }
 
   // Whether there are no nodes left.
-  bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_total.nodes >= m_options.node_limit; }
+  bool has_reached_node_limit() const { return m_budget.has_reached_node_limit(); }
 
-  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
-  bool must_stop() const
-  {
-    return (m_options.time_limit > 0 && seconds() >= m_options.time_limit) || m_options.visitor.stop();
-  }
-
-private:
-  Solution_set_d<double> solve(const Constraint_system_d& system)
-  {
-    Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(remaining_options())(system);
-    m_total += result.summary();
-    return result;
-  }
-
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
-
-  // With what is left of the limits, a little at least: zero would be no limit.
-  Solver_options remaining_options() const
-  {
-    Solver_options result = m_options;
-    if (m_options.time_limit > 0)
-      result.time_limit = (std::max)(m_options.time_limit - seconds(), 1e-9);
-    if (m_options.node_limit > 0)
-      result.node_limit = m_total.nodes < m_options.node_limit ? m_options.node_limit - m_total.nodes : 1;
-    return result;
-  }
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made; and why.
+  bool must_stop() const { return m_budget.must_stop(); }
+  Undecided_reason reason() const { return m_budget.reason(); }
 };
 
 // Whether constraints without unknowns are satisfied.

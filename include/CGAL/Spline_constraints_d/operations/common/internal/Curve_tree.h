@@ -63,6 +63,7 @@ public:
   }
 
   const Spline_patch<d>& patch() const { return *m_patch; }
+  const Parameter_range& range() const { return m_range; }
   const Exact_rational& middle() const { return m_middle; }
   const Double_intervals<d>& middle_point() const { return m_middle_point; }
   const Double_intervals<d>& tangents() const { return m_tangents; }

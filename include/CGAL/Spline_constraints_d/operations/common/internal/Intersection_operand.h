@@ -4,7 +4,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_INTERSECTION_OPERAND_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_INTERSECTION_OPERAND_H
 
-#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_surface.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
@@ -19,48 +18,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Common {
-
-// The curve or surface that an object of CGAL is converted to; a triangle in space is converted to a surface.
-template <class Object>
-  requires requires(const Object& object) { to_bspline_surface(object); }
-auto to_bspline(const Object& object)
-{
-  return to_bspline_surface(object);
-}
-
-template <class Object>
-requires(!requires(const Object& object) { to_bspline_surface(object); }) && requires(const Object& object)
-{
-  to_bspline_curve(object);
-}
-auto to_bspline(const Object& object)
-{
-  return to_bspline_curve(object);
-}
-
-// What `intersections()` takes: points, curves, surfaces, and objects of CGAL that are converted to these. The patch of
-// an unbounded object is its part near a box; none if it is not near.
-template <class Object>
-struct Intersection_operand;
-
-template <class Object>
-  requires requires { Spline_operand<Object>::dimension; }
-struct Intersection_operand<Object> : Spline_operand<Object>
-{
-  static constexpr bool is_bounded = true;
-};
-
-template <class Object>
-  requires (!requires { Spline_operand<Object>::dimension; }) && requires(const Object& object) { to_bspline(object); }
-struct Intersection_operand<Object> : Spline_operand<decltype(to_bspline(std::declval<const Object&>()))>
-{
-  static constexpr bool is_bounded = true;
-
-  static auto patch(const Object& object)
-  {
-    return Spline_operand<decltype(to_bspline(object))>::patch(to_bspline(object));
-  }
-};
 
 // The corners of a box that has all points of another one inside.
 template <int d>

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/internal/Values_at_point.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -64,16 +65,11 @@ class Spline_patch
   bool m_is_rational = false;
 
 public:
-  explicit Spline_patch(const std::array<Exact_rational, d>& point) : m_weight(constant(1))
-  {
-    for (int i = 0; i < d; ++i)
-      m_numerators[i] = constant(point[i]);
-  }
+  explicit Spline_patch(const std::array<Exact_rational, d>& point) : Spline_patch(exact_map<d>(point)) {}
 
   //! \throws Invalid_input when the weight is not proved to have one sign.
-  template <ParametricMap Map>
-  explicit Spline_patch(const Map& map)
-    : m_numerators(map.homogeneous_coordinates()), m_weight(map.weight()), m_is_rational(map.is_rational())
+  explicit Spline_patch(Exact_map<d> map)
+    : m_numerators(std::move(map.numerators)), m_weight(std::move(map.weight)), m_is_rational(map.is_rational)
   {
     if (!m_is_rational || certified_weight_sign(m_weight, {}) > 0)
       return;
@@ -81,6 +77,11 @@ public:
     for (Exact_function& numerator : m_numerators)
       numerator = -numerator;
   }
+
+  //! \throws Invalid_input when the weight is not proved to have one sign.
+  template <ParametricMap Map>
+  explicit Spline_patch(const Map& map) : Spline_patch(exact_map<d>(map))
+  {}
 
   //! \pre the weight is positive; it is the constant one if the map is not rational
   Spline_patch(Vector_of_functions<d> numerators, Exact_function weight, bool is_rational)
@@ -303,8 +304,6 @@ private:
       result.push_back(domain(axis).*end);
     return result;
   }
-
-  static Exact_function constant(const Exact_rational& value) { return Exact_function() + value; }
 
   // The control points of the weight are positive on parts that are small enough.
   template <class Bounds>

@@ -4,12 +4,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_CRITICAL_DISTANCE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_CRITICAL_DISTANCE_H
 
-#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,8 +23,8 @@ namespace Distances {
 struct Critical_distance
 {
   Solution_kind kind;
-  std::array<std::vector<Parameter_range>, 2> ranges;
-  std::array<std::vector<Exact_rational>, 2> sample;   // in these ranges
+  std::array<std::vector<std::pair<Exact_rational, Exact_rational>>, 2> ranges;
+  std::array<std::vector<Exact_rational>, 2> sample; // in these ranges
   Rational_interval squared_distance;
   std::optional<Solution_d<double>> solution;
 };

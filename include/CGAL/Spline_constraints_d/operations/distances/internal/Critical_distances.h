@@ -6,9 +6,12 @@
 
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Pair_of_sites.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Site_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -56,11 +59,12 @@ class Critical_distances
 
   std::array<Spline_patch<d>, 2> m_operands;
   Site_pairs<d> m_pairs;
-  Subdivision_solver_d<Certified_solver_traits> m_solver;
-  Exact_rational m_upper;   // no pair of closest points has a larger squared distance
-  Exact_rational m_least;   // of the bounds of what was found
+  Budgeted_solver m_solver;
+  Exact_rational m_upper; // no pair of closest points has a larger squared distance
+  Exact_rational m_least; // of the bounds of what was found
   std::vector<Found> m_found;
-  Summary m_summary;
+  std::optional<Critical_distance> m_rest; // all pairs of points, where the run ended early
+  Undecided_reason m_reason = Undecided_reason::NONE;
 
 public:
   Critical_distances(const Spline_patch<d>& a, const Spline_patch<d>& b, const Joint_rule& rule,
@@ -74,7 +78,8 @@ public:
   {
     m_pairs.find_all();
     for (const Pair_of_sites& sites : m_pairs.pairs())
-      find_critical_distances(sites);
+      if (goes_on())
+        find_critical_distances(sites);
     for (Found& found : m_found)
       enclose(found);
     return sorted();
@@ -85,24 +90,71 @@ public:
   {
     m_pairs.find_nearest(m_upper);
     for (const Pair_of_sites& sites : m_pairs.pairs())
-      if (!is_too_far(squared_norm(sites.a->bounds() - sites.b->bounds())))
+      if (!is_too_far(squared_norm(sites.a->bounds() - sites.b->bounds())) && goes_on())
         find_critical_distances(sites);
     drop_those_too_far();
     for (Found& found : m_found)
       enclose(found);
-    find_crossing();
+    if (goes_on())
+      find_crossing();
     drop_those_too_far();
-    std::erase_if(m_found,
-                  [&](Found& x) { return x.distance.kind != Solution_kind::CERTIFIED && is_too_far(refined(x)); });
+    std::erase_if(m_found, [&](Found& x) {
+      return x.distance.kind != Solution_kind::CERTIFIED && !m_solver.must_stop() && is_too_far(refined(x));
+    });
     return sorted();
   }
 
   // After `nearest()`: the square of the least distance lies in this range.
   std::pair<Exact_rational, Exact_rational> least_squared_distance() const { return {m_least, m_upper}; }
 
-  const Summary& summary() const { return m_summary; }
+  // Why the answers are undecided that are.
+  std::vector<Undecided_part> undecided(const std::vector<Critical_distance>& answers) const
+  {
+    std::vector<Undecided_part> result;
+    for (const Critical_distance& answer : answers)
+      if (answer.kind == Solution_kind::UNDECIDED) {
+        Undecided_part part{double_ranges(m_operands[0].part(answer.ranges[0]).values()),
+                            {},
+                            in_words(answer.solution ? answer.solution->reason() : m_reason)};
+        for (const std::size_t operand : {0, 1})
+          if (!answer.ranges[operand].empty())
+            part.parameters.push_back({operand, double_ranges(answer.ranges[operand])});
+        result.push_back(std::move(part));
+      }
+    return result;
+  }
+
+  Summary summary(const std::vector<Critical_distance>& answers) const
+  {
+    Summary result = m_solver.total();
+    result.is_complete =
+        std::none_of(answers.begin(), answers.end(), [](const auto& x) { return x.kind == Solution_kind::UNDECIDED; });
+    if (!result.is_complete && result.why_not == Undecided_reason::NONE)
+      result.why_not = m_reason;
+    return result;
+  }
 
 private:
+  // Whether the run goes on. Where it ends, there may be others of any parameters.
+  bool goes_on()
+  {
+    if (!m_solver.must_stop())
+      return true;
+    if (!m_rest) {
+      m_reason = m_solver.reason();
+      m_rest = Critical_distance{Solution_kind::UNDECIDED, {}, {}, {}, std::nullopt};
+      for (const std::size_t operand : {0, 1}) {
+        for (int axis = 0; axis < m_operands[operand].number_of_parameters(); ++axis)
+          m_rest->ranges[operand].push_back(m_operands[operand].domain(axis));
+        m_rest->sample[operand] = m_operands[operand].middle();
+      }
+      m_rest->squared_distance =
+          Rational_interval(squared_norm(m_operands[0].values() - m_operands[1].values()).lower,
+                            squared_distance_of<d>(m_operands[0](m_rest->sample[0]), m_operands[1](m_rest->sample[1])));
+    }
+    return false;
+  }
+
   bool is_too_far(const Rational_interval& squared_distance) const { return squared_distance.lower > m_upper; }
 
   void drop_those_too_far()
@@ -115,10 +167,10 @@ private:
     std::vector<Critical_distance> result;
     for (Found& found : m_found)
       result.push_back(std::move(found.distance));
+    if (m_rest)
+      result.push_back(*m_rest);
     std::stable_sort(result.begin(), result.end(),
                      [](const auto& x, const auto& y) { return x.squared_distance.lower < y.squared_distance.lower; });
-    m_summary.is_complete =
-        std::none_of(result.begin(), result.end(), [](const auto& x) { return x.kind == Solution_kind::UNDECIDED; });
     m_least = result.empty() ? m_upper : result.front().squared_distance.lower;
     return result;
   }
@@ -170,8 +222,7 @@ private:
         add(sites, Solution_kind::CERTIFIED, {{}}, {}, true, std::nullopt);
       return;
     }
-    const Solution_set_d<double> solutions = m_solver(make_system(constraints));
-    m_summary += solutions.summary();
+    const Solution_set_d<double> solutions = m_solver(constraints);
     for (const Solution& solution : solutions)
       if (const Box box = sites.with_fixed_parameters(clipped(solution.exact_box(), domain_of(*a, *b)));
           std::any_of(boxes->begin(), boxes->end(), [&](const Box& x) { return meet(x, box); }))
@@ -206,7 +257,7 @@ private:
   // Bounds of a distance that are close together.
   void enclose(Found& found)
   {
-    if (found.is_exact)
+    if (found.is_exact || m_solver.must_stop())
       return;
     Rational_interval& range = found.distance.squared_distance;
     range = hull_of(found.boxes, [&](const Box& part) { return found.sites.range_on(part); });
@@ -331,7 +382,7 @@ private:
 
   // Whether a critical point is a regular solution of A = B, by proof. As such ones are critical points, it is enough
   // that there is one where no other critical point is.
-  bool is_crossing(const Pair_of_sites& sites, const Solution& solution) const
+  bool is_crossing(const Pair_of_sites& sites, const Solution& solution)
   {
     const Undecided_reason reason = solution.reason();
     const bool is_regular = solution.is_certified() || reason == Undecided_reason::INEQUALITY ||
@@ -344,7 +395,7 @@ private:
   }
 
   // With as many parameters as coordinates.
-  Solution_set_d<double> common_points(const Site& a, const Site& b, const Box& box) const
+  Solution_set_d<double> common_points(const Site& a, const Site& b, const Box& box)
   {
     const std::vector<Unknown> u = unknowns_in(box);
     const std::span<const Unknown> all(u);
@@ -353,7 +404,7 @@ private:
     std::vector<Constraint> constraints;
     for (int i = 0; i < d; ++i)
       constraints.push_back(difference[i] == 0);
-    return m_solver(make_system(constraints));
+    return m_solver(constraints);
   }
 
   // Where an edge crosses the other operand, the distance is critical in all directions: that is a candidate of the
@@ -369,7 +420,6 @@ private:
           squared_norm(a.bounds() - b.bounds()).lower > 0)
         continue;
       const Solution_set_d<double> solutions = common_points(a, b, domain_of(a, b));
-      m_summary += solutions.summary();
       if (solutions.count(Solution_kind::CERTIFIED) == 0)
         continue;
       const Box box = clipped(solutions[0].exact_box(), domain_of(a, b));
@@ -380,6 +430,33 @@ private:
     }
   }
 };
+
+template <int d>
+Found_distances<d> located(const std::vector<Critical_distance>& answers, const Spline_patch<d>& first,
+                           const Spline_patch<d>& second, const Critical_distances<d>& search)
+{
+  Found_distances<d> result{{}, search.least_squared_distance(), search.undecided(answers), search.summary(answers)};
+  for (const Critical_distance& answer : answers)
+    result.pairs.push_back({answer, {first(answer.sample[0]), second(answer.sample[1])}});
+  return result;
+}
+
+template <int d>
+Found_distances<d> projections_of(const Exact_map<d>& point, const Exact_map<d>& object, const Solver_options& options)
+{
+  const Spline_patch<d> a(point), b(object);
+  Critical_distances<d> search(a, b, perpendicular_before, options);
+  return located<d>(search.all(), a, b, search);
+}
+
+template <int d>
+Found_distances<d> nearest_points_of(const Exact_map<d>& first, const Exact_map<d>& second,
+                                     const Solver_options& options)
+{
+  const Spline_patch<d> a(first), b(second);
+  Critical_distances<d> search(a, b, least_distance, options);
+  return located<d>(search.nearest(), a, b, search);
+}
 
 } // namespace Distances
 } // namespace internal

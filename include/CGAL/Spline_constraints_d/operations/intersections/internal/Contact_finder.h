@@ -148,7 +148,7 @@ private:
       return;
     const Patch_pair<3> patches(pieces[0].patch, pieces[1].patch);
     if (m_solve.must_stop())
-      return add(Intersection_kind::UNDECIDED, patches.domain(), std::nullopt);
+      return m_result.push_back(undecided_common_point(patches.domain(), m_solve.reason()));
     const Coincidence<3> equations(patches);
     if (const std::size_t plane = equations.has_eliminated(0) ? 0 : 1; equations.has_eliminated(plane))
       find_contacts_with_plane(equations, plane, pieces[1 - plane]);

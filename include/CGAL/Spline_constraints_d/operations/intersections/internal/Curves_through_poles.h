@@ -163,8 +163,8 @@ class Common_poles
 
 public:
   Common_poles(const Surface_equations& surfaces, std::function<const Power_polynomial*(std::size_t)> equation,
-               const Solver_options& options)
-    : m_surfaces(surfaces), m_equation(std::move(equation)), m_solve(options)
+               const Operation_budget& budget)
+    : m_surfaces(surfaces), m_equation(std::move(equation)), m_solve(budget)
   {}
 
   std::vector<Common_pole> operator()()

@@ -63,7 +63,8 @@ public:
   {
     std::vector<Common_point> result = with_seams();
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
-    settle_undecided_points(m_pair, result);
+    if (!m_solve.must_stop())
+      settle_undecided_points(m_pair, result);
     drop_ends_of_overlaps(m_pair, result);
     std::sort(result.begin(), result.end(),
               [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });

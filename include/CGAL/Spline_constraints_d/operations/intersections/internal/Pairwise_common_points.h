@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -83,9 +84,12 @@ private:
   std::vector<Pair> found(const std::vector<Index_pair>& pairs, const Find& find) const
   {
     std::vector<Pair> result(pairs.size());
+    const Operation_budget budget(m_options);
+    std::atomic<std::size_t> nodes = 0; // of pairs that are done
     parallel_for<Concurrency_tag>(pairs.size(), [&](std::size_t i, std::size_t) {
-      Budgeted_solver solve(m_options);
+      Budgeted_solver solve(budget.after(nodes));
       std::vector<Common_point> points = find(pairs[i], solve);
+      nodes += solve.total().nodes;
       result[i] = {pairs[i].first, pairs[i].second, std::move(points), solve.total()};
     });
     return result;

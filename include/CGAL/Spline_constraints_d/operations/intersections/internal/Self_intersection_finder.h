@@ -47,11 +47,16 @@ public:
     std::vector<Common_point> result;
     for (const Spline_patch<d>& part : m_arcs.others())
       result.push_back(all_pairs_of(part));
-    for (const auto& [i, j] : pairs_that_may_meet())
+    for (const auto& [i, j] : pairs_that_may_meet()) {
+      if (m_solve.must_stop()) {
+        result.push_back(undecided_common_point({m_arcs[i].domain(0), m_arcs[j].domain(0)}, m_solve.reason()));
+        continue;
+      }
       for (Common_point& point :
            Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
         if (!is_joint(point, i, j))
           result.push_back(on_whole_curve(std::move(point), {i, j}));
+    }
     std::sort(result.begin(), result.end(),
               [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     remove_repetitions(result);
@@ -163,7 +168,11 @@ private:
 template <int d>
 std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budgeted_solver& solve)
 {
-  return Self_intersection_finder<d>(curve, solve)();
+  try {
+    return Self_intersection_finder<d>(curve, solve)();
+  } catch (const Run_stopped& stop) { // before there were arcs
+    return {undecided_common_point({curve.domain(0), curve.domain(0)}, stop.reason)};
+  }
 }
 
 } // namespace Intersections

@@ -101,6 +101,7 @@ private:
   // A piece in arcs along each of which a coordinate increases or decreases.
   void add_arcs(const Spline_patch<d>& piece, int cuts)
   {
+    m_solve.budget().check();
     const auto directions = axis_directions<d>();
     const bool is_simple = std::any_of(directions.begin(), directions.end(),
                                        [&](const auto& direction) { return is_increasing<d>(piece, direction); }) ||

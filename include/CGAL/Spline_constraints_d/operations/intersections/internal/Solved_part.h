@@ -7,6 +7,8 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Found_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
@@ -30,14 +32,6 @@ struct Solved_part
   std::vector<std::pair<std::size_t, Exact_rational>> poles = {};
 };
 
-// A vertex of the solutions of one of several parts.
-struct Part_vertex
-{
-  std::size_t part, vertex;
-
-  friend bool operator==(const Part_vertex&, const Part_vertex&) = default;
-};
-
 // The curves of several parts, and their points.
 struct Joined_curves
 {
@@ -52,8 +46,8 @@ Joined_curves joined_curves(const std::vector<Solved_part>& parts);
 
 // The common curves of two surfaces; by the equations in all parameters alone, or in those that tell most. Defined in
 // common_curves.h.
-Solved_part curves_in_all_parameters(const Surface_equations& surfaces, const Solver_options& options);
-Solved_part common_curves(const Surface_equations& surfaces, const Solver_options& options);
+Solved_part curves_in_all_parameters(const Surface_equations& surfaces, Operation_budget& budget);
+Solved_part common_curves(const Surface_equations& surfaces, Operation_budget& budget);
 
 } // namespace Intersections
 } // namespace internal

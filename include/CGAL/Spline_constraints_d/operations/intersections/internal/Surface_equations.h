@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SURFACE_EQUATIONS_H
 
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Height_field.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Patch_inverse.h>
@@ -203,6 +204,20 @@ public:
     const std::size_t surface = has_unknowns(0) ? 0 : 1;
     const std::vector<NT> parameters{m_parameters[surface][0](unknowns), m_parameters[surface][1](unknowns)};
     return m_surfaces[surface].point(parameters);
+  }
+
+  // Bounds of the points in space with the unknowns in a box.
+  Vector_bounds<3> values(const Parameter_box& box) const
+  {
+    if (m_has_coordinates) {
+      Vector_bounds<3> result;
+      for (std::size_t i = 0; i < 3; ++i)
+        result[i] = Rational_interval(box[box.size() - 3 + i]);
+      return result;
+    }
+    const std::size_t surface = has_unknowns(0) ? 0 : 1;
+    const std::array<Parameter_range, 2> ranges = parameter_ranges(surface, box);
+    return m_surfaces[surface].patch->part({ranges[0], ranges[1]}).values();
   }
 
 private:

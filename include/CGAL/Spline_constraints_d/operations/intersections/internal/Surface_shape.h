@@ -6,15 +6,17 @@
 
 #include <CGAL/Spline_constraints_d/function/internal/Values_at_point.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/surface_shapes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
+#include <memory>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,66 +104,29 @@ private:
   }
 };
 
-inline Surface_shape surface_shape(const Implicit_surface_3& surface) { return Surface_shape(surface, true); }
-
-template <SplineKernel K>
-Surface_shape surface_shape(const CGAL::Sphere_3<K>& sphere)
+CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_map(const Exact_map<3>& surface)
 {
-  return Surface_shape(to_implicit(sphere), false);
+  return std::make_shared<const Surface_shape>(Spline_patch<3>(surface));
 }
 
-//! \throws Invalid_input when the plane is degenerate, or a number is not finite.
-template <SplineKernel K>
-Surface_shape surface_shape(const CGAL::Plane_3<K>& plane)
+CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_plane(const std::array<Exact_rational, 4>& coefficients)
 {
-  const auto number = [](const auto& x) { return converted_number<Exact_rational>(x); };
-  Power_polynomial f =
-      linear_polynomial<4>({number(plane.a()), number(plane.b()), number(plane.c()), number(plane.d())});
+  Power_polynomial f = linear_polynomial<4>(coefficients);
   if (f.is_constant())
     throw Invalid_input("intersection_curves: the plane is degenerate");
-  return Surface_shape(std::move(f));
+  return std::make_shared<const Surface_shape>(std::move(f));
 }
 
-template <class Surface>
-  requires (Intersection_operand<Surface>::number_of_parameters == 2 && Intersection_operand<Surface>::dimension == 3)
-Surface_shape surface_shape(const Surface& surface)
+CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_sphere(const std::array<Exact_rational, 3>& center,
+                                                     const Exact_rational& squared_radius)
 {
-  return Surface_shape(Intersection_operand<Surface>::patch(surface));
+  return std::make_shared<const Surface_shape>(implicit_sphere<3>(center, squared_radius), false);
 }
 
-// The kernel of a surface; implicit ones leave it to the other operand.
-template <class Surface>
-struct Surface_kernel
+CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_implicit_surface(const Implicit_hypersurface<3>& surface)
 {
-  using type = typename Intersection_operand<Surface>::Kernel;
-};
-
-template <>
-struct Surface_kernel<Implicit_surface_3>
-{
-  using type = void;
-};
-
-template <class A, class B, class Kernel_a = typename Surface_kernel<A>::type,
-          class Kernel_b = typename Surface_kernel<B>::type>
-using Common_surface_kernel =
-    std::conditional_t<!std::same_as<Kernel_a, void>, Kernel_a,
-                       std::conditional_t<!std::same_as<Kernel_b, void>, Kernel_b, CGAL::Simple_cartesian<double>>>;
-
-template <class Surface>
-inline constexpr bool is_unbounded_surface = false;
-
-template <class K>
-inline constexpr bool is_unbounded_surface<CGAL::Plane_3<K>> = true;
-
-// Two surfaces, not both unbounded, without different kernels.
-template <class A, class B>
-concept Surface_pair = requires(const A& a, const B& b) {
-  surface_shape(a);
-  surface_shape(b);
+  return std::make_shared<const Surface_shape>(surface, true);
 }
-&&!(is_unbounded_surface<A> &&
-    is_unbounded_surface<B>)&&std::same_as<Common_surface_kernel<A, B>, Common_surface_kernel<B, A>>;
 
 } // namespace Intersections
 } // namespace internal

@@ -60,9 +60,15 @@ inline std::array<Exact_function, 3> second_form(const Spline_patch<3>& cell)
 }
 
 // The tangent planes of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
-inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch)
+// Before each cell `check()` may end the work by an exception.
+template <class Check>
+std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch, const Check& check)
 {
-  return continuous_parts(Cell_functions<4>(patch, tangent_plane), true);
+  const auto checked_plane = [&](const Spline_patch<3>& cell) {
+    check();
+    return tangent_plane(cell);
+  };
+  return continuous_parts(Cell_functions<4>(patch, checked_plane), true);
 }
 
 // A positive multiple of the derivative of a polynomial piece of a surface by a parameter.
@@ -75,10 +81,14 @@ inline Vector_of_functions<3> tangent_direction(const Spline_patch<3>& cell, int
 }
 
 // The directions of the derivative of a surface by a parameter.
-inline std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis)
+template <class Check>
+std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis, const Check& check)
 {
-  return continuous_parts(
-      Cell_functions<3>(patch, [axis](const Spline_patch<3>& cell) { return tangent_direction(cell, axis); }), true);
+  const auto checked_direction = [&](const Spline_patch<3>& cell) {
+    check();
+    return tangent_direction(cell, axis);
+  };
+  return continuous_parts(Cell_functions<3>(patch, checked_direction), true);
 }
 
 // A part of a surface with continuous fields of normals and tangents, of any length.
@@ -93,16 +103,17 @@ struct Oriented_patch
 };
 
 // The parts of a surface, cut where a normal or tangent jumps.
-inline std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch)
+template <class Check>
+std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch, const Check& check)
 {
-  const std::vector<Continuous_part<4>> planes = tangent_planes(patch);
-  const std::array<std::vector<Continuous_part<3>>, 2> tangents{tangent_directions(patch, 0),
-                                                                tangent_directions(patch, 1)};
+  const std::vector<Continuous_part<4>> planes = tangent_planes(patch, check);
+  const std::array<std::vector<Continuous_part<3>>, 2> tangents{tangent_directions(patch, 0, check),
+                                                                tangent_directions(patch, 1, check)};
   std::vector<Oriented_patch> result;
   const auto is_cut = [&](const auto& parts) {
     for (std::size_t i = 0; parts.size() > 1 && i < parts.size(); ++i) {
       std::vector<Oriented_patch> part =
-          oriented_patches(patch.part({parts[i].functions.domain(0), parts[i].functions.domain(1)}));
+          oriented_patches(patch.part({parts[i].functions.domain(0), parts[i].functions.domain(1)}), check);
       std::move(part.begin(), part.end(), std::back_inserter(result));
     }
     return parts.size() > 1;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_COMMON_CURVES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_COMMON_CURVES_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Curves_through_poles.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Implicit_patch.h>
@@ -29,16 +30,19 @@ class Equations_of_surfaces
 {
   const Surface_equations& m_surfaces;
   std::array<bool, 2> m_is_known{};
+  const Operation_budget& m_budget;
   std::array<std::optional<Power_polynomial>, 2> m_polynomials;
 
 public:
-  explicit Equations_of_surfaces(const Surface_equations& surfaces) : m_surfaces(surfaces) {}
+  Equations_of_surfaces(const Surface_equations& surfaces, const Operation_budget& budget)
+    : m_surfaces(surfaces), m_budget(budget)
+  {}
 
   const Power_polynomial* operator()(std::size_t surface)
   {
     if (!std::exchange(m_is_known[surface], true))
       m_polynomials[surface] = m_surfaces.is_parametric(surface)
-          ? implicit_equation(*m_surfaces.surface(surface).patch)
+          ? equation_of(*m_surfaces.surface(surface).patch)
           : std::optional(m_surfaces.surface(surface).polynomial);
     return m_polynomials[surface] ? &*m_polynomials[surface] : nullptr;
   }
@@ -49,13 +53,20 @@ public:
       (*this)(surface);
     return m_polynomials;
   }
+
+private:
+  // None as well where the run ends before it is found: nothing is solved by it then.
+  std::optional<Power_polynomial> equation_of(const Spline_patch<3>& patch) const
+  {
+    return implicit_equation(patch, [this] { return m_budget.must_stop(); });
+  }
 };
 
 // The common curves of two parametric surfaces, one of which is an Implicit_patch. Nothing if none is, or not all is
 // proved while the equations in all parameters may tell of more.
 inline std::optional<Solved_part> curves_on_implicit_patches(const Surface_equations& surfaces,
                                                              Equations_of_surfaces& equations,
-                                                             const Solver_options& options)
+                                                             Operation_budget& budget)
 {
   if (!surfaces.has_system() || !surfaces.has_all_parameters())
     return std::nullopt;
@@ -68,7 +79,7 @@ inline std::optional<Solved_part> curves_on_implicit_patches(const Surface_equat
     if (!patch)
       continue;
     const Curves_on_implicit_patch curves(surfaces, implicit, *patch);
-    std::optional<Solved_part> found = curves(options);
+    std::optional<Solved_part> found = curves(budget);
     if (found && found->solutions.is_complete())
       return found;
     if (found && !curves.has_sides())
@@ -81,7 +92,7 @@ inline std::optional<Solved_part> curves_on_implicit_patches(const Surface_equat
 // that proves all of them.
 inline std::optional<Solved_part> curves_with_poles(const Surface_equations& surfaces,
                                                     const std::vector<Common_pole>& poles,
-                                                    Equations_of_surfaces& equations, const Solver_options& options,
+                                                    Equations_of_surfaces& equations, Operation_budget& budget,
                                                     const Curve_search& search)
 {
   std::array<bool, 2> has_common_pole{};
@@ -89,7 +100,7 @@ inline std::optional<Solved_part> curves_with_poles(const Surface_equations& sur
     has_common_pole[common.pole.surface] = true;
   for (const Pole_system& equation : Pole_systems(surfaces, equations.both())(has_common_pole)) {
     const Curve_solution_set_d common =
-        Common_point_filter(surfaces, equation.is_one_point)(all_curves(equation.system, options, search));
+        Common_point_filter(surfaces, equation.is_one_point)(curves_within_budget(equation.system, budget, search));
     if (common.is_complete())
       return joined_at_poles(Surface_equations(surfaces, equation.system), common, poles);
   }
@@ -99,7 +110,7 @@ inline std::optional<Solved_part> curves_with_poles(const Surface_equations& sur
 // The curves that satisfy the equations of two surfaces; other equations, if these are singular along curves, or at
 // poles.
 inline Solved_part curves_in_all_parameters(Surface_equations surfaces, Equations_of_surfaces& equations,
-                                            const Solver_options& options)
+                                            Operation_budget& budget)
 {
   if (!surfaces.has_system())
     return {std::move(surfaces), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
@@ -108,14 +119,14 @@ inline Solved_part curves_in_all_parameters(Surface_equations surfaces, Equation
     search.points.emplace_back(pole.unknown, pole.value);
   std::vector<Common_pole> poles;
   if (!surfaces.has_coordinates())
-    poles = Common_poles(surfaces, [&](std::size_t surface) { return equations(surface); }, options)();
+    poles = Common_poles(surfaces, [&](std::size_t surface) { return equations(surface); }, budget)();
   if (!poles.empty() && surfaces.has_all_parameters())
-    if (std::optional<Solved_part> result = curves_with_poles(surfaces, poles, equations, options, search))
+    if (std::optional<Solved_part> result = curves_with_poles(surfaces, poles, equations, budget, search))
       return std::move(*result);
   std::vector<Contact_curves> contacts;
   bool has_looked = false;
   const auto has_contact_curves = [&] {
-    if (std::exchange(has_looked, true) || !surfaces.has_all_parameters())
+    if (std::exchange(has_looked, true) || !surfaces.has_all_parameters() || budget.must_stop())
       return !contacts.empty();
     const auto& polynomials = equations.both();
     for (const std::size_t implicit : {0, 1})
@@ -129,12 +140,14 @@ inline Solved_part curves_in_all_parameters(Surface_equations surfaces, Equation
     return !contacts.empty();
   };
   search.gives_up = has_contact_curves;
-  Curve_solution_set_d solutions = all_curves(surfaces.system(), options, search);
+  Curve_solution_set_d solutions = curves_within_budget(surfaces.system(), budget, search);
   search.gives_up = [] { return false; };
   std::optional<Constraint_system_d> other;
   for (auto contact = contacts.begin(); contact != contacts.end() && (!other || !solutions.is_complete()); ++contact) {
+    if (budget.must_stop())
+      break;
     Constraint_system_d system = contact->system();
-    Curve_solution_set_d common = contact->common_points(all_curves(system, options, search));
+    Curve_solution_set_d common = contact->common_points(curves_within_budget(system, budget, search));
     if (!other || common.is_complete()) {
       other = std::move(system);
       solutions = std::move(common);
@@ -146,18 +159,17 @@ inline Solved_part curves_in_all_parameters(Surface_equations surfaces, Equation
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part curves_in_all_parameters(const Surface_equations& surfaces,
-                                                                    const Solver_options& options)
+                                                                    Operation_budget& budget)
 {
-  Equations_of_surfaces equations(surfaces);
-  return curves_in_all_parameters(surfaces, equations, options);
+  Equations_of_surfaces equations(surfaces, budget);
+  return curves_in_all_parameters(surfaces, equations, budget);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part common_curves(const Surface_equations& surfaces,
-                                                         const Solver_options& options)
+CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part common_curves(const Surface_equations& surfaces, Operation_budget& budget)
 {
-  Equations_of_surfaces equations(surfaces);
-  std::optional<Solved_part> curves = curves_on_implicit_patches(surfaces, equations, options);
-  return curves ? std::move(*curves) : curves_in_all_parameters(surfaces, equations, options);
+  Equations_of_surfaces equations(surfaces, budget);
+  std::optional<Solved_part> curves = curves_on_implicit_patches(surfaces, equations, budget);
+  return curves ? std::move(*curves) : curves_in_all_parameters(surfaces, equations, budget);
 }
 
 } // namespace Intersections

@@ -25,6 +25,8 @@ namespace Intersections {
 template <int d>
 std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve)
 {
+  if (solve.must_stop())
+    return {undecided_common_point(pair.domain(), solve.reason())};
   constexpr std::size_t many_nodes = 250;
   if constexpr (d == 3)
     if (pair.number_of_parameters() == 3) {
@@ -33,7 +35,7 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
       solve.add_work_of(limited);
       const bool is_complete = std::none_of(
           points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });
-      if (is_complete)
+      if (is_complete || solve.must_stop())
         return points;
       if (auto others = common_points_of_curve_along_surface(pair, points, solve))
         return std::move(*others);

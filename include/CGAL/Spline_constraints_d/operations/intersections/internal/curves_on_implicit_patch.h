@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/patch_cells.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Curves_through_poles.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Implicit_patch.h>
@@ -105,7 +106,7 @@ public:
   bool has_sides() const { return !m_sides.empty(); }
 
   // Nothing if it is not proved that all curves are on A.
-  std::optional<Solved_part> operator()(const Solver_options& options) const
+  std::optional<Solved_part> operator()(Operation_budget& budget) const
   {
     if (m_is_apart)
       return Solved_part{Surface_equations(m_surfaces, m_implicit, std::nullopt),
@@ -118,11 +119,11 @@ public:
     for (const Surface_pole& pole : surfaces.poles())
       search.points.emplace_back(pole.unknown, pole.value);
     const std::vector<Common_pole> poles = Common_poles(
-        surfaces, [&](std::size_t) { return &m_a.polynomial(); }, options)();
+        surfaces, [&](std::size_t) { return &m_a.polynomial(); }, budget)();
     if (!std::all_of(poles.begin(), poles.end(),
                      [&](const Common_pole& common) { return is_within_sides(common.pole); }))
       return std::nullopt;
-    Solved_part result = joined_at_poles(std::move(surfaces), all_curves(*equations, options, search), poles);
+    Solved_part result = joined_at_poles(std::move(surfaces), curves_within_budget(*equations, budget, search), poles);
     return are_on_patch(result.surfaces, result.solutions) ? std::optional(std::move(result)) : std::nullopt;
   }
 

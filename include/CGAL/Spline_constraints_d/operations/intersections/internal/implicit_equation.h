@@ -146,11 +146,12 @@ private:
 };
 
 // The polynomial of the least degree, which is at most four, that is zero on a surface; nothing if there is none:
-// planes, quadrics, cubic ruled surfaces, tori and cyclides have one.
-inline std::optional<Power_polynomial> implicit_equation(const Spline_patch<3>& surface)
+// planes, quadrics, cubic ruled surfaces, tori and cyclides have one. Nothing if `stops()` before a degree is tried.
+template <class Stops>
+std::optional<Power_polynomial> implicit_equation(const Spline_patch<3>& surface, const Stops& stops)
 {
   constexpr int most = 4;
-  for (int degree = 1; degree <= most; ++degree)
+  for (int degree = 1; degree <= most && !stops(); ++degree)
     if (std::optional<Power_polynomial> result = Implicit_equation(surface, degree)())
       return result;
   return std::nullopt;

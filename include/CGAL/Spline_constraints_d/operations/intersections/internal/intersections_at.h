@@ -5,8 +5,14 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_INTERSECTIONS_AT_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/reason_of.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -15,15 +21,46 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
+// Where one of the answers may be in space and on two operands; a curve with itself is the first one twice.
+template <class Answer, int d>
+Undecided_part undecided_part(const Answer& answer, const Patch_pair<d>& operands,
+                              const std::array<std::size_t, 2>& indices)
+{
+  Undecided_part result{{}, {}, reason_of(answer.solution())};
+  for (const std::size_t operand : {0, 1}) {
+    Parameter_box box;
+    for (int axis = 0; axis < operands[operand].number_of_parameters(); ++axis)
+      box.push_back(answer.parameter_range(operand, static_cast<std::size_t>(axis)));
+    Parameter_box domain;
+    for (int axis = 0; axis < operands[operand].number_of_parameters(); ++axis)
+      domain.push_back(operands[operand].domain(axis));
+    box = clipped(with_short_ends(box), domain);
+    if (operand == 0)
+      result.place = double_ranges(operands[operand].part(box).values());
+    if (!box.empty())
+      result.parameters.push_back({indices[operand], double_ranges(box)});
+  }
+  return result;
+}
+
 // The answers of an operation that has found the common points of two operands, with its work.
 template <SplineKernel Kernel, int d>
 Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common_point> points,
-                                                              const Patch_pair<d>& operands, const Summary& work)
+                                                              const Patch_pair<d>& operands, const Summary& work,
+                                                              const std::array<std::size_t, 2>& indices = {0, 1})
 {
   std::vector<Intersection<Kernel, d>> result;
-  for (Common_point& point : points)
+  bool is_complete = true;
+  for (Common_point& point : points) {
+    is_complete = is_complete && point.kind != Intersection_kind::UNDECIDED;
     result.emplace_back(std::move(point), operands);
-  return Spline_constraints::Intersections<Kernel, d>(std::move(result), work);
+  }
+  std::function<Undecided_part(const Intersection<Kernel, d>&)> part;
+  if (!is_complete)
+    part = [operands, indices](const Intersection<Kernel, d>& answer) {
+      return undecided_part(answer, operands, indices);
+    };
+  return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, std::move(part));
 }
 
 } // namespace Intersections

@@ -49,6 +49,25 @@ public:
     return {parameter(0), parameter(1)};
   }
 
+  // Where both parameters are in a box. The extreme values of a bilinear function are those in the corners.
+  std::array<std::pair<Exact_rational, Exact_rational>, 2> image(const Curve_vertex::Exact_box& box) const
+  {
+    std::array<std::pair<Exact_rational, Exact_rational>, 2> result;
+    for (const std::size_t i : {0, 1}) {
+      std::vector<Exact_rational> values;
+      for (const Exact_rational& s : {box[0].first, box[0].second})
+        for (const Exact_rational& h : {box[1].first, box[1].second}) {
+          const auto side = [&](std::size_t k) {
+            return Exact_rational((1 - s) * m_corners[k][i] + s * m_corners[k + 1][i]);
+          };
+          values.push_back(Exact_rational((1 - h) * side(0) + h * side(2)));
+        }
+      const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+      result[i] = {*least, *greatest};
+    }
+    return result;
+  }
+
   // The image of a box on one side of the square only, and of that side.
   std::optional<Joint_place> place(const Curve_vertex::Exact_box& box) const
   {
@@ -94,26 +113,6 @@ public:
     }
     const Power_polynomial composition = composed(numerator_polynomial(formula), parameters);
     return Expression(without_factor(without_factor(composition, h), one - h), Monomial(), m_unknowns[0].symbols());
-  }
-
-private:
-  // The extreme values of a bilinear function are those in the corners.
-  std::array<std::pair<Exact_rational, Exact_rational>, 2> image(const Curve_vertex::Exact_box& box) const
-  {
-    std::array<std::pair<Exact_rational, Exact_rational>, 2> result;
-    for (const std::size_t i : {0, 1}) {
-      std::vector<Exact_rational> values;
-      for (const Exact_rational& s : {box[0].first, box[0].second})
-        for (const Exact_rational& h : {box[1].first, box[1].second}) {
-          const auto side = [&](std::size_t k) {
-            return Exact_rational((1 - s) * m_corners[k][i] + s * m_corners[k + 1][i]);
-          };
-          values.push_back(Exact_rational((1 - h) * side(0) + h * side(2)));
-        }
-      const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-      result[i] = {*least, *greatest};
-    }
-    return result;
   }
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/Found_pair_locus.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/Joint_place.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
@@ -26,10 +27,13 @@ namespace Spline_constraints {
 namespace internal {
 namespace Loci {
 
-using Double_pair = std::array<double, 2>;
-
 inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * b[1] - a[1] * b[0]; }
 inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Planar_map planar_map(const Exact_map<2>& map)
+{
+  return map.is_rational ? Planar_map(map.numerators, map.weight) : Planar_map(map.numerators);
+}
+
 inline Double_pair rounded_pair(const Exact_pair& p) { return {to_nearest_double(p[0]), to_nearest_double(p[1])}; }
 
 // Points of two curves with the derivatives there. Their difference is rounded once, since the points may be next to
@@ -69,6 +73,13 @@ struct Pair_of_parts
   std::function<std::optional<Joint_corner>(const Curve_vertex::Exact_box&)> corner = {};
   // whether both points of a pair are one: only a limit
   std::function<bool(const Curve_vertex::Exact_box&)> is_one_point = {};
+  // where both parameters are with the unknowns in a box; none: they are the first two unknowns
+  std::function<std::array<Exact_range, 2>(const Curve_vertex::Exact_box&)> ranges_of = {};
+
+  std::array<Exact_range, 2> ranges(const Curve_vertex::Exact_box& box) const
+  {
+    return ranges_of ? ranges_of(box) : std::array<Exact_range, 2>{box[0], box[1]};
+  }
 
   Pair_of_points points(const std::vector<double>& unknowns) const
   {

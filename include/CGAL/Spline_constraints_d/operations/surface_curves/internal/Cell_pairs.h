@@ -95,7 +95,9 @@ class Cell_pairs
   std::vector<Spline_patch<3>> m_single;
 
 public:
-  explicit Cell_pairs(const Spline_patch<3>& patch)
+  // Before each cell and each pair of them `check()` may end the work by an exception.
+  template <class Check>
+  Cell_pairs(const Spline_patch<3>& patch, const Check& check)
   {
     for (const int axis : {0, 1}) {
       const auto [begin, end] = patch.domain(axis);
@@ -109,12 +111,14 @@ public:
     std::vector<Cell> cells;
     for (const Parameter_range& u : m_ranges[0])
       for (const Parameter_range& v : m_ranges[1]) {
+        check();
         cells.push_back({u, v});
         const Spline_patch<3> piece = patch.part({u, v});
         m_pieces.push_back({piece, {tangent_direction(piece, 0), tangent_direction(piece, 1)}});
       }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       add(cells[i], most_halvings);
+      check();
       for (std::size_t j = i + 1; j < cells.size(); ++j)
         add(cells[i], cells[j], shift(cells[i], cells[j]), most_halvings);
     }

@@ -6,10 +6,14 @@
 
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Cell_functions.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_curve_collector.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <algorithm>
@@ -23,15 +27,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Surface_curves {
-
-// A bounded surface: a model of `ParametricSurface_3` or an object of CGAL that is converted to one.
-template <class Surface>
-concept Surface_operand =
-    Intersection_operand<Surface>::is_bounded && Intersection_operand<Surface>::number_of_parameters == 2 &&
-    Intersection_operand<Surface>::dimension == 3;
-
-template <class Surface>
-using Operand_kernel = typename Intersection_operand<Surface>::Kernel;
 
 // The cells of a part of a grid, with one linear combination of the functions.
 template <std::size_t k>
@@ -52,12 +47,23 @@ inline Expression formula(const Exact_function& f, std::span<const Unknown> u)
   return Parametric_vector<3>(Vector_of_functions<3>{f, zero, zero})(u)[0];
 }
 
-// The point where the first two of some unknowns are the parameters of a surface.
-inline auto point_on_surface(const Spline_patch<3>& patch)
+// The parts of a surface where two of some unknowns, the first ones, are in a box.
+inline std::vector<Undecided_part::Range> bounds_on_surface(const Spline_patch<3>& surface,
+                                                            const Curve_vertex::Exact_box& box)
 {
-  return [surface = Surface_shape(patch)](const std::vector<double>& unknowns) {
-    return surface.point(std::vector<double>(unknowns.begin(), unknowns.begin() + 2));
-  };
+  const Parameter_box domain{surface.domain(0), surface.domain(1)};
+  return double_ranges(surface.part(clipped({box[0], box[1]}, domain)).values());
+}
+
+// That the first two of some unknowns are the parameters of a surface, the first operand.
+inline Place_of_unknowns place_on_surface(const Spline_patch<3>& patch)
+{
+  const Surface_shape surface(patch);
+  return {[surface](const std::vector<double>& unknowns) {
+            return surface.point(std::vector<double>(unknowns.begin(), unknowns.begin() + 2));
+          },
+          [patch](const Curve_vertex::Exact_box& box) { return bounds_on_surface(patch, box); },
+          {2}};
 }
 
 // Whether a line is one point in space, over a part of the domain.
@@ -94,39 +100,46 @@ inline std::vector<Constant_parameter> lines_in_space(const Spline_patch<3>& sur
   return result;
 }
 
-// Finds the zeros of functions on a surface.
-template <SplineKernel Kernel>
+// Finds the zeros of functions on a surface, within the limits of an operation.
 class Surface_zeros
 {
   Spline_patch<3> m_patch;
-  Solver_options m_options;
-  Surface_curves_3<Kernel> m_curves;
+  Operation_budget& m_budget;
+  Surface_curve_collector m_curves;
 
 public:
-  Surface_zeros(const Spline_patch<3>& patch, const Solver_options& options)
-    : m_patch(patch), m_options(options), m_curves(point_on_surface(patch))
-  {
-    m_options.check();
-  }
+  Surface_zeros(const Spline_patch<3>& patch, Operation_budget& budget)
+    : m_patch(patch), m_budget(budget), m_curves(place_on_surface(patch))
+  {}
 
-  const Surface_curves_3<Kernel>& curves() const { return m_curves; }
+  const Found_surface_curves& curves() const { return m_curves.found(); }
 
   // Adds the zeros of a function. What it has at poles may be false, as where it vanishes since tangents do.
   void add(const Cell_functions<1>& function, bool has_false_poles = true)
   {
+    if (m_budget.must_stop()) {
+      add_undecided(m_budget.reason());
+      return;
+    }
     for (const Continuous_part<1>& part : continuous_parts(function, false)) {
       const Curve_vertex::Exact_box domain{part.functions.domain(0), part.functions.domain(1)};
-      if (part.functions.is_zero()) {
-        m_curves.add_undecided(domain);
+      if (part.functions.is_zero() || m_budget.must_stop()) {
+        m_curves.add_undecided(domain, part.functions.is_zero() ? Undecided_reason::CONTINUUM : m_budget.reason());
         continue;
       }
       Constraint_system_d system(domain);
       system.add(formula(part.functions.splines()[0], unknowns_in(domain)) == 0);
-      Curve_solution_set_d solutions = internal::curves_within(system, m_options);
+      Curve_solution_set_d solutions = curves_within_budget(system, m_budget);
       m_curves.add(std::move(system), std::move(solutions), joints(part.functions), lines(part));
       if (!has_false_poles)
         add_poles(part);
     }
+  }
+
+  // Where nothing is looked for: the whole surface.
+  void add_undecided(Undecided_reason reason)
+  {
+    m_curves.add_undecided({m_patch.domain(0), m_patch.domain(1)}, reason);
   }
 
 private:

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_UNDECIDED_ON_CURVES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_UNDECIDED_ON_CURVES_H
+
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Locus_system.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Common {
+
+// A part of a curve, and the index of the curve in the input.
+struct Curve_range
+{
+  const Planar_map& curve;
+  std::size_t operand;
+  Exact_range range;
+};
+
+inline void extend(std::vector<Undecided_part::Range>& box, const Coordinate_ranges<2>& by)
+{
+  if (box.empty())
+    box.assign(by.begin(), by.end());
+  for (std::size_t i = 0; i < box.size(); ++i)
+    box[i] = {(std::min)(box[i].first, by[i].first), (std::max)(box[i].second, by[i].second)};
+}
+
+// What is undecided on parts of curves; its place is the box around these parts.
+inline Undecided_part undecided_on_curves(const std::vector<Curve_range>& parts, std::string reason)
+{
+  Undecided_part result{{}, {}, std::move(reason)};
+  for (const auto& [curve, operand, range] : parts) {
+    result.parameters.push_back({operand, {double_range(range)}});
+    for (const Differentiated_map& piece : polynomial_pieces(curve, 0))
+      if (range.first <= piece.end() && piece.begin() <= range.second) {
+        const auto [u] = parameters(piece.map());
+        extend(result.place, coordinate_ranges<2>(piece(0, u), {u}, {range}));
+      }
+  }
+  return result;
+}
+
+} // namespace Common
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_UNDECIDED_ON_CURVES_H

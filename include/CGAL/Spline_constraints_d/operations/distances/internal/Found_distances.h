@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_FOUND_DISTANCES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_FOUND_DISTANCES_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Distances {
+
+// Points of two operands with their distance.
+template <int d>
+struct Located_distance
+{
+  Critical_distance distance;
+  std::array<std::array<Exact_rational, d>, 2> points;
+};
+
+template <int d>
+struct Found_distances
+{
+  std::vector<Located_distance<d>> pairs;
+  std::pair<Exact_rational, Exact_rational> squared_distance; // of the nearest ones
+  std::vector<Undecided_part> undecided;
+  Summary summary;
+};
+
+// All feet of perpendiculars from a point, and the nearest points of two operands; defined in Critical_distances.h.
+template <int d>
+Found_distances<d> projections_of(const Exact_map<d>& point, const Exact_map<d>& object, const Solver_options& options);
+template <int d>
+Found_distances<d> nearest_points_of(const Exact_map<d>& first, const Exact_map<d>& second,
+                                     const Solver_options& options);
+
+// The Hausdorff distance of two curves, or that of the first one from the second one.
+template <int d>
+struct Found_hausdorff_distance
+{
+  std::pair<Exact_rational, Exact_rational> squared_distance;
+  std::size_t curve; // that has the far point
+  std::array<Exact_rational, 2> parameters;
+  std::array<std::array<Exact_rational, d>, 2> points;
+  std::vector<Undecided_part> undecided;
+  Summary summary;
+};
+
+// Defined in Farthest_point_search.h.
+template <int d>
+Found_hausdorff_distance<d> hausdorff_distance_of(const Exact_map<d>& first, const Exact_map<d>& second,
+                                                  double tolerance, bool is_one_sided, const Solver_options& options);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template Found_distances<2> projections_of<2>(const Exact_map<2>&, const Exact_map<2>&, const Solver_options&);
+extern template Found_distances<3> projections_of<3>(const Exact_map<3>&, const Exact_map<3>&, const Solver_options&);
+extern template Found_distances<2> nearest_points_of<2>(const Exact_map<2>&, const Exact_map<2>&,
+                                                        const Solver_options&);
+extern template Found_distances<3> nearest_points_of<3>(const Exact_map<3>&, const Exact_map<3>&,
+                                                        const Solver_options&);
+extern template Found_hausdorff_distance<2> hausdorff_distance_of<2>(const Exact_map<2>&, const Exact_map<2>&, double,
+                                                                     bool, const Solver_options&);
+extern template Found_hausdorff_distance<3> hausdorff_distance_of<3>(const Exact_map<3>&, const Exact_map<3>&, double,
+                                                                     bool, const Solver_options&);
+#endif
+
+} // namespace Distances
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_FOUND_DISTANCES_H
