@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_H
 
 // All operations on curves and surfaces, of all subjects.
+#include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
@@ -32,6 +33,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/joints/exact_joints_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_curve.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_sample.h>
 #include <CGAL/Spline_constraints_d/operations/loci/alpha_sectors_2.h>
@@ -40,9 +42,11 @@
 #include <CGAL/Spline_constraints_d/operations/loci/point_curve_bisector_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/Minkowski_sum_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/Minkowski_sum_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_region_streams_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
@@ -66,15 +70,18 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_alpha_sector_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_bisector_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_offset_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Undecided_part_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_cell_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_coincidence_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_edge_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_footpoint_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_sample_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_site_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_edge_curves_2.h>

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_RUN_OF_STEPS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <algorithm>
 #include <cstddef>

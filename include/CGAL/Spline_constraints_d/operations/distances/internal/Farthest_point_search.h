@@ -11,7 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/distance_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <atomic>
 #include <cstddef>
