@@ -4,31 +4,7 @@
 # merge_sources(OUTPUT SOURCE...): writes one source with the #include lines of all sources, each once, and their rest, each in a namespace of its own: source_NAME for NAME.cpp.
 # What the sources include is compiled once then, also the templates and inline functions that they use. The sources define no macros that others of them use.
 function(merge_sources output)
-  write_merged_sources(${output} "" ${ARGN})
-endfunction()
-
-# merge_programs(OUTPUT SOURCE...): the same for sources with a main() each. The merged program runs the one that it is called by, through a link of this name.
-function(merge_programs output)
-  set(choices "")
-  foreach(source IN LISTS ARGN)
-    cmake_path(GET source STEM name)
-    string(APPEND choices "  if (name == \"${name}\")\n    return run(source_${name}::main, argc, argv);\n")
-  endforeach()
-  write_merged_sources(${output} "
-int run(int (*program)(), int, char**) { return program(); }
-int run(int (*program)(int, char**), int argc, char** argv) { return program(argc, argv); }
-
-int main(int argc, char* argv[])
-{
-  const auto name = std::filesystem::path(argv[0]).filename();
-${choices}  std::cerr << name << \" is none of the merged programs\\n\";
-  return 2;
-}
-" ${ARGN})
-endfunction()
-
-function(write_merged_sources output end)
-  set(includes "#include <filesystem>" "#include <iostream>")
+  set(includes "")
   set(rests "")
   foreach(source IN LISTS ARGN)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
@@ -41,6 +17,6 @@ function(write_merged_sources output end)
   endforeach()
   list(REMOVE_DUPLICATES includes)
   list(JOIN includes "\n" includes)
-  file(WRITE ${output}.new "${includes}\n${rests}${end}")
+  file(WRITE ${output}.new "${includes}\n${rests}")
   file(COPY_FILE ${output}.new ${output} ONLY_IF_DIFFERENT)   # the time stamp tells what to build
 endfunction()
