@@ -221,4 +221,12 @@ TEST(Parallel, VoronoiDiagram)
     EXPECT_EQ(parallel.vertices()[i].point, one_by_one.vertices()[i].point);
     EXPECT_EQ(parallel.vertices()[i].edges, one_by_one.vertices()[i].edges);
   }
+  Counting_visitor impatient(100);
+  const auto stopped = SC::voronoi_diagram<CGAL::Parallel_tag>(curves, {}, {.visitor = impatient});
+  EXPECT_FALSE(stopped.is_complete());
+  EXPECT_EQ(stopped.summary().why_not, SC::Undecided_reason::STOPPED);
+  EXPECT_EQ(impatient.asked, 101);
+  EXPECT_TRUE(impatient.is_alone);
+  const auto limited = SC::voronoi_diagram<CGAL::Parallel_tag>(curves, {}, {.node_limit = 100});
+  EXPECT_EQ(limited.summary().why_not, SC::Undecided_reason::NODES);
 }

@@ -9,8 +9,10 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <ostream>
+#include <ranges>
 #include <vector>
 
 namespace CGAL {
@@ -29,14 +31,17 @@ drawn, in quadrangles.
 
 \param picture where to.
 \param diagram the diagram.
-\param curves what it was made from.
+\param range what it was made from, a range of `Bspline_curve_2`.
 
 Complexity: linear in the number of points that are drawn.
 */
-template <SplineKernel Kernel>
-void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagram,
-          const std::vector<Bspline_curve_2<Kernel>>& curves)
+template <SplineKernel Kernel, std::ranges::input_range Range>
+  requires std::convertible_to<std::ranges::range_value_t<Range>, Bspline_curve_2<Kernel>>
+void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagram, Range&& range)
 {
+  std::vector<Bspline_curve_2<Kernel>> curves;
+  for (auto&& curve : range)
+    curves.push_back(curve);
   constexpr std::array<const char*, 7> colors{"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a",
                                               "#ff9896", "#c5b0d5", "#f7d7a0"};
   std::vector<std::vector<Voronoi_sample_2<Kernel>>> edges;
@@ -78,14 +83,17 @@ namespace IO {
 
 draws the Voronoi diagram or medial axis of curves, with a margin of a thirtieth of their extent; see `draw()`.
 \param out where the drawing is written to.
-\param curves what the diagram was made from, one curve or more.
+\param range what the diagram was made from, a range of one `Bspline_curve_2` or more.
 \param diagram the diagram.
 \throws Invalid_input when there are no curves, or they are all one point.
 */
-template <SplineKernel Kernel>
-void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves,
-               const Voronoi_diagram_of_curves_2<Kernel>& diagram)
+template <SplineKernel Kernel, std::ranges::input_range Range>
+  requires std::convertible_to<std::ranges::range_value_t<Range>, Bspline_curve_2<Kernel>>
+void write_SVG(std::ostream& out, Range&& range, const Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
+  std::vector<Bspline_curve_2<Kernel>> curves;
+  for (auto&& curve : range)
+    curves.push_back(curve);
   SVG_writer picture(out, curves, 700);
   draw(picture, diagram, curves);
 }

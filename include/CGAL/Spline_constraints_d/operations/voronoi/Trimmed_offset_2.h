@@ -93,7 +93,8 @@ public:
   //! the parts of curves and points, in order, beside which the offset is not proved: it is not known whether their
   //! points are nearest to points of the offset, which boundary goes on there, or which one is around the other.
   //! Operands are the curves and behind them the points, as they were given; points have no ranges. If curves are not
-  //! proved to be disjoint, all of each curve.
+  //! proved to be disjoint, all of each curve. The place holds the offset of the part; it is not known if the search
+  //! was ended before the sites were.
   const std::vector<Undecided_part>& undecided() const { return m_offset.undecided; }
 
   //! the work; nodes are the ranges of curves and of normals in their ends that were looked at.

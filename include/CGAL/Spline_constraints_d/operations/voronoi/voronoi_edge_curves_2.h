@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,7 @@ where it ends. Only its ends are rounded, to the parameters of the edge.
 
 In a kernel whose numbers are not exact, joints of pieces are rounded, and so is a site that is one.
 
+\tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param diagram the diagram or medial axis.
 \param edge the index of the edge.
 \param curves what the diagram was made from, or those of the region.
@@ -39,9 +42,10 @@ and 1/2.
 
 Complexity: products of polynomials of one parameter.
 */
-template <SplineKernel Kernel, ParametricCurve_2 Curve>
+template <SplineKernel Kernel, std::ranges::input_range Range>
+  requires ParametricCurve_2<std::ranges::range_value_t<Range>>
 std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>>
-exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t edge, const std::vector<Curve>& curves,
+exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t edge, Range&& curves,
                  double margin = 0x1p-10)
 {
   if (!(0 < margin && margin < 0.5))
@@ -61,7 +65,7 @@ exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t
     ends[1] -= left_out;
   const internal::Loci::Point_curve_bisector bisector(
       {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())},
-      curves[*piece.curve]);
+      *std::ranges::next(std::ranges::begin(curves), static_cast<std::ptrdiff_t>(*piece.curve)));
   const std::vector<Exact_rational> breaks = bisector.breaks();   // ends of pieces may have been rounded beyond
   const auto last = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, Exact_rational((ends[0] + ends[1]) / 2));
   for (Exact_rational& end : ends)

@@ -79,7 +79,7 @@ public:
   // The elements are all, or those of some cycles; others have no envelope arcs.
   Disk_diagram(const Site_graph_2<>& graph, std::shared_ptr<const Fine_level> fine_level,
                std::vector<std::size_t> elements, std::vector<std::vector<Envelope_arc>> envelope_arcs,
-               Rest_of_search rest)
+               Rest_of_search rest, Search_control& control)
     : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature<>(graph), *m_fine_level),
       m_elements(std::move(elements)), m_envelope_arcs(std::move(envelope_arcs)),
       m_rest(std::move(rest))
@@ -88,8 +88,9 @@ public:
     for (const auto& envelope_arcs : m_envelope_arcs)
       m_halfedges_of.emplace_back(envelope_arcs.size(), none);
     connect_cycles();
-    match_twins();
+    match_twins(control);
     make_vertices();
+    m_rest.why_not = control.reason();
   }
 
   const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
@@ -265,13 +266,13 @@ private:
   }
 
   // The disks of one of two twins tell which one the other is, unless they are too near to an event; those of both do
-  // not contradict each other.
-  void match_twins()
+  // not contradict each other. If the search was ended the other side may not be there: less is tried.
+  void match_twins(Search_control& control)
   {
     // of the latter how many have it as their twin
     std::vector<std::size_t> twins(m_halfedges.size(), none), told(m_halfedges.size(), 0);
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (!is_at_infinity(m_halfedges[i]) && (twins[i] = twin_of(m_halfedges[i])) != none)
+      if (!is_at_infinity(m_halfedges[i]) && !control.is_overdue() && (twins[i] = twin_of(m_halfedges[i])) != none)
         ++told[twins[i]];
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
       if (const std::size_t twin = twins[i];
@@ -289,7 +290,8 @@ private:
           ? other
           : none;
     }
-    for (const bool is_fine : {false, true})
+    const bool is_searched = m_rest.why_not == Undecided_reason::NONE;
+    for (const bool is_fine : is_searched ? std::vector<bool>{false, true} : std::vector<bool>{false})
       for (const Part& part : h.parts)
         for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
           const Range& range = envelope_arc(part).range;
@@ -406,7 +408,7 @@ Disk_diagram disk_diagram(const Site_graph_2<>& graph, std::vector<std::size_t> 
     rest.begins[element] = disks.begin_of_rest();
   });
   rest.why_not = control.reason();
-  return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs), std::move(rest));
+  return Disk_diagram(graph, fine_level, std::move(elements), std::move(envelope_arcs), std::move(rest), control);
 }
 
 } // namespace Voronoi

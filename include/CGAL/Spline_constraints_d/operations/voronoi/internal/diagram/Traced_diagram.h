@@ -45,20 +45,29 @@ class Traced_diagram
   std::shared_ptr<const Site_graph_2<>> m_graph;
   Disk_diagram m_diagram;
   Site_tree_2 m_tree;
+  std::vector<Curve_diagram::Vertex> m_vertices;   // those that there was time for, without their edges
   std::vector<std::size_t> m_halfedge_of_edge, m_edge_of_halfedge;
+  std::vector<Undecided_range> m_undecided;
   std::vector<std::vector<std::size_t>> m_halfedges_of_site;
   std::vector<char> m_is_undecided;   // of each site: whether some of its cell is
 
 public:
-  Traced_diagram(std::shared_ptr<const Site_graph_2<>> graph, Disk_diagram diagram)
-    : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph)
+  Traced_diagram(std::shared_ptr<const Site_graph_2<>> graph, Disk_diagram diagram, Search_control& control)
+    : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph),
+      m_undecided(m_diagram.unresolved_parts())
   {
-    number_edges();
+    const Upward_rounding_guard guard;
+    for (const Disk_diagram::Vertex& vertex : m_diagram.vertices())
+      if (!control.is_overdue())
+        m_vertices.push_back(bounded(vertex));
+      else
+        break;
+    number_edges(control.reason());
     sort_halfedges();
   }
 
   const Site_graph_2<>& graph() const { return *m_graph; }
-  const Disk_diagram& diagram() const { return m_diagram; }
+  const std::vector<Undecided_range>& undecided() const { return m_undecided; }
 
   // All that there is of it, but for what is not decided.
   void describe(Curve_diagram& result) const
@@ -68,8 +77,8 @@ public:
     const std::vector<std::size_t> regions = components_of_vertices(*m_graph);
     result.sites = diagram_sites(*m_graph, regions);
     result.number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
-    for (const Disk_diagram::Vertex& vertex : m_diagram.vertices())
-      result.vertices.push_back(described(vertex));
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      result.vertices.push_back(with_edges(m_vertices[v], m_diagram.vertices()[v]));
     for (const Part& part : m_diagram.lone_circles())
       result.vertices.push_back(center_of_circle(part, result));
     for (const std::size_t h : m_halfedge_of_edge)
@@ -163,15 +172,20 @@ private:
     return result;
   }
 
-  // Edges are numbered by the first one of their halfedges.
-  void number_edges()
+  // Edges are numbered by the first one of their halfedges. Those without both vertices are undecided.
+  void number_edges(Undecided_reason why_not)
   {
     const auto& halfedges = m_diagram.halfedges();
     m_edge_of_halfedge.assign(halfedges.size(), Disk_diagram::none);
     for (std::size_t i = 0; i < halfedges.size(); ++i)
       if (const std::size_t twin = halfedges[i].twin; twin != Disk_diagram::none && twin >= i) {
-        m_edge_of_halfedge[i] = m_edge_of_halfedge[twin] = m_halfedge_of_edge.size();
-        m_halfedge_of_edge.push_back(i);
+        if ((std::max)(halfedges[i].source, halfedges[twin].source) < m_vertices.size()) {
+          m_edge_of_halfedge[i] = m_edge_of_halfedge[twin] = m_halfedge_of_edge.size();
+          m_halfedge_of_edge.push_back(i);
+        } else
+          for (const std::size_t h : {i, twin})
+            for (const Part& part : halfedges[h].parts)
+              m_undecided.push_back({part.element, m_diagram.envelope_arc(part).range, why_not});
       }
   }
 
@@ -182,11 +196,12 @@ private:
     for (std::size_t h = 0; h < m_diagram.halfedges().size(); ++h)
       m_halfedges_of_site[site_of(m_diagram.element(m_diagram.halfedges()[h]))].push_back(h);
     m_is_undecided.assign(sites, false);
-    for (const Undecided_range& part : m_diagram.unresolved_parts())
+    for (const Undecided_range& part : m_undecided)
       m_is_undecided[site_of(m_graph->elements()[part.element])] = true;
   }
 
-  Curve_diagram::Vertex described(const Disk_diagram::Vertex& vertex) const
+  // A vertex with what is proved of it, but for its edges.
+  Curve_diagram::Vertex bounded(const Disk_diagram::Vertex& vertex) const
   {
     const Part& part = m_diagram.halfedges()[vertex.outgoing.front()].parts.front();
     const Disk_sample at = vertex.is_at_infinity
@@ -194,19 +209,24 @@ private:
         : edge_samples()(part, m_diagram.end_parameter(part, false));
     const Vertex_bounds<> bounds = vertex_bounds(*m_graph, m_diagram, vertex);
     const auto within = [](const Interval& x, double value) { return std::clamp(value, x.inf(), x.sup()); };
-    Curve_diagram::Vertex result{{within(bounds.center[0], at.center[0]), within(bounds.center[1], at.center[1])},
-                                 within(bounds.radius, at.radius),
-                                 {},
-                                 {},
-                                 vertex.is_at_infinity,
-                                 vertex.is_resolved,
-                                 {ends(bounds.center[0]), ends(bounds.center[1])},
-                                 ends(bounds.radius)};
+    return {{within(bounds.center[0], at.center[0]), within(bounds.center[1], at.center[1])},
+            within(bounds.radius, at.radius),
+            {},
+            {},
+            vertex.is_at_infinity,
+            vertex.is_resolved,
+            {ends(bounds.center[0]), ends(bounds.center[1])},
+            ends(bounds.radius)};
+  }
+
+  Curve_diagram::Vertex with_edges(Curve_diagram::Vertex result, const Disk_diagram::Vertex& vertex) const
+  {
     for (const std::size_t h : vertex.outgoing)
       if (m_edge_of_halfedge[h] != Disk_diagram::none) {
         result.edges.push_back(m_edge_of_halfedge[h]);
         result.footpoints.push_back(footpoint(h));
-      }
+      } else if (m_diagram.halfedges()[h].twin != Disk_diagram::none)   // that edge is left out
+        result.is_resolved = false;
     return result;
   }
 

@@ -38,25 +38,27 @@ class Traced_sector
   Sector_disks m_disks;
   double m_factor;       // of the distances
   bool m_is_exchanged;   // the nearer operand is the second one
-  std::vector<Parts> m_arcs;
+  std::vector<Parts> m_parts_of_arc;
+  std::vector<Trimmed_alpha_sector_arc_2> m_arcs;
   std::vector<Trimmed_alpha_sector_chain_2> m_chains;
+  std::vector<Undecided_range> m_undecided;
 
 public:
-  Traced_sector(Sector_disks disks, double factor, bool is_exchanged)
-    : m_disks(std::move(disks)), m_factor(factor), m_is_exchanged(is_exchanged)
+  // Chains that there is no time for are undecided.
+  Traced_sector(Sector_disks disks, double factor, bool is_exchanged, Search_control& control)
+    : m_disks(std::move(disks)), m_factor(factor), m_is_exchanged(is_exchanged), m_undecided(m_disks.undecided())
   {
+    const Upward_rounding_guard guard;
     for (const Free_chains::Chain& chain : m_disks.chains())
-      append_chain(chain);
+      append_chain(chain, control);
   }
 
-  const Sector_disks& disks() const { return m_disks; }
+  const std::vector<Undecided_range>& undecided() const { return m_undecided; }
 
   // All that there is of it, but for what is not decided.
   void describe(Curve_sector& result) const
   {
-    const Upward_rounding_guard guard;
-    for (const Parts& parts : m_arcs)
-      result.arcs.push_back(described(parts));
+    result.arcs = m_arcs;
     result.chains = m_chains;
   }
 
@@ -65,7 +67,7 @@ public:
     const Upward_rounding_guard guard;
     using Located = std::pair<double, Sector_sample>;
     std::vector<Sector_sample> result;
-    for (const Part& part : m_arcs[arc]) {
+    for (const Part& part : m_parts_of_arc[arc]) {
       const auto located = [&](double u) { return Located(u, sample(part, u)); };
       const auto between = [&](const Located& from, const Located& to) {
         return located(from.first / 2 + to.first / 2);
@@ -129,7 +131,7 @@ private:
         before.footpoint == after.footpoint;
   }
 
-  void append_chain(const Free_chains::Chain& chain)
+  void append_chain(const Free_chains::Chain& chain, Search_control& control)
   {
     Parts parts_of_chain;
     for (const std::size_t piece : chain.pieces) {
@@ -140,12 +142,25 @@ private:
         parts_of_chain, chain.is_closed, [&](const Part& before, const Part& after) { return goes_on(before, after); });
     if (m_is_exchanged)
       reverse(arcs);
-    Trimmed_alpha_sector_chain_2& result = m_chains.emplace_back();
-    result.is_closed = chain.is_closed;
-    for (Parts& parts : arcs) {
-      result.arcs.push_back(m_arcs.size());
-      m_arcs.push_back(std::move(parts));
+    Trimmed_alpha_sector_chain_2 result{{}, chain.is_closed};
+    std::vector<Trimmed_alpha_sector_arc_2> described_arcs;
+    for (const Parts& parts : arcs) {
+      if (control.is_overdue()) {
+        for (const Part& part : parts_of_chain)
+          m_undecided.push_back({part.element, range_of(part), control.reason()});
+        return;
+      }
+      result.arcs.push_back(m_arcs.size() + described_arcs.size());
+      described_arcs.push_back(described(parts));
     }
+    m_arcs.insert(m_arcs.end(), described_arcs.begin(), described_arcs.end());
+    m_parts_of_arc.insert(m_parts_of_arc.end(), arcs.begin(), arcs.end());
+    m_chains.push_back(std::move(result));
+  }
+
+  static Range range_of(const Part& part)
+  {
+    return {(std::min)(part.begin, part.end), (std::max)(part.begin, part.end)};
   }
 
   static void reverse(std::vector<Parts>& arcs)

@@ -33,8 +33,8 @@ Curve_diagram diagram_of_graph(std::shared_ptr<const Site_graph_2<>> graph, std:
 {
   Disk_diagram disks = disk_diagram<Concurrency_tag>(*graph, std::move(elements), operation, control);
   Curve_diagram result;
-  const auto traced = std::make_shared<const Traced_diagram>(std::move(graph), std::move(disks));
-  result.undecided = undecided_parts(traced->graph(), numbers, traced->diagram().unresolved_parts());
+  const auto traced = std::make_shared<const Traced_diagram>(std::move(graph), std::move(disks), control);
+  result.undecided = undecided_parts(traced->graph(), numbers, traced->undecided());
   traced->describe(result);
   result.summary = control.summary(result.undecided.empty());
   result.traced = traced;

@@ -63,9 +63,9 @@ Curve_sector sector_with_factor(const Ordered_operands& operands, const Exact_ra
     const auto [elements, scaled] = sector_sites(operands, *graph, factor);
     Sector_disks disks = sector_disks<Concurrency_tag>(graph, scaled, elements, control);
     Curve_sector result;
-    result.undecided = undecided_parts(*graph, numbers, disks.undecided());
     const auto traced =
-        std::make_shared<const Traced_sector>(std::move(disks), to_nearest_double(factor), is_exchanged);
+        std::make_shared<const Traced_sector>(std::move(disks), to_nearest_double(factor), is_exchanged, control);
+    result.undecided = undecided_parts(*graph, numbers, traced->undecided());
     traced->describe(result);
     result.summary = control.summary(result.undecided.empty());
     result.traced = traced;

@@ -58,13 +58,14 @@ private:
 
 public:
   Offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const Interval& radius, std::vector<Free_ranges> ranges,
-                bool is_set_free, Rest_of_search rest)
+                bool is_set_free, Rest_of_search rest, Search_control& control)
     : m_graph(std::move(graph)), m_radius(radius), m_free(free_chains(std::move(ranges))), m_rest(std::move(rest))
   {
     const Upward_rounding_guard guard;
     for (const Free_chains::Chain& chain : m_free.chains())
       m_chains.push_back({chain});
-    nest_chains(is_set_free);
+    nest_chains(is_set_free, control);
+    m_rest.why_not = control.reason();
   }
 
   const Site_graph_2<>& graph() const { return *m_graph; }
@@ -81,6 +82,14 @@ public:
     return ranges;
   }
 
+  // A box that holds the offset of a part of an element.
+  std::vector<Undecided_part::Range> place(const Undecided_range& range) const
+  {
+    const Upward_rounding_guard guard;
+    const Interval_pair box = Element_offset(*m_graph, range.element, m_radius).point(range.range);
+    return {{box[0].inf(), box[0].sup()}, {box[1].inf(), box[1].sup()}};
+  }
+
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
   std::array<double, 2> parameters(const Piece& piece) const { return m_free.parameters(piece); }
 
@@ -94,12 +103,12 @@ private:
   }
 
   // A point of the curves that is nearest to a point of a chain.
-  Undecided_range foot(const Chain& chain) const
+  Undecided_range foot(const Chain& chain, Undecided_reason reason = Undecided_reason::TOLERANCE) const
   {
     const Piece& piece = pieces()[chain.pieces.front()];
     const auto [from, to] = parameters(piece);
     const double u = from / 2 + to / 2;
-    return {piece.element, {u, u}};
+    return {piece.element, {u, u}, reason};
   }
 
   // Whether a closed chain goes around the foot of a chain, if that is certain. It goes on from one piece to the next
@@ -126,21 +135,26 @@ private:
     return full_turns(turn) != 0;
   }
 
-  // A chain of which it is not certain whether it is a hole is neither that nor an outer one.
-  void nest_chains(bool is_set_free)
+  // A chain of which it is not certain whether it is a hole is neither that nor an outer one. Nothing is certain that
+  // there is no time for.
+  void nest_chains(bool is_set_free, Search_control& control)
   {
+    const auto encloses = [&](const Chain& chain, const Chain& other) {
+      return control.is_overdue() ? CGAL::Uncertain<bool>::indeterminate() : is_around(chain, other);
+    };
+    const auto why_not = [&] { return control.has_ended() ? control.reason() : Undecided_reason::TOLERANCE; };
     for (std::size_t c = 0; c < m_chains.size(); ++c)
       if (Chain& chain = m_chains[c]; chain.is_closed) {
-        const CGAL::Uncertain<bool> is_hole = is_around(chain, chain) == is_set_free;
+        const CGAL::Uncertain<bool> is_hole = encloses(chain, chain) == is_set_free;
         chain.is_hole = CGAL::certainly(is_hole);
         if (CGAL::certainly_not(is_hole))
           chain.outer = c;
         else if (!chain.is_hole)
-          m_not_nested.push_back(foot(chain));
+          m_not_nested.push_back(foot(chain, why_not()));
       }
     for (const std::size_t hole : find_outer_boundaries(
-             m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); }))
-      m_not_nested.push_back(foot(m_chains[hole]));
+             m_chains, [&](std::size_t c, std::size_t other) { return encloses(m_chains[c], m_chains[other]); }))
+      m_not_nested.push_back(foot(m_chains[hole], why_not()));
   }
 };
 
@@ -164,7 +178,7 @@ Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2<>> graph, const E
     rest.begins[element] = disks.begin_of_rest();
   });
   rest.why_not = control.reason();
-  return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free, std::move(rest));
+  return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free, std::move(rest), control);
 }
 
 } // namespace Voronoi

@@ -34,7 +34,9 @@ Curve_offset offset_of_graph(std::shared_ptr<const Site_graph_2<>> graph, const 
   Curve_offset result;
   const auto traced = std::make_shared<const Traced_offset>(
       offset_cycles<Concurrency_tag>(std::move(graph), radius, elements, is_set_free, control), !is_set_free);
-  result.undecided = undecided_parts(traced->cycles().graph(), numbers, traced->cycles().undecided());
+  const Offset_cycles& cycles = traced->cycles();
+  result.undecided = undecided_parts(cycles.graph(), numbers, cycles.undecided(),
+                                     [&](const Undecided_range& range) { return cycles.place(range); });
   traced->describe(result);
   result.summary = control.summary(result.undecided.empty());
   result.traced = traced;

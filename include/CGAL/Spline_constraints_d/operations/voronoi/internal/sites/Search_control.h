@@ -25,11 +25,13 @@ keeps what it has found, or before it, where nothing has been.
 class Search_control
 {
   static constexpr int fine_precision = 128;   // of the level above doubles
+  static constexpr double grace = 0.1;         // seconds
 
   Run_control m_run;
   Solver_options m_options;
   std::atomic<std::size_t> m_nodes = 0;
   std::atomic<bool> m_are_nodes_used_up = false;
+  double m_end = 0;   // of the time for the search, in seconds, once that is known
 
 public:
   explicit Search_control(const Solver_options& options) : m_run(options), m_options(options) { options.check(); }
@@ -57,6 +59,17 @@ public:
     if (has_ended())
       throw Run_stopped{reason()};
     ++m_nodes;
+  }
+
+  // Whether the time for the search has ended some while ago: then what has been found is not worked out any more. For
+  // one thread, behind the search.
+  bool is_overdue()
+  {
+    if (!m_run.must_stop(true))
+      return false;
+    if (m_end == 0)
+      m_end = m_run.reason() == Undecided_reason::TIME ? m_options.time_limit : m_run.seconds();
+    return m_run.seconds() > m_end + grace;
   }
 
   void add_progress(double share) { m_run.add_progress(share); }

@@ -39,12 +39,13 @@ struct Rest_of_search
   }
 };
 
-// Calls search(element) for elements, until the control ends that. With a tag for parallel work, on all cores.
+// Calls search(element) for elements, until the control, which is asked for each of them, ends that. With a tag for
+// parallel work, on all cores.
 template <class Concurrency_tag, class Search>
 void for_each_element(const std::vector<std::size_t>& elements, Search_control& control, const Search& search)
 {
   parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
-    if (control.has_ended())
+    if (control.must_end())
       return;
     const Upward_rounding_guard guard;
     search(elements[i]);

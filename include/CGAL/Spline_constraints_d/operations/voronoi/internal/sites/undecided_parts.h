@@ -118,32 +118,52 @@ inline std::string words_of(Undecided_reason reason)
   return reason == Undecided_reason::TOLERANCE ? "not decided with the highest precision" : in_words(reason);
 }
 
+inline Undecided_part::Range range_around(const Undecided_part::Range& a, const Undecided_part::Range& b)
+{
+  return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+}
+
 // Those parts of operands, in order, where parts that meet for the same reason are one. Of a graph that is not proved,
-// where curves may overlap, all of each operand.
-inline std::vector<Undecided_part> undecided_parts(const Site_graph_2<>& graph, const Operand_numbers& numbers,
-                                                   std::vector<Undecided_range> ranges)
+// where curves may overlap, all of each operand. `place_of(range)` is a box in the plane, or nothing.
+template <class Place_of>
+std::vector<Undecided_part> undecided_parts(const Site_graph_2<>& graph, const Operand_numbers& numbers,
+                                            std::vector<Undecided_range> ranges, const Place_of& place_of)
 {
   for (std::size_t f = 0; f < graph.elements().size() && !graph.is_proved(); ++f)
     ranges.push_back({f, Range()});
-  std::vector<std::pair<Undecided_part::Parameters, Undecided_reason>> parts, result;
+  std::vector<Undecided_part> parts, result;
   for (const Undecided_range& range : ranges)
-    parts.emplace_back(part_of_operand(graph, numbers, range), range.reason);
-  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.first.operand, a.second, a.first.ranges) < std::tie(b.first.operand, b.second, b.first.ranges);
+    parts.push_back({place_of(range), {part_of_operand(graph, numbers, range)}, words_of(range.reason)});
+  const auto operand = [](const Undecided_part& part) -> const Undecided_part::Parameters& {
+    return part.parameters.front();
+  };
+  std::sort(parts.begin(), parts.end(), [&](const Undecided_part& a, const Undecided_part& b) {
+    return std::tie(operand(a).operand, a.reason, operand(a).ranges) <
+        std::tie(operand(b).operand, b.reason, operand(b).ranges);
   });
-  for (const auto& [part, reason] : parts) {
-    const bool is_other =
-        result.empty() || result.back().first.operand != part.operand || result.back().second != reason;
-    if (is_other || (!part.ranges.empty() && result.back().first.ranges[0].second < part.ranges[0].first))
-      result.emplace_back(part, reason);
-    else if (!part.ranges.empty())
-      result.back().first.ranges[0].second =
-          (std::max)(result.back().first.ranges[0].second, part.ranges[0].second);
+  for (const Undecided_part& part : parts) {
+    const bool is_same = !result.empty() && operand(result.back()).operand == operand(part).operand &&
+        result.back().reason == part.reason;
+    if (!is_same ||
+        (!operand(part).ranges.empty() && operand(result.back()).ranges[0].second < operand(part).ranges[0].first)) {
+      result.push_back(part);
+      continue;
+    }
+    if (!operand(part).ranges.empty())
+      result.back().parameters[0].ranges[0] =
+          range_around(operand(result.back()).ranges[0], operand(part).ranges[0]);
+    for (std::size_t k = 0; k < part.place.size(); ++k)
+      result.back().place[k] = range_around(result.back().place[k], part.place[k]);
   }
-  std::vector<Undecided_part> words;
-  for (auto& [part, reason] : result)
-    words.push_back({{}, {std::move(part)}, words_of(reason)});
-  return words;
+  return result;
+}
+
+// The same without places.
+inline std::vector<Undecided_part> undecided_parts(const Site_graph_2<>& graph, const Operand_numbers& numbers,
+                                                   const std::vector<Undecided_range>& ranges)
+{
+  return undecided_parts(graph, numbers, ranges,
+                         [](const Undecided_range&) { return std::vector<Undecided_part::Range>(); });
 }
 
 // An answer of which nothing is known: all operands are undecided.
