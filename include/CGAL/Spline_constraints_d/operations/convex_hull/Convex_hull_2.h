@@ -55,7 +55,8 @@ public:
     requires std::convertible_to<std::ranges::range_value_t<Curves>, Bspline_curve_2<Kernel_>>
   explicit Convex_hull_2(const Curves& curves, const Points& points = {}, const Solver_options& options = {})
   {
-    const auto pieces = internal::Regions::pieces_of_curves(curves);
+    const std::vector<Curve> splines(std::ranges::begin(curves), std::ranges::end(curves));
+    const auto pieces = internal::Regions::pieces_of_curves(splines);
     std::vector<internal::Exact_pair> exact_points;
     for (const Point& point : points)
       exact_points.push_back({internal::converted_number<Exact_rational>(point.x()),

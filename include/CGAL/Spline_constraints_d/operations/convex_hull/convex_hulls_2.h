@@ -30,7 +30,7 @@ halvings, or until a limit is reached, edges are `Hull_edge_kind::UNDECIDED`; no
 
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves, open or closed; they may cross, touch, and be in any direction.
-\param points the points.
+\param points a range of points of the same kernel.
 \param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when there are neither curves nor points, a coordinate is not finite, a weight is not proved to
 have one sign, or an option makes no sense.
@@ -38,16 +38,15 @@ have one sign, or an option makes no sense.
 Complexity: rounds of the number of pieces that are not in the polygon times the number of its vertices; one system for
 each segment. Source: \cgalCite{kes-gcps-05}, which names the problem, for the equations of the contacts.
 */
-template <std::ranges::input_range Range>
+template <std::ranges::input_range Range, std::ranges::input_range Points =
+                                              std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>
-auto convex_hull(const Range& curves,
-                 const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {},
-                 const Solver_options& options = {})
-  {
-    std::vector<Bspline_curve_2<typename std::ranges::range_value_t<Range>::Kernel>> splines;
-    for (const auto& curve : curves)
-      splines.push_back(to_bspline_curve(curve));
-    return Convex_hull_2<typename std::ranges::range_value_t<Range>::Kernel>(splines, points, options);
+auto convex_hull(const Range& curves, const Points& points = {}, const Solver_options& options = {})
+{
+  std::vector<Bspline_curve_2<typename std::ranges::range_value_t<Range>::Kernel>> splines;
+  for (const auto& curve : curves)
+    splines.push_back(to_bspline_curve(curve));
+  return Convex_hull_2<typename std::ranges::range_value_t<Range>::Kernel>(splines, points, options);
 }
 
 //! the convex hull of one curve.

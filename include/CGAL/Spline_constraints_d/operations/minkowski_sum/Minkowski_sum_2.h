@@ -20,8 +20,10 @@
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Uncertain.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -116,6 +118,13 @@ public:
         polygon.push_back(internal::kernel_object<Kernel, Point>(p));
       return polygon;
     });
+  }
+
+  //! puts these polygons to an output iterator.
+  template <std::output_iterator<CGAL::Polygon_with_holes_2<Kernel>> OutputIterator>
+  OutputIterator polygons_with_holes(double error, OutputIterator out) const
+  {
+    return std::ranges::copy(polygons_with_holes(error), out).out;
   }
 };
 

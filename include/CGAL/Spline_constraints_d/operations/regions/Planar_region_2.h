@@ -22,6 +22,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <ranges>
 #include <string>
 #include <utility>
@@ -166,6 +167,13 @@ public:
       }
       return polygon;
     });
+  }
+
+  //! puts these polygons to an output iterator.
+  template <std::output_iterator<CGAL::Polygon_with_holes_2<Kernel>> OutputIterator>
+  OutputIterator polygons_with_holes(double error, OutputIterator out) const
+  {
+    return std::ranges::copy(polygons_with_holes(error), out).out;
   }
 
 #ifndef DOXYGEN_RUNNING

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_TO_ARRANGEMENT_2_H
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -125,10 +126,31 @@ struct Solution_arrangement_2
   //! whether chords meet in their ends only: if not, points so close to each other have been rounded that the faces may
   //! be wrong.
   bool is_crossing_free;
+
+  //! what is not decided of the solutions; of an arrangement that a limit ended, the box of all of them.
+  std::vector<Undecided_part> undecided_parts = {};
+  Summary work = {};   ///< see `summary()`
+
+  //! whether the faces are those of the curves, by proof.
+  bool is_complete() const { return is_crossing_free && undecided_parts.empty(); }
+
+  //! `undecided_parts`: there may be other solutions in their places.
+  const std::vector<Undecided_part>& undecided() const { return undecided_parts; }
+
+  //! the work; a node is a polyline.
+  const Summary& summary() const { return work; }
 };
 
 namespace internal {
 namespace Regions {
+
+inline std::vector<Undecided_part::Range> box_of(const Constraint_system_d& system)
+{
+  std::vector<Undecided_part::Range> result;
+  for (int i = 0; i < system.dimension(); ++i)
+    result.push_back(to_double_range(system.domain(i)));
+  return result;
+}
 
 // Whether chords meet in common end points only: then the sweep has made no other vertices, and has split no chord.
 template <class Arrangement, class Point>
@@ -158,21 +180,30 @@ Faces are those of the curves, however coarse the chords are. For the chords of 
 one box belong to different ranges of the parameter, and other boxes have no inner point in common with it. So chords do
 not cross, and within each box they join the same points of its boundary as the curves do. Coordinates are rounded to
 doubles; whether that has made chords meet is decided exactly. Boxes where nothing is proved,
-`Curve_solution_set_d::undecided()`, leave gaps.
+`Curve_solution_set_d::undecided()`, leave gaps. The polylines can be ended by limits and a visitor, and then there is
+no arrangement; the sweep over them is one step.
 
 \param system the system that was solved.
 \param set its solutions.
 \param error the distance between a curve and its chords, see `to_polyline()`; positive.
-\throws Invalid_input when there are not two unknowns, the error is not positive, or a coordinate is too great, as
-above.
+\param options limits of time and nodes, a visitor; the rest of the options has no effect.
+\throws Invalid_input when there are not two unknowns, the error is not positive, a coordinate is too great, as above,
+or an option makes no sense.
 */
 inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set,
-                                             double error)
+                                             double error, const Solver_options& options = {})
 {
   if (system.dimension() != 2)
     throw Invalid_input("to_arrangement: " + std::to_string(system.dimension()) + " unknowns instead of two");
+  internal::Common::Run_of_steps run(options);
   Solution_arrangement_2 result{{}, {}, false};
   for (const Solution_curve& curve : set.curves()) {
+    if (run.must_stop()) {
+      result.polylines.clear();
+      result.undecided_parts = {{internal::Regions::box_of(system), {}, internal::in_words(run.reason())}};
+      result.work = run.summary(false);
+      return result;
+    }
     auto& polyline = result.polylines.emplace_back();
     for (const std::vector<double>& p : to_polyline(system, set, curve, error))
       polyline.emplace_back(p[0], p[1]);
@@ -182,6 +213,8 @@ inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, 
       result.polylines.push_back({{set.vertices()[i].point()[0], set.vertices()[i].point()[1]}});
   result.arrangement = to_arrangement(result.polylines);
   result.is_crossing_free = internal::Regions::is_crossing_free(result.arrangement, result.polylines);
+  result.undecided_parts = set.undecided();
+  result.work = run.summary(result.is_complete());
   return result;
 }
 

@@ -286,6 +286,17 @@ std::vector<typename Traits::Polygon_with_holes_2> to_circular_polygons(const Re
                       std::to_string(1 << most_refinements) + " times less");
 }
 
+//! \ingroup PkgSplineConstraintsDRegions
+//! puts these general polygons to an output iterator.
+//! \throws Invalid_input as above.
+template <class Traits, Approximable_region_2 Region,
+          std::output_iterator<typename Traits::Polygon_with_holes_2> OutputIterator>
+OutputIterator to_circular_polygons(const Region& region, double error, OutputIterator out,
+                                    const Traits& traits = Traits())
+{
+  return std::ranges::copy(to_circular_polygons<Traits>(region, error, traits), out).out;
+}
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/iterator.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -61,6 +62,17 @@ to_general_polygons(const Planar_region_2<Kernel>& region, const Curves_of& curv
         }
         return typename Traits::Polygon_2(arcs.begin(), arcs.end());
       });
+}
+
+//! \ingroup PkgSplineConstraintsDRegions
+//! puts these general polygons to an output iterator.
+//! \throws Invalid_input as above.
+template <class Traits, SplineKernel Kernel, class Curves_of,
+          std::output_iterator<typename Traits::Polygon_with_holes_2> OutputIterator>
+OutputIterator to_general_polygons(const Planar_region_2<Kernel>& region, const Curves_of& curves_of,
+                                   OutputIterator out, const Traits& traits = Traits())
+{
+  return std::ranges::copy(to_general_polygons<Traits>(region, curves_of, traits), out).out;
 }
 
 } // namespace Spline_constraints

@@ -58,11 +58,12 @@ public:
     requires std::convertible_to<std::ranges::range_value_t<Curves>, Bspline_curve_2<Kernel_>>
   Visible_part_2(const Point& viewpoint, const Curves& curves, const Solver_options& options = {})
   {
-    const auto pieces = internal::Regions::pieces_of_curves(curves);
+    const std::vector<Curve> splines(std::ranges::begin(curves), std::ranges::end(curves));
+    const auto pieces = internal::Regions::pieces_of_curves(splines);
     if (pieces.empty())
       throw Invalid_input("Visible_part_2: there are no curves");
     std::vector<internal::Common::Spline_patch<2>> patches;
-    for (const auto& curve : curves)
+    for (const Curve& curve : splines)
       patches.emplace_back(curve);
     m_sight = internal::Visibility::sight_of_curves({internal::converted_number<Exact_rational>(viewpoint.x()),
                                                      internal::converted_number<Exact_rational>(viewpoint.y())},
