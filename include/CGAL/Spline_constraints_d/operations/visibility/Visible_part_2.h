@@ -61,14 +61,14 @@ public:
     const auto meetings = pairwise_intersections(curves, options, Self_intersections::INCLUDED);
     const Upward_rounding_guard guard;
     std::vector<internal::Visibility::Sight_crossing> crossings;
-    for (const auto& pair : meetings.pairs)
+    for (const auto& pair : meetings.pairs())
       for (const auto& meeting : pair.intersections)
         crossings.push_back(
             {meeting.kind(), {pair.first, pair.second}, {meeting.parameter_range(0), meeting.parameter_range(1)}});
     m_parts = internal::Convex_hull::Curve_parts_2(curves);
     const internal::Visibility::Sight_sweep_2 sweep(m_parts, m_viewpoint, std::move(crossings));
     m_edges = sweep.edges();
-    m_summary = meetings.summary;
+    m_summary = meetings.summary();
     m_summary.is_complete = sweep.is_complete();
   }
 

@@ -128,15 +128,16 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Common_surface_point end_of_curve(const Found_int
                               end);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_sample>
-samples_of_arc(const Found_intersection& found, const Intersection_arc& arc, double error, std::optional<double> parameter_error)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_sample> samples_of_arc(const Found_intersection& found,
+                                                                                 const Intersection_arc& arc,
+                                                                                 double error,
+                                                                                 std::optional<double> parameter_error)
 {
   if (!(error > 0) || (parameter_error && !(*parameter_error > 0)))
     throw Invalid_input("Surface_intersection: the error must be positive");
   const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
     return distance_from_middle(from.image, sample.image, to.image) <= error &&
-        (!parameter_error ||
-         distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= *parameter_error);
+        (!parameter_error || distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= *parameter_error);
   };
   const auto& [surfaces, set, poles] = (*found.parts)[arc.part];
   const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
