@@ -103,8 +103,8 @@ TEST(Contact_curves, parametric_surfaces)
       const auto at = [](const Surface& surface, const std::array<double, 2>& uv) {
         return surface(Rational(uv[0]), Rational(uv[1]));
       };
-      EXPECT_LT(number(CGAL::squared_distance(at(cylinder, sample.parameters[0]), sample.point)), 1e-20);
-      EXPECT_LT(number(CGAL::squared_distance(at(sphere, sample.parameters[1]), sample.point)), 1e-20);
+      EXPECT_LT(number(CGAL::squared_distance(at(cylinder, sample.parameters[0].value()), sample.point)), 1e-20);
+      EXPECT_LT(number(CGAL::squared_distance(at(sphere, sample.parameters[1].value()), sample.point)), 1e-20);
     }
   expect_circle(expect_curves(sphere, cylinder, 1, 0, 1), 1, 1.0 / 3);
   expect_circle(expect_curves(cone, SC::sphere_surface<K>(Point(0, 0, Rational(5, 2)), 2), 1, 0, 1), 1.2, 0.9);

@@ -230,7 +230,7 @@ TEST(Curve_features_2, RandomCurves)
     for (int i = 0; i <= samples; ++i)
       highest = std::max(highest, CGAL::to_double((curve(K::FT(3 * i) / samples) - CGAL::ORIGIN) * direction));
     std::size_t global = 0;
-    for (const auto& feature : SC::extreme_points(curve, direction).features())
+    for (const auto& feature : SC::extreme_points(curve, direction))
       if (feature.kind() == Kind::MAXIMUM && CGAL::certainly(feature.is_global())) {
         ++global;
         EXPECT_GE(CGAL::to_double((feature.point_on_curve().point() - CGAL::ORIGIN) * direction), highest - 1e-12);

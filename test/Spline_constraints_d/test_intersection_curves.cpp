@@ -6,6 +6,7 @@
 
 #include "surface_test_names.h"
 
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
@@ -39,7 +40,7 @@ double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::to_doub
 // How far a sample is from a surface: from the point with its parameters, or by the equation.
 double error_on(const Surface& surface, const SC::Intersection_sample<K>& sample, std::size_t index)
 {
-  const auto& [u, v] = sample.parameters[index];
+  const auto& [u, v] = sample.parameters[index].value();
   const auto within = [&](double t, int axis) {
     return (std::min)((std::max)(Rational(t), surface.domain(axis).first), surface.domain(axis).second);
   };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Limits of time, and visitors that stop a run, of operations: a limit that is not reached changes no answer; one that
-// is reached, or a stop, gives an incomplete answer that says why, and the visitor is asked only a few times more; it is
-// told of the progress. One operation or more of intersections, curves on surfaces, distances, loci and features of
+// is reached, or a stop, gives an incomplete answer that says why, and the visitor is asked only a few times more; it
+// is told of the progress. One operation or more of intersections, curves on surfaces, distances, loci and features of
 // curves.
 
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
@@ -68,7 +68,7 @@ struct Watcher
   static constexpr std::size_t slow_questions = 8;
 
   std::size_t stops_at = (std::numeric_limits<std::size_t>::max)(), questions = 0, told = 0;
-  bool is_slow = false;   // so that there is something to tell at the next question
+  bool is_slow = false; // so that there is something to tell at the next question
 
   void on_progress(double fraction)
   {
@@ -105,8 +105,9 @@ Outcome outcome(const Result& result, const std::vector<std::size_t>& numbers)
 template <class Set>
 Outcome outcome_of_curves(const Set& set)
 {
-  return outcome(set, {set.number_of_closed_curves(), set.number_of_open_curves(), set.points().size(),
-                       set.singular_points().size()});
+  return outcome(
+      set,
+      {set.number_of_closed_curves(), set.number_of_open_curves(), set.points().size(), set.singular_points().size()});
 }
 
 struct Operation
@@ -150,8 +151,9 @@ Curve circle(double x, double y, double squared_radius)
 std::vector<Operation> intersections()
 {
   const auto count = [](const auto& set) {
-    return outcome(set, {set.size(), set.count(SC::Intersection_kind::TRANSVERSAL),
-                         set.count(SC::Intersection_kind::TANGENT), set.count(SC::Intersection_kind::END_POINT)});
+    return outcome(set,
+                   {set.size(), set.count(SC::Intersection_kind::TRANSVERSAL),
+                    set.count(SC::Intersection_kind::TANGENT), set.count(SC::Intersection_kind::END_POINT)});
   };
   return {{"intersections",
            [=](const SC::Solver_options& options) { return count(SC::intersections(wave(3), wave(-2), options)); }},
@@ -164,7 +166,8 @@ std::vector<Operation> intersections()
            }},
           {"contact_points",
            [=](const SC::Solver_options& options) {
-             return count(SC::contact_points(hills(1), K::Plane_3(K::Point_3(0, 0, 0.5), K::Vector_3(0, 0, 1)), options));
+             return count(
+                 SC::contact_points(hills(1), K::Plane_3(K::Point_3(0, 0, 0.5), K::Vector_3(0, 0, 1)), options));
            }},
           {"intersections with an offset",
            [=](const SC::Solver_options& options) {
@@ -172,8 +175,7 @@ std::vector<Operation> intersections()
            }},
           {"intersection_curves",
            [](const SC::Solver_options& options) {
-             return outcome_of_curves(SC::intersection_curves(
-                 hills(1), board(), options));
+             return outcome_of_curves(SC::intersection_curves(hills(1), board(), options));
            }},
           {"self_intersection_curves", [](const SC::Solver_options& options) {
              return outcome_of_curves(SC::self_intersection_curves(hills(2), options));
@@ -182,34 +184,34 @@ std::vector<Operation> intersections()
 
 std::vector<Operation> surface_curves()
 {
-  return {{"silhouettes",
-           [](const SC::Solver_options& options) {
-             return outcome_of_curves(SC::silhouettes(hills(1), K::Vector_3(1, 2, 0.5), options));
-           }},
-          {"parabolic_lines",
-           [](const SC::Solver_options& options) { return outcome_of_curves(SC::parabolic_lines(hills(1), options)); }},
-          {"plane_sections",
-           [](const SC::Solver_options& options) {
-             return outcome_of_curves(
-                 SC::plane_sections(hills(1), K::Vector_3(0, 0, 1), std::vector<double>{0.125}, options).front());
-           }},
-          {"sweep_silhouettes",
-           [](const SC::Solver_options& options) {
-             const SC::Affine_motion<K> motion{SC::bezier_curve(
-                 std::vector<K::Point_3>{{0, 0, 0}, {1, 0, 1}, {2, 1, 0}})};
-             return outcome_of_curves(SC::sweep_silhouettes(SC::sphere_surface<K>(K::Point_3(0, 0, 0), 1), motion,
-                                                            std::vector<K::Point_3>{{9, 8, 7}}, options)
-                                          .front());
-           }},
-          {"accessibility_boundaries",
-           [](const SC::Solver_options& options) {
-             return outcome_of_curves(
-                 SC::accessibility_boundaries(hills(0.25), K::Sphere_3(K::Point_3(2, 2, 3), 1), {}, options));
-           }},
-          {"umbilics", [](const SC::Solver_options& options) {
-             const auto set = SC::umbilics(hills(1), options);
-             return outcome(set, {set.points().size()});
-           }}};
+  return {
+      {"silhouettes",
+       [](const SC::Solver_options& options) {
+         return outcome_of_curves(SC::silhouettes(hills(1), K::Vector_3(1, 2, 0.5), options));
+       }},
+      {"parabolic_lines",
+       [](const SC::Solver_options& options) { return outcome_of_curves(SC::parabolic_lines(hills(1), options)); }},
+      {"plane_sections",
+       [](const SC::Solver_options& options) {
+         return outcome_of_curves(
+             SC::plane_sections(hills(1), K::Vector_3(0, 0, 1), std::vector<double>{0.125}, options).front());
+       }},
+      {"sweep_silhouettes",
+       [](const SC::Solver_options& options) {
+         const SC::Affine_motion<K> motion{SC::bezier_curve(std::vector<K::Point_3>{{0, 0, 0}, {1, 0, 1}, {2, 1, 0}})};
+         return outcome_of_curves(SC::sweep_silhouettes(SC::sphere_surface<K>(K::Point_3(0, 0, 0), 1), motion,
+                                                        std::vector<K::Point_3>{{9, 8, 7}}, options)
+                                      .front());
+       }},
+      {"accessibility_boundaries",
+       [](const SC::Solver_options& options) {
+         return outcome_of_curves(
+             SC::accessibility_boundaries(hills(0.25), K::Sphere_3(K::Point_3(2, 2, 3), 1), {}, options));
+       }},
+      {"umbilics", [](const SC::Solver_options& options) {
+         const auto set = SC::umbilics(hills(1), options);
+         return outcome(set, {set.points().size()});
+       }}};
 }
 
 std::vector<Operation> distances()
@@ -235,22 +237,21 @@ std::vector<Operation> loci()
 {
   const Curve a = SC::bezier_curve(std::vector<Point>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}}),
               b = SC::bezier_curve(std::vector<Point>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}});
-  return {{"bisector_curves",
-           [=](const SC::Solver_options& options) { return outcome_of_curves(SC::bisector_curves(a, b, options)); }},
-          {"alpha_sectors",
-           [=](const SC::Solver_options& options) {
-             return outcome_of_curves(SC::alpha_sectors(a, b, 0.25, options));
-           }},
-          {"envelope_curves",
-           [=](const SC::Solver_options& options) {
-             return outcome_of_curves(SC::envelope_curves(a, b, SC::Tangent_directions::ANY, options));
-           }},
-          {"self_bisector_curves",
-           [=](const SC::Solver_options& options) { return outcome_of_curves(SC::self_bisector_curves(a, options)); }},
-          {"point_curve_bisector", [=](const SC::Solver_options& options) {
-             const auto bisector = SC::point_curve_bisector(Point(1, 4), a, 0x1p-10, options);
-             return outcome(bisector, {bisector.curves().size(), bisector.poles().size()});
-           }}};
+  return {
+      {"bisector_curves",
+       [=](const SC::Solver_options& options) { return outcome_of_curves(SC::bisector_curves(a, b, options)); }},
+      {"alpha_sectors",
+       [=](const SC::Solver_options& options) { return outcome_of_curves(SC::alpha_sectors(a, b, 0.25, options)); }},
+      {"envelope_curves",
+       [=](const SC::Solver_options& options) {
+         return outcome_of_curves(SC::envelope_curves(a, b, SC::Tangent_directions::ANY, options));
+       }},
+      {"self_bisector_curves",
+       [=](const SC::Solver_options& options) { return outcome_of_curves(SC::self_bisector_curves(a, options)); }},
+      {"point_curve_bisector", [=](const SC::Solver_options& options) {
+         const auto bisector = SC::point_curve_bisector(Point(1, 4), a, 0x1p-10, options);
+         return outcome(bisector, {bisector.curves().size(), bisector.poles().size()});
+       }}};
 }
 
 std::vector<Operation> curve_features()
@@ -284,7 +285,7 @@ std::vector<Operation> curve_features()
            }}};
 }
 
-constexpr std::size_t few = 128;   // of thousands
+constexpr std::size_t few = 128; // of thousands
 
 void expect_incomplete(const Outcome& result, SC::Undecided_reason reason)
 {

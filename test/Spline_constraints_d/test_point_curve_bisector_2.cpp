@@ -90,8 +90,8 @@ TEST(Point_curve_bisector_2, point_and_circle_have_an_ellipse_or_a_hyperbola)
 TEST(Point_curve_bisector_2, point_on_the_curve)
 {
   const auto none = SC::point_curve_bisector(Point(1, 0), SC::polyline_curve(std::vector<Point>{{-3, 0}, {4, 0}}));
-  EXPECT_TRUE(none.curves.empty());
-  EXPECT_EQ(none.poles.size(), 1u);
+  EXPECT_TRUE(none.curves().empty());
+  EXPECT_EQ(none.poles().size(), 1u);
   const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}});
   const auto bisector = SC::point_curve_bisector(Point(0, 0), parabola);
   EXPECT_EQ(bisector.curves().size(), 2u);

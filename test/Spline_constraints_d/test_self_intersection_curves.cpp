@@ -49,12 +49,12 @@ void expect_curves(const Surface& surface, const Intersection& set, std::size_t 
       for (const auto& sample : set.samples(arc, 1e-2)) {
         std::array<Point, 2> points;
         for (std::size_t k = 0; k < 2; ++k)
-          points[k] =
-              surface(std::clamp(Rational(sample.parameters[k][0]), surface.domain(0).first, surface.domain(0).second),
-                      std::clamp(Rational(sample.parameters[k][1]), surface.domain(1).first, surface.domain(1).second));
+          points[k] = surface(
+              std::clamp(Rational(sample.parameters[k].value()[0]), surface.domain(0).first, surface.domain(0).second),
+              std::clamp(Rational(sample.parameters[k].value()[1]), surface.domain(1).first, surface.domain(1).second));
         EXPECT_LE(length(points[1] - points[0]), 1e-9);
-        distant += std::abs(sample.parameters[0][0] - sample.parameters[1][0]) +
-                std::abs(sample.parameters[0][1] - sample.parameters[1][1]) >
+        distant += std::abs(sample.parameters[0].value()[0] - sample.parameters[1].value()[0]) +
+                std::abs(sample.parameters[0].value()[1] - sample.parameters[1].value()[1]) >
             1e-6;
         if (check)
           check(sample.point);

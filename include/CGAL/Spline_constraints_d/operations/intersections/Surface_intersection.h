@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -35,9 +35,9 @@ struct Intersection_sample
   //! the point, next to both surfaces.
   typename Kernel::Point_3 point;
 
-  //! its parameters on both surfaces, zero on one that has none. At a seam, they are those of the side that the arc
+  //! its parameters on both surfaces; none on one that has none. At a seam, they are those of the side that the arc
   //! lies on.
-  std::array<std::array<double, 2>, 2> parameters;
+  std::array<std::optional<std::array<double, 2>>, 2> parameters;
 };
 
 /*!
@@ -125,11 +125,11 @@ public:
   space as well as in the parameters. Their parameters solve the equations up to rounding; see `to_polyline()`.
   \param arc an arc of one of the curves.
   \param error the distance in space; positive.
-  \param parameter_error the distance in each of the domains; positive.
+  \param parameter_error the distance in each of the domains, positive; none: parameters do not matter.
   \throws Invalid_input when a distance is not positive.
   */
   std::vector<Sample> samples(const Intersection_arc& arc, double error,
-                              double parameter_error = std::numeric_limits<double>::infinity()) const
+                              std::optional<double> parameter_error = std::nullopt) const
   {
     std::vector<Sample> result;
     for (const auto& [point, parameters] :

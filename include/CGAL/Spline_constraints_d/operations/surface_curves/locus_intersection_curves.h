@@ -173,8 +173,7 @@ inline std::optional<Found_surface_curves> rational_curves(const Surface_shape& 
 }
 
 // Those of others.
-inline Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair,
-                                              Operation_budget& budget)
+inline Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair, Operation_budget& budget)
 {
   Surface_curve_collector result(Locus_pair::place(pair));
   if (pair->system().is_void())

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,11 +52,11 @@ struct Common_surface_point
   std::array<std::array<bool, 2>, 2> is_at_end{};
 };
 
-// A point of a polyline, and its parameters on both surfaces.
+// A point of a polyline, and its parameters on the surfaces that have some.
 struct Common_surface_sample
 {
   std::array<double, 3> point;
-  std::array<std::array<double, 2>, 2> parameters;
+  std::array<std::optional<std::array<double, 2>>, 2> parameters;
 };
 
 // What two surfaces have in common, for those of all kernels.
@@ -74,9 +75,9 @@ Found_intersection intersection_of(const Shape& first, const Shape& second, cons
 // The first (0) or last (1) point of a curve.
 Common_surface_point end_of_curve(const Found_intersection& found, const Intersection_curve& curve, int side);
 
-// Points along an arc, whose chords are so near to it in space and in the parameters.
+// Points along an arc, whose chords are so near to it in space, and in the parameters if that is asked for.
 std::vector<Common_surface_sample> samples_of_arc(const Found_intersection& found, const Intersection_arc& arc,
-                                                  double error, double parameter_error);
+                                                  double error, std::optional<double> parameter_error);
 
 // What is undecided: as points in the middles of regions, and as parts of the answer.
 std::vector<Common_surface_point> undecided_points_of(const Found_intersection& found);

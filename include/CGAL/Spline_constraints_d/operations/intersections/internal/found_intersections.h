@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -127,19 +128,21 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Common_surface_point end_of_curve(const Found_int
                               end);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_sample>
-samples_of_arc(const Found_intersection& found, const Intersection_arc& arc, double error, double parameter_error)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_sample> samples_of_arc(const Found_intersection& found,
+                                                                                 const Intersection_arc& arc,
+                                                                                 double error,
+                                                                                 std::optional<double> parameter_error)
 {
-  if (!(error > 0) || !(parameter_error > 0))
+  if (!(error > 0) || (parameter_error && !(*parameter_error > 0)))
     throw Invalid_input("Surface_intersection: the error must be positive");
   const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
     return distance_from_middle(from.image, sample.image, to.image) <= error &&
-        distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
+        (!parameter_error || distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= *parameter_error);
   };
   const auto& [surfaces, set, poles] = (*found.parts)[arc.part];
   const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
   const auto parameters = [&surfaces = surfaces](std::size_t surface, const std::vector<double>& unknowns) {
-    return surfaces.is_parametric(surface) ? surfaces.parameters(surface, unknowns) : std::array<double, 2>{};
+    return surfaces.is_parametric(surface) ? std::optional(surfaces.parameters(surface, unknowns)) : std::nullopt;
   };
   std::vector<Common_surface_sample> result;
   for (const auto& [unknowns, image] : curve_samples(surfaces.system(), set, set.curves()[arc.index], point, is_chord))

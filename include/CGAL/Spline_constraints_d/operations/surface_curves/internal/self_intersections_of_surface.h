@@ -24,14 +24,6 @@ namespace Spline_constraints {
 namespace internal {
 namespace Surface_curves {
 
-// A box where nothing is proved.
-inline Curve_solution_set_d undecided_curves(Curve_vertex::Exact_box box, Undecided_reason reason)
-{
-  Summary summary;
-  summary.is_complete = false;
-  return Curve_solution_set_d({}, {}, {}, {}, {{{std::move(box)}, {}, reason}}, summary);
-}
-
 CGAL_SPLINE_CONSTRAINTS_INLINE Found_intersection self_intersection_of(const Exact_map<3>& surface,
                                                                        const Solver_options& options)
 {
