@@ -48,6 +48,10 @@ int main(int argc, char* argv[])
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 
+    // others may be parts of one edge
+    const auto edges = std::count_if(axis.edges().begin(), axis.edges().end(), [&](const auto& edge) {
+      return axis.vertices()[edge.vertices[0]].is_resolved && axis.vertices()[edge.vertices[1]].is_resolved;
+    });
     const auto proved = std::count_if(axis.vertices().begin(), axis.vertices().end(),
                                       [](const auto& vertex) { return vertex.is_resolved; });
     const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(), [](const auto& vertex) {
@@ -56,7 +60,7 @@ int main(int argc, char* argv[])
     const char* const least = axis.is_complete() ? "" : "at least ";
     if (!axis.sites().empty())
       std::cout << "boundaries: " << axis.number_of_regions() << "; ";
-    std::cout << "edges: " << least << axis.edges().size() << "; vertices: " << least << proved << ", " << least
+    std::cout << "edges: " << least << edges << "; vertices: " << least << proved << ", " << least
               << branching << " of degree three or more; ";
     if (!axis.is_complete())
       std::cout << axis.undecided().size() << " undecided; ";

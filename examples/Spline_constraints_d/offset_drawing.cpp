@@ -49,8 +49,8 @@ void report(double distance, const SC::Trimmed_offset_2<K>& offset)
     std::cout << "arcs: " << offset.arcs().size() << "; components: " << closed - holes << "; holes: " << holes
               << "; complete: yes\n";
   else   // what is not closed may belong together, or to anything else
-    std::cout << "arcs: at least " << offset.arcs().size() << "; closed boundaries: at least " << closed
-              << "; components and holes: unknown; " << offset.undecided().size() << " undecided; complete: no\n";
+    std::cout << "closed boundaries: at least " << closed << "; arcs, components and holes: unknown; "
+              << offset.undecided().size() << " undecided; complete: no\n";
 }
 
 int main(int argc, char* argv[])

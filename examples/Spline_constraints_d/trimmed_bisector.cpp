@@ -55,7 +55,7 @@ int main(int argc, char* argv[])
     picture.layer("disks");
     const auto& sites = bisector.diagram().sites();
     for (const auto& chain : bisector.chains()) {
-      std::cout << (bisector.is_complete() ? "chain of " : "at least ") << chain.arcs.size() << " arcs:";
+      std::cout << (bisector.is_complete() ? "chain of " : "part of a chain, ") << chain.arcs.size() << " arcs:";
       for (const auto& arc : chain.arcs) {
         const auto& edge = bisector.diagram().edges()[arc.edge];
         const auto kind = [&](std::size_t side) {

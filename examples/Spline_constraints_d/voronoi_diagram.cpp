@@ -34,6 +34,10 @@ int main(int argc, char* argv[])
     std::ofstream file("voronoi_diagram.svg");
     SC::IO::write_SVG(file, curves, diagram);
 
+    // others may be parts of one edge
+    const auto edges = std::count_if(diagram.edges().begin(), diagram.edges().end(), [&](const auto& edge) {
+      return diagram.vertices()[edge.vertices[0]].is_resolved && diagram.vertices()[edge.vertices[1]].is_resolved;
+    });
     const auto proved = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
                                       [](const auto& vertex) { return vertex.is_resolved; });
     const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& vertex) {
@@ -42,7 +46,7 @@ int main(int argc, char* argv[])
     const char* const least = diagram.is_complete() ? "" : "at least ";
     if (!diagram.sites().empty())
       std::cout << "sites: " << diagram.sites().size() << "; ";
-    std::cout << "edges: " << least << diagram.edges().size() << "; vertices: " << least << proved << ", " << least
+    std::cout << "edges: " << least << edges << "; vertices: " << least << proved << ", " << least
               << branching << " of degree three or more; ";
     if (diagram.is_complete())
       std::cout << "regions: " << diagram.number_of_regions();

@@ -54,8 +54,8 @@ the sides of the curves to all cores through TBB. The answers are the same.
 \param b the second curve.
 \param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or
-an option makes no sense.
+\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or an option makes
+no sense.
 
 Complexity: that of the Voronoi diagram.
 */

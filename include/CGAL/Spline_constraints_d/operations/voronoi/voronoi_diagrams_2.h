@@ -47,8 +47,8 @@ end the search is the answer, and the rest is undecided; all is, if it was ended
 the ranges of curves and of normals in their ends that are looked at. With a ladder's precision below 128 bits, what
 doubles do not decide is undecided. The tolerance and the other precisions have no effect.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or
-an option makes no sense.
+\f$2^{250}\f$, a piece of a curve is a point, the weight of a curve is not proved to have one sign, or an option makes
+no sense.
 
 Complexity: that of `pairwise_intersections()`; and for each side of a piece, that of the subdivision of its
 neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the

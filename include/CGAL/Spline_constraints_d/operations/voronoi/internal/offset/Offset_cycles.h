@@ -86,8 +86,12 @@ public:
   std::vector<Undecided_part::Range> place(const Undecided_range& range) const
   {
     const Upward_rounding_guard guard;
-    const Interval_pair box = Element_offset(*m_graph, range.element, m_radius).point(range.range);
-    return {{box[0].inf(), box[0].sup()}, {box[1].inf(), box[1].sup()}};
+    const Oriented_element<>& element = m_graph->elements()[range.element];
+    const Interval_pair points = element.is_normal_cone ? m_graph->vertices()[element.object].point
+                                                        : m_graph->arcs()[element.object].point(range.range);
+    const Interval way(-m_radius.sup(), m_radius.sup());
+    const Interval x = points[0] + way, y = points[1] + way;
+    return {{x.inf(), x.sup()}, {y.inf(), y.sup()}};
   }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
@@ -136,7 +140,7 @@ private:
   }
 
   // A chain of which it is not certain whether it is a hole is neither that nor an outer one. Nothing is certain that
-  // there is no time for.
+  // there is no time for; nor is which chain is around a hole, if the search was ended: there may be others between.
   void nest_chains(bool is_set_free, Search_control& control)
   {
     const auto encloses = [&](const Chain& chain, const Chain& other) {
@@ -152,8 +156,11 @@ private:
         else if (!chain.is_hole)
           m_not_nested.push_back(foot(chain, why_not()));
       }
-    for (const std::size_t hole : find_outer_boundaries(
-             m_chains, [&](std::size_t c, std::size_t other) { return encloses(m_chains[c], m_chains[other]); }))
+    const bool is_searched = m_rest.why_not == Undecided_reason::NONE;
+    const auto is_certainly_around = [&](std::size_t c, std::size_t other) {
+      return is_searched ? encloses(m_chains[c], m_chains[other]) : CGAL::Uncertain<bool>::indeterminate();
+    };
+    for (const std::size_t hole : find_outer_boundaries(m_chains, is_certainly_around))
       m_not_nested.push_back(foot(m_chains[hole], why_not()));
   }
 };
