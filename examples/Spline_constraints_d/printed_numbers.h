@@ -5,6 +5,7 @@
 #define PRINTED_NUMBERS_H
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
 #include <CGAL/number_utils.h>
@@ -83,6 +84,9 @@ inline std::string number_within(const std::pair<Exact_rational, Exact_rational>
   return digits < 1 ? "between " + with_digits(bounds.first, 2) + " and " + with_digits(bounds.second, 2)
                     : with_digits(middle, std::min(digits, most_digits));
 }
+
+// A double as it is: with the least digits that tell it from others.
+inline std::string number_of_double(double x) { return CGAL::Spline_constraints::internal::shortest_text(x); }
 
 // A number that is known up to an error.
 inline std::string number_up_to(double x, double error)

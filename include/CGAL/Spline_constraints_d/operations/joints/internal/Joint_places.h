@@ -105,6 +105,7 @@ private:
     std::map<std::pair<FT, FT>, std::size_t> place_at;
     m_place_of.resize(points.number_of_curves());
     for (const Joint_side& side : points.sides()) {
+      m_run.check();
       const Point& p = points.joint(side);
       const auto [place, is_new] = place_at.emplace(std::pair(p.x(), p.y()), m_places.size());
       if (is_new)
@@ -117,6 +118,7 @@ private:
   void make_pieces()
   {
     for (std::size_t i = 0; i < points.number_of_curves(); ++i) {
+      m_run.check();
       m_keepers.emplace_back(points.points(i).size(), none);
       const std::vector<std::size_t>& along = points.joints(i);
       for (std::size_t k = 0; k + 1 < along.size(); ++k)
@@ -272,6 +274,7 @@ private:
       if (m_places[i].joined_with == none)
         places.push_back(box_of(m_places[i].point.bbox(), m_most_distance, i));
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+      m_run.check();
       const Curve curve = curve_of(i);
       const std::vector<Point> along = curve.control_points();
       CGAL::Bbox_2 box;
@@ -283,11 +286,13 @@ private:
     CGAL::box_intersection_d(places.begin(), places.end(), pieces.begin(), pieces.end(),
                              [&](const Box& a, const Box& b) { pairs.emplace_back(a.info(), b.info()); });
     std::sort(pairs.begin(), pairs.end());
-    for (const auto& [place, piece] : pairs)
+    for (const auto& [place, piece] : pairs) {
+      m_run.check();
       if (is_near(place, piece) &&
           std::none_of(m_places[place].near_pieces.begin(), m_places[place].near_pieces.end(),
                        [&, &piece = piece](std::size_t other) { return are_copies(piece, other); }))
         m_places[place].near_pieces.push_back(piece);
+    }
   }
 
   Curve curve_of(std::size_t piece) const

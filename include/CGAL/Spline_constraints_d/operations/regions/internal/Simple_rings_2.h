@@ -8,9 +8,9 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/inner_roots.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/meetings_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -283,12 +283,7 @@ private:
       curves.emplace_back(loops.back().curve());
     }
     std::map<std::size_t, std::vector<Exact_rational>> cuts;
-    const auto pairs =
-        Pairwise_common_points<2>(run.options_of_systems()).among_and_within<CGAL::Sequential_tag>(curves);
-    for (const auto& pair : pairs)
-      run.add_nodes(pair.work.nodes);
-    for (const auto& pair : pairs) {
-      run.check();
+    for (const Meeting_of_curves& pair : meetings_of_curves(curves, run)) {
       for (const Common_point& meeting : pair.points) {
         const std::array<const Boundary_loop_2*, 2> both{&loops[pair.first], &loops[pair.second]};
         const auto in_common_part = may_have_common_parts ? origins_in_common_part(meeting, both) : std::nullopt;

@@ -82,8 +82,7 @@ class Sight_sweep_2
   bool m_is_complete = true;
 
 public:
-  // When the run ends while sectors are looked at, what is seen in the others is not known.
-  // \throws Run_stopped before
+  // \throws Run_stopped
   Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings,
                 Run_of_steps& run)
     : m_run(run), m_parts(parts), m_crossings(std::move(crossings))
@@ -338,8 +337,7 @@ private:
   // What is nearest in a sector, from a cluster to the next one.
   Front front_of(std::size_t sector) const
   {
-    if (m_run.must_stop())
-      return {Sight::UNKNOWN, 0};
+    m_run.check();
     const Exact_rational direction =
         simple_dyadic_between(m_clusters[sector].direction.upper, m_clusters[sector + 1].direction.lower);
     std::vector<Candidate> candidates;
@@ -356,8 +354,7 @@ private:
       if (candidates.size() == 1)
         return {Sight::ARC, candidates[0].arc};
       for (Candidate& candidate : candidates) {
-        if (m_run.must_stop())
-          return {Sight::UNKNOWN, 0};
+        m_run.check();
         refine(candidate, direction);
       }
     }
@@ -420,10 +417,12 @@ private:
       m_is_complete =
           m_is_complete && m_fronts[first].sight == Sight::NOTHING && is_one_direction(m_clusters[first], std::nullopt);
     for (std::size_t s = first; s < sectors;) {
+      m_run.check();
       const std::size_t arc = m_fronts[s].arc, begin = s;
       m_edges.push_back({Visible_edge_kind::ARC, vertex(arc, s), vertex(arc, s + 1)});
       Visible_edge_kind kind = Visible_edge_kind::SEGMENT;
       while (m_fronts[++s % sectors].sight != Sight::ARC) {
+        m_run.check();
         const bool is_decided = m_fronts[s % sectors].sight == Sight::NOTHING && kind != Visible_edge_kind::UNDECIDED &&
             is_one_direction(m_clusters[s % sectors], std::nullopt);
         kind = is_decided ? Visible_edge_kind::OPEN : Visible_edge_kind::UNDECIDED;

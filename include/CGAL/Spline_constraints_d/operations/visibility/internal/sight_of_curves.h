@@ -7,8 +7,8 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Pairwise_common_points.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/meetings_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_of_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_sweep_2.h>
@@ -29,13 +29,9 @@ namespace Visibility {
 inline std::vector<Sight_crossing> crossings_of(const std::vector<Spline_patch<2>>& curves, Run_of_steps& run)
 {
   std::vector<Sight_crossing> result;
-  const auto pairs = Pairwise_common_points<2>(run.options_of_systems()).among_and_within<CGAL::Sequential_tag>(curves);
-  for (const auto& pair : pairs) {
-    run.add_nodes(pair.work.nodes);
-    for (const Common_point& point : pair.points)
-      result.push_back({point.kind, {pair.first, pair.second}, {point.parameters[0], point.parameters[1]}});
-  }
-  run.check();
+  for (const auto& [first, second, points] : meetings_of_curves(curves, run))
+    for (const Common_point& point : points)
+      result.push_back({point.kind, {first, second}, {point.parameters[0], point.parameters[1]}});
   return result;
 }
 
