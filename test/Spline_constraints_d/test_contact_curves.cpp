@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <gtest/gtest.h>
 

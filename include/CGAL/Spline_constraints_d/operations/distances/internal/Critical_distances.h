@@ -88,7 +88,12 @@ public:
   // Those that may be the least distance.
   std::vector<Critical_distance> nearest()
   {
-    m_pairs.find_nearest(m_upper);
+    try {
+      m_pairs.find_nearest(m_upper, [this] { m_solver.budget().check(); });
+    } catch (const Run_stopped&) { // before there were pairs of sites
+      goes_on();
+      return sorted();
+    }
     for (const Pair_of_sites& sites : m_pairs.pairs())
       if (!is_too_far(squared_norm(sites.a->bounds() - sites.b->bounds())) && goes_on())
         find_critical_distances(sites);

@@ -51,9 +51,10 @@ class Nearest_parts
   std::vector<Pair> m_pairs;
 
 public:
-  // With the squared distance of some points.
+  // With the squared distance of some points. Before each pair `check()` may end the work by an exception.
+  template <class Check>
   Nearest_parts(const Spline_patch<d>& a, const Spline_patch<d>& b, std::array<Joints, 2> joints,
-                const Exact_rational& known)
+                const Exact_rational& known, const Check& check)
     : m_operands{Patch_parts<d>(a), Patch_parts<d>(b)}, m_joints(std::move(joints)),
       m_upper(to_double_interval(known).second)
   {
@@ -63,8 +64,10 @@ public:
     while (is_divided && m_pairs.size() <= most_pairs && !are_settled()) {
       is_divided = false;
       std::vector<Pair> pairs;
-      for (Pair& pair : m_pairs)
+      for (Pair& pair : m_pairs) {
+        check();
         is_divided = divide(pair, pairs) || is_divided;
+      }
       m_pairs = std::move(pairs);
       std::erase_if(m_pairs, [&](const Pair& pair) { return pair.lower > m_upper; });
     }

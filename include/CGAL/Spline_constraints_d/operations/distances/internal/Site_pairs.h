@@ -57,14 +57,17 @@ public:
   }
 
   // Of the pairs that may be nearest, if none has a larger squared distance than some bound, which may become smaller.
-  // Cells that may hold nearest points are in one region if they are neighbours.
-  void find_nearest(Exact_rational& upper)
+  // Cells that may hold nearest points are in one region if they are neighbours. `check()` may end the work by an
+  // exception.
+  template <class Check>
+  void find_nearest(Exact_rational& upper, const Check& check)
   {
-    const Nearest_parts<d> nearest(m_operands[0], m_operands[1], {joints_of(0), joints_of(1)}, upper);
-    if (std::isfinite(nearest.upper()))   // as squares of doubles need not be
+    const Nearest_parts<d> nearest(m_operands[0], m_operands[1], {joints_of(0), joints_of(1)}, upper, check);
+    if (std::isfinite(nearest.upper())) // as squares of doubles need not be
       upper = (std::min)(upper, to_rational(nearest.upper()));
     const std::vector<Box> boxes = nearest.boxes();
     for (const Box& hull : separate_hulls(nearest.boxes_of_cells())) {
+      check();
       Region& region = m_regions.emplace_back();
       std::size_t next = 0;
       for (const std::size_t operand : {0, 1}) {

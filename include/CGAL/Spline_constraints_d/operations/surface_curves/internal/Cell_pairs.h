@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -87,6 +88,7 @@ class Cell_pairs
   // of both axes; across a pole, where the other axis does not count, one counts for two
   static constexpr int most_halvings = 16;
 
+  std::function<void()> m_check;
   std::array<std::optional<Exact_rational>, 2> m_periods;
   std::array<std::vector<Parameter_range>, 2> m_ranges;
   std::vector<Piece> m_pieces;   // over the products of ranges
@@ -96,8 +98,7 @@ class Cell_pairs
 
 public:
   // Before each cell and each pair of them `check()` may end the work by an exception.
-  template <class Check>
-  Cell_pairs(const Spline_patch<3>& patch, const Check& check)
+  Cell_pairs(const Spline_patch<3>& patch, std::function<void()> check) : m_check(std::move(check))
   {
     for (const int axis : {0, 1}) {
       const auto [begin, end] = patch.domain(axis);
@@ -111,14 +112,13 @@ public:
     std::vector<Cell> cells;
     for (const Parameter_range& u : m_ranges[0])
       for (const Parameter_range& v : m_ranges[1]) {
-        check();
+        m_check();
         cells.push_back({u, v});
         const Spline_patch<3> piece = patch.part({u, v});
         m_pieces.push_back({piece, {tangent_direction(piece, 0), tangent_direction(piece, 1)}});
       }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       add(cells[i], most_halvings);
-      check();
       for (std::size_t j = i + 1; j < cells.size(); ++j)
         add(cells[i], cells[j], shift(cells[i], cells[j]), most_halvings);
     }
@@ -149,6 +149,7 @@ private:
 
   void add(const Cell& cell, int halvings)
   {
+    m_check();
     if (is_one_to_one(tangents(cell)))
       return;
     const std::optional<int> axis = axis_of_common_pole(cell, cell);
@@ -166,6 +167,7 @@ private:
 
   void add(const Cell& first, const Cell& second, const Shift& shift, int halvings)
   {
+    m_check();
     if (have_distant_points(first, second) || is_one_to_one(tangents(hull_of(first, moved(second, shift)))))
       return;
     if (!are_neighbours(first, second, shift))
