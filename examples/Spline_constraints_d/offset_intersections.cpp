@@ -42,7 +42,9 @@ int main()
   const auto squared_height = square(y - 1.5);
   const SC::Implicit_curve_2 lemniscate(square(x*x + squared_height) == 6 * (x*x - squared_height));
 
-  const auto [arcs, cusps] = SC::offset_arcs(offset, 1e-3);
+  const SC::Offset_arcs_2 offset_arcs = SC::offset_arcs(offset, 1e-3);
+  const auto& arcs = offset_arcs.arcs();
+  const auto& cusps = offset_arcs.cusps();
   const auto nodes = SC::self_intersections(offset);
   const auto crossings = SC::intersections(offset, lemniscate);
 
@@ -56,7 +58,7 @@ int main()
           SC::intersections(SC::segment_curve(center, center + K::Vector_2(4 * side, K::FT(4 * i) / 60)), lemniscate);
       const auto outermost = std::max_element(
           on_ray.begin(), on_ray.end(), [](const auto& a, const auto& b) { return a.parameter(0) < b.parameter(0); });
-      loop.push_back({outermost->coordinate(0), outermost->coordinate(1)});
+      loop.push_back({outermost->coordinate(0).value(), outermost->coordinate(1).value()});
     }
     svg.polyline(loop, "#2ca02c", 2);
   }
