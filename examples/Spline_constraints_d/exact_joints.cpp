@@ -37,7 +37,9 @@ int main(int argc, char* argv[])
       return 3;
     }
 
-    const auto drawn = SC::voronoi_diagram(curves), exact = SC::voronoi_diagram(joined.curves);
+    options = after(joined.summary().seconds, options);
+    const auto drawn = SC::voronoi_diagram(curves, options);
+    const auto exact = SC::voronoi_diagram(joined.curves, after(drawn.summary().seconds, options));
     std::ofstream file("exact_joints.svg");
     SC::SVG_writer picture(file, curves);
     auto layers = SC::planar_layers(drawn, picture.pixel() / 8, picture.extent());
@@ -51,8 +53,11 @@ int main(int argc, char* argv[])
 
     const bool is_complete = drawn.is_complete() && exact.is_complete();
     std::cout << "joints: " << joined.joints << ", and " << joined.left << " left, by " << joined.displacement
-              << " at most; connected sets of curves: " << drawn.number_of_regions() << ", then "
-              << exact.number_of_regions() << "; complete: " << (is_complete ? "yes" : "no") << '\n';
+              << " at most; connected sets of curves: ";
+    if (is_complete)
+      std::cout << drawn.number_of_regions() << ", then " << exact.number_of_regions() << "; complete: yes\n";
+    else
+      std::cout << "unknown; " << drawn.undecided().size() + exact.undecided().size() << " undecided; complete: no\n";
     return is_complete ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

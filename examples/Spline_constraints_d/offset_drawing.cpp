@@ -72,6 +72,7 @@ int main(int argc, char* argv[])
     bool is_complete = true;
     for (int i = number; i > 0; --i) {
       const auto offset = SC::trimmed_offset(curves, i * distance, {}, options);
+      options = after(offset.summary().seconds, options);
       picture.layer("offset " + std::to_string(i));
       for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
         picture.polyline(offset.polyline(arc, picture.pixel() / 8), color(static_cast<double>(i) / number), 2);

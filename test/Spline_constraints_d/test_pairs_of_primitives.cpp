@@ -49,8 +49,8 @@ TEST(Pairs_of_primitives, patches)
     for (const auto& curve : set.curves()) {
       const auto samples = set.samples(curve.arcs.front(), 0.5);
       for (const auto& sample : {samples.front(), samples[samples.size() / 2], samples.back()}) {
-        EXPECT_LT(distance(pair.a.patch, sample.parameters[0], sample.point), 1e-9);
-        EXPECT_LT(distance(pair.b.patch, sample.parameters[1], sample.point), 1e-9);
+        EXPECT_LT(distance(pair.a.patch, sample.parameters[0].value(), sample.point), 1e-9);
+        EXPECT_LT(distance(pair.b.patch, sample.parameters[1].value(), sample.point), 1e-9);
       }
       for (const int side : {0, 1})
         EXPECT_NE(set.end(curve, side).kind(), SC::Intersection_kind::UNDECIDED);

@@ -114,7 +114,7 @@ private:
         for (const std::size_t i : *on_face)
           if (std::find(result.begin(), result.end(), i) == result.end())
             result.push_back(i);
-        if (is_over())
+        if (is_over() || m_control.must_stop(true))
           return result;
       }
     return result;
@@ -125,6 +125,10 @@ private:
   {
     if (is_over())
       return;
+    if (m_control.must_stop(true)) {
+      m_undecided.push_back({box, vertices, m_control.reason()});
+      return;
+    }
     const auto [axis, index] = middle_break(box);
     if (axis < 0) {
       m_tasks.push_back({box, box, vertices, 0});
@@ -161,8 +165,8 @@ private:
       const std::size_t left = m_options.node_limit == 0
           ? m_tasks.size() * share
           : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
-      if (left == 0)
-        return give_up();
+      if (left == 0 || m_control.must_stop(true))
+        return give_up(left == 0 ? Undecided_reason::NODES : m_control.reason());
       const std::vector<Curve_task> tasks = std::exchange(m_tasks, {});
       const std::size_t count = (std::min)(tasks.size(), (left + share - 1) / share);
       std::vector<Curve_findings> found;
@@ -189,10 +193,10 @@ private:
     m_summary += found.summary;
   }
 
-  void give_up()
+  void give_up(Undecided_reason reason)
   {
     for (const Curve_task& task : std::exchange(m_tasks, {}))
-      m_undecided.push_back({task.box, task.vertices, Undecided_reason::NODES});
+      m_undecided.push_back({task.box, task.vertices, reason});
   }
 
   // The vertices that neither pieces nor undecided boxes have, if they satisfy the inequalities.

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Touched_element.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Touching_disk.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/for_each_element.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/undecided_parts.h>
 
 #include <algorithm>
