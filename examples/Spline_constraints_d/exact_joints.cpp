@@ -38,8 +38,8 @@ int main(int argc, char* argv[])
     }
 
     options = after(joined.summary().seconds, options);
-    const auto drawn = SC::voronoi_diagram(curves, options);
-    const auto exact = SC::voronoi_diagram(joined.curves, after(drawn.summary().seconds, options));
+    const auto drawn = SC::voronoi_diagram(curves, {}, options);
+    const auto exact = SC::voronoi_diagram(joined.curves, {}, after(drawn.summary().seconds, options));
     std::ofstream file("exact_joints.svg");
     SC::SVG_writer picture(file, curves);
     auto layers = SC::planar_layers(drawn, picture.pixel() / 8, picture.extent());

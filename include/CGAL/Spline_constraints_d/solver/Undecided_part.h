@@ -1,5 +1,10 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_UNDECIDED_PART_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_UNDECIDED_PART_H
@@ -59,7 +64,8 @@ inline std::ostream& operator<<(std::ostream& out, const Undecided_part& part)
   if (!part.place.empty())
     internal::write_ranges(out << " in ", part.place);
   for (const Undecided_part::Parameters& operand : part.parameters)
-    internal::write_ranges(out << ", operand " << operand.operand << " at ", operand.ranges);
+    internal::write_ranges(out << ", operand " << operand.operand << (operand.ranges.empty() ? "" : " at "),
+                           operand.ranges);
   return out;
 }
 

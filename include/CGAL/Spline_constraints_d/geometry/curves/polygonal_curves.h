@@ -1,5 +1,10 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_POLYGONAL_CURVES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_POLYGONAL_CURVES_H

@@ -1,5 +1,10 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_MEDIAL_AXIS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_MEDIAL_AXIS_2_H
@@ -32,7 +37,8 @@ the pieces of the boundary to all cores through TBB. The answers are the same.
 \param region the region. Parameters are those of its curves.
 \param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, the weight of a curve is not proved to have one sign, or an option makes no sense.
+\f$2^{250}\f$, the weight of a curve is not proved to have one sign, the region is not complete, or an option makes no
+sense.
 
 Complexity: about half of that of the Voronoi diagram.
 */

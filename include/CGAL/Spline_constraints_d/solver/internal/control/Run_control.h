@@ -1,5 +1,10 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CONTROL_RUN_CONTROL_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CONTROL_RUN_CONTROL_H
@@ -85,6 +90,8 @@ private:
   void ask()
   {
     const std::lock_guard lock(m_mutex);
+    if (reason() != Undecided_reason::NONE)   // another thread was told while this one waited
+      return;
     const Clock::time_point now = Clock::now();
     if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
       m_reason = Undecided_reason::TIME;

@@ -1,5 +1,10 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_INTEGER_TERM_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_INTEGER_TERM_H
@@ -59,8 +64,10 @@ private:
   {
     for (block = 0;; ++block) {
       const Block& candidate = layout.blocks[block];
-      const auto place = std::find(candidate.functions.begin(), candidate.functions.end(), function);
-      if (candidate.axes == term.variables && place != candidate.functions.end()) {
+      if (candidate.axes != term.variables)
+        continue;
+      const auto place = std::lower_bound(candidate.functions.begin(), candidate.functions.end(), function);
+      if (place != candidate.functions.end() && *place == function) {
         member = place - candidate.functions.begin();
         return;
       }
