@@ -11,16 +11,29 @@
 
 #include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
 
 #include <array>
 #include <fstream>
 #include <iostream>
+#include <variant>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = K::Point_2;
 using Arrangement = SC::Voronoi_arrangement_2<K>::Arrangement;
+
+// The face that point location has found, if it is one. Variants are those of Boost before CGAL 6.
+template <class Found>
+const Arrangement::Face_const_handle* face_of(const Found& found)
+{
+#if CGAL_VERSION_NR < 1060000000
+  return boost::get<Arrangement::Face_const_handle>(&found);
+#else
+  return std::get_if<Arrangement::Face_const_handle>(&found);
+#endif
+}
 
 int main()
 {
@@ -46,7 +59,7 @@ int main()
   for (double x = 0.125; x < box.xmax(); x += 0.25)
     for (double y = 0.125; y < box.ymax(); y += 0.25) {
       const auto found = location.locate({x, y});
-      if (const auto* face = boost::get<Arrangement::Face_const_handle>(&found)) {
+      if (const auto* face = face_of(found)) {
         const std::size_t region = (*face)->data().front();
         ++located;
         // by distances, proved

@@ -6,6 +6,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_TEST_NEAREST_SITE_CHECKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_TEST_NEAREST_SITE_CHECKS_H
 
+#include "arrangement_test_tools.h"
+
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
@@ -360,7 +362,7 @@ public:
     std::vector<std::pair<Arrangement::Point_2, CGAL::Arr_point_location_result<Arrangement>::Type>> located;
     CGAL::locate(voronoi.arrangement, points.begin(), points.end(), std::back_inserter(located));
     for (const auto& [q, found] : located)
-      if (const auto* face = boost::get<Arrangement::Face_const_handle>(&found))
+      if (const auto* face = get_if<Arrangement::Face_const_handle>(&found))
         regions_at[{CGAL::to_double(q.x()), CGAL::to_double(q.y())}] = (*face)->data();
     std::vector<bool> is_found(m_diagram.number_of_regions(), false);
     for (const Point& q : asked) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Voronoi diagrams as arrangements: vertices, edges and faces are those of the diagram, and labels lead to its edges.
+#include "arrangement_test_tools.h"
+
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
@@ -102,7 +104,7 @@ std::vector<std::size_t>
 regions_at(const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::Arrangement>& location, const P& p)
 {
   const auto found = location.locate({p.x(), p.y()});
-  const auto* face = boost::get<Voronoi_arrangement::Arrangement::Face_const_handle>(&found);
+  const auto* face = get_if<Voronoi_arrangement::Arrangement::Face_const_handle>(&found);
   return face ? (*face)->data() : std::vector<std::size_t>();
 }
 
