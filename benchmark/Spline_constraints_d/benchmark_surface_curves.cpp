@@ -4,6 +4,7 @@
 // Curves on one surface: silhouettes, parabolic lines, umbilics, plane sections, boundaries of what a tool reaches,
 // silhouettes of sweeps, self-intersections, and curves along which two surfaces touch.
 
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
@@ -69,7 +70,7 @@ void umbilics_of_landscape(benchmark::State& state)
   bool is_complete = true;
   for (auto _ : state) {
     const auto found = SC::umbilics(surface);
-    count = found.points.size();
+    count = found.points().size();
     is_complete = found.is_complete();
   }
   state.counters["points"] = static_cast<double>(count);
