@@ -5,6 +5,7 @@
 // silhouettes of sweeps, self-intersections, and curves along which two surfaces touch.
 
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
