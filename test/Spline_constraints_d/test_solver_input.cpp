@@ -288,6 +288,29 @@ TEST(Solver_visitor, Stop)
   EXPECT_GE(visitor.asked, 3);
 }
 
+// Ends the run as operations do that watch the systems they solve.
+struct Throwing_visitor
+{
+  int asked = 0;
+
+  void on_progress(double) {}
+  bool stop()
+  {
+    ++asked;
+    throw SC::internal::Run_stopped{SC::Undecided_reason::STOPPED};
+  }
+};
+
+TEST(Solver_visitor, Throws)
+{
+  const Problem problem = cyclic_chebyshev(8, 2);
+  Throwing_visitor visitor;
+  const auto solutions = solve(problem.system, {.visitor = visitor});
+  EXPECT_FALSE(solutions.is_complete());
+  EXPECT_GT(solutions.count(Solution_kind::UNDECIDED), 0u);
+  EXPECT_EQ(visitor.asked, 1);
+}
+
 // The options hold it as well; what is undecided says why, and where.
 TEST(Solver_visitor, InOptions)
 {

@@ -33,20 +33,16 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDNumbers
 
 A closed interval whose two ends are MPFR numbers of a precision chosen at run time, lower ends rounded down and upper
-ends up in every
-operation: the result of an operation on intervals contains the result of the operation on any numbers the operands
-contain. The rounding mode
-of the thread plays no part.
+ends up in every operation: the result of an operation on intervals contains the result of the operation on any numbers
+the operands contain. The rounding mode of the thread plays no part.
 
 Every object has its own precision (the same for both ends); the result of an operation has the larger one of its
-operands, assignment takes over the
-precision of its source. Numbers that are converted get `default_precision()`, which is per thread. `double` operands
-are exact and do not change the precision. An end that leaves MPFR's exponent range
+operands, assignment takes over the precision of its source. Numbers that are converted get `default_precision()`, which
+is per thread. `double` operands are exact and do not change the precision. An end that leaves MPFR's exponent range
 becomes infinite. Neither end is ever NaN.
 
 A moved-from object may only be assigned to or destroyed. Different threads may use different objects; MPFR must have
-been built thread safe
-(`mpfr_buildopt_tls_p()`), as distributions do.
+been built thread safe (`mpfr_buildopt_tls_p()`), as distributions do.
 
 \cgalModels `SplineNumberType`
 */

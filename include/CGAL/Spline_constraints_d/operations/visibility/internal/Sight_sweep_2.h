@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Visible_edge_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_arc_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/internal/Sight_crossing.h>
 
 #include <algorithm>
 #include <array>
@@ -28,14 +29,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Visibility {
-
-// Where two curves meet, or may meet.
-struct Sight_crossing
-{
-  Intersection_kind kind;
-  std::array<std::size_t, 2> curves;
-  std::array<Parameter_range, 2> ranges;
-};
 
 /*
 What is seen from a point. All numbers are exact.

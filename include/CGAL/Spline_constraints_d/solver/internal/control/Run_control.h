@@ -87,6 +87,17 @@ public:
   }
 
 private:
+  // A visitor that throws ends the run, too, wherever that is caught: operations watch the systems they solve so.
+  bool is_stopped_by_visitor()
+  {
+    try {
+      return m_visitor.stop();
+    } catch (...) {
+      m_reason = Undecided_reason::STOPPED;
+      throw;
+    }
+  }
+
   void ask()
   {
     const std::lock_guard lock(m_mutex);
@@ -95,7 +106,7 @@ private:
     const Clock::time_point now = Clock::now();
     if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
       m_reason = Undecided_reason::TIME;
-    else if (m_visitor.stop())
+    else if (is_stopped_by_visitor())
       m_reason = Undecided_reason::STOPPED;
     else if (now - m_last_report > std::chrono::milliseconds(50)) {
       m_last_report = now;
