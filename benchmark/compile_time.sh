@@ -50,6 +50,6 @@ compile() {
 printf '%-44s %10s %11s %8s\n' '' 'user' 'memory' 'ratio'
 compile 'arrangement of CGAL' "$work/arrangement.cpp"
 for example in "$@"; do
-  compile "$example, compiled library" "$examples/$example.cpp" -DCGAL_SPLINE_CONSTRAINTS_COMPILED
+  compile "$example, compiled library" "$examples/$example.cpp" -DCGAL_SPLINE_CONSTRAINTS_COMPILED -DCGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_PUGIXML
   compile "$example, headers alone" "$examples/$example.cpp"
 done

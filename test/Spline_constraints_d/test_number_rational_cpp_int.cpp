@@ -13,9 +13,9 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#include "test_number_Mpfr_interval.cpp"
-#include "test_number_Number_traits.cpp"
-#include "test_number_enclosure.cpp"
+#include "number/test_number_Mpfr_interval.cpp"
+#include "number/test_number_Number_traits.cpp"
+#include "number/test_number_enclosure.cpp"
 
 namespace {
 

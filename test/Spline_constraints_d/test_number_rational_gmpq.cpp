@@ -8,9 +8,9 @@
 #undef CGAL_DISABLE_GMP
 #define CGAL_DO_NOT_USE_BOOST_MP 1
 
-#include "test_number_Mpfr_interval.cpp"
-#include "test_number_Number_traits.cpp"
-#include "test_number_enclosure.cpp"
+#include "number/test_number_Mpfr_interval.cpp"
+#include "number/test_number_Number_traits.cpp"
+#include "number/test_number_enclosure.cpp"
 
 namespace {
 

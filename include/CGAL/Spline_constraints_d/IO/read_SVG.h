@@ -9,9 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_READ_SVG_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_READ_SVG_H
 
-#include <CGAL/Spline_constraints_d/IO/internal/SVG_reader.h>
+#include <CGAL/Spline_constraints_d/IO/internal/SVG_exact_curve.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_PUGIXML
+#include <CGAL/Spline_constraints_d/IO/internal/SVG_reader.h>
+#endif
 
 #include <concepts>
 #include <istream>
@@ -45,7 +49,7 @@ template <SplineKernel Kernel>
 std::vector<SVG_curve<Kernel>> svg_curves(const Text_source& source)
 {
   std::vector<SVG_curve<Kernel>> result;
-  for (const SVG_exact_curve& exact : SVG_reader(source).curves()) {
+  for (const SVG_exact_curve& exact : exact_curves_of_SVG(source)) {
     const auto [line, column] = source.place(exact.position);
     try {
       result.push_back({Bspline_curve_2<Kernel>(exact.curve), exact.id, exact.element, line, column});

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_SVG_READER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_SVG_READER_H
 
+#include <CGAL/Spline_constraints_d/IO/internal/SVG_exact_curve.h>
 #include <CGAL/Spline_constraints_d/IO/internal/SVG_path_parser.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 
@@ -27,13 +28,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-struct SVG_exact_curve
-{
-  Bezier_path::Curve curve;
-  std::string id, element;
-  std::size_t position;
-};
 
 // Walks through the elements of an SVG document. Attributes are read from the source itself, so that errors know their
 // place.
@@ -309,6 +303,11 @@ private:
     cursor.fail_at(begin, "not a transformation of SVG, or not with so many numbers", "(");
   }
 };
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<SVG_exact_curve> exact_curves_of_SVG(const Text_source& source)
+{
+  return SVG_reader(source).curves();
+}
 
 } // namespace internal
 } // namespace Spline_constraints

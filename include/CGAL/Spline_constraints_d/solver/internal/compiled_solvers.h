@@ -103,17 +103,24 @@ constexpr void check_definitions()
   EXTERN template Curve_solution_set_d all_curves<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,      \
                                                                Run_control&, const Curve_search&);
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Certified_solver_traits, CGAL::Sequential_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Fast_solver_traits, CGAL::Sequential_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Interval_solver_traits, CGAL::Sequential_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Multiprecision_solver_traits, CGAL::Sequential_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Exact_solver_traits, CGAL::Sequential_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(extern, Certified_solver_traits, CGAL::Sequential_tag)
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(extern, Certified_solver_traits, CGAL::Parallel_tag)
-CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(extern, Certified_solver_traits, CGAL::Parallel_tag)
+#define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)
+#else
+#define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
 #endif
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS(EXTERN)                                                               \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Fast_solver_traits, CGAL::Sequential_tag)                           \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Interval_solver_traits, CGAL::Sequential_tag)                       \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Multiprecision_solver_traits, CGAL::Sequential_tag)                 \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Exact_solver_traits, CGAL::Sequential_tag)                          \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
+  CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS(extern)
 #endif
 
 } // namespace internal

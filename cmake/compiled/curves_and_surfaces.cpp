@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Formulas as functions of their unknowns, splines with rational coefficients, and what is found on one or two of them:
+// common points and curves, contacts, silhouettes, umbilics, distances, bisectors, envelopes.
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+#include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
+#include <CGAL/Spline_constraints_d/function/internal/expanded.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+
+// The solvers are only declared from here on: another source has them.
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED
+
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/self_bisector.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Access_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Umbilic_finder.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/self_intersections_of_surface.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/silhouettes_of_sweep.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/zeros_on_surface.h>
+
+namespace CGAL::Spline_constraints {
+
+template class Bernstein_tensor<Exact_rational>;
+template class Bspline_function<Exact_rational>;
+
+namespace internal {
+
+template class Local_weights<Exact_rational>;
+template class Homogeneous_spline<Exact_rational, 2>;
+template class Homogeneous_spline<Exact_rational, 3>;
+
+namespace Common {
+
+template class Spline_patch<2>;
+template class Spline_patch<3>;
+template class Patch_pair<2>;
+template class Patch_pair<3>;
+
+} // namespace Common
+namespace Intersections {
+
+template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budgeted_solver&);
+template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&);
+template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&, Budgeted_solver&);
+template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
+
+} // namespace Intersections
+namespace Distances {
+
+template Found_distances<2> projections_of<2>(const Exact_map<2>&, const Exact_map<2>&, const Solver_options&);
+template Found_distances<3> projections_of<3>(const Exact_map<3>&, const Exact_map<3>&, const Solver_options&);
+template Found_distances<2> nearest_points_of<2>(const Exact_map<2>&, const Exact_map<2>&, const Solver_options&);
+template Found_distances<3> nearest_points_of<3>(const Exact_map<3>&, const Exact_map<3>&, const Solver_options&);
+template Found_hausdorff_distance<2> hausdorff_distance_of<2>(const Exact_map<2>&, const Exact_map<2>&, double, bool,
+                                                              const Solver_options&);
+template Found_hausdorff_distance<3> hausdorff_distance_of<3>(const Exact_map<3>&, const Exact_map<3>&, double, bool,
+                                                              const Solver_options&);
+
+} // namespace Distances
+} // namespace internal
+} // namespace CGAL::Spline_constraints

@@ -1,8 +1,0 @@
-// Copyright (c) 2026 The Spline_constraints_d authors.
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-// The common curves of two surfaces.
-// What other sources of the library have is only declared.
-#define CGAL_SPLINE_CONSTRAINTS_COMPILED
-
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>
