@@ -83,8 +83,11 @@ public:
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_budget.has_reached_node_limit(); }
 
-  // Whether there is no time left or the visitor stops the run, so that systems need not be made; and why.
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
   bool must_stop() const { return m_budget.must_stop(); }
+
+  // Whether there are no nodes left, either; and why the run has ended, if it has.
+  bool has_ended() const { return m_budget.has_ended(); }
   Undecided_reason reason() const { return m_budget.reason(); }
 };
 

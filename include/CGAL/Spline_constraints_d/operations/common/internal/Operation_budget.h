@@ -71,9 +71,18 @@ public:
       m_options.node_limit = limit;
   }
 
-  // Whether there is no time left or the visitor stops the run, so that systems need not be made; and why.
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
   bool must_stop() const { return m_control->must_stop(true); }
-  Undecided_reason reason() const { return m_control->reason(); }
+
+  // Whether there are no nodes left, either.
+  bool has_ended() const { return must_stop() || has_reached_node_limit(); }
+
+  // Why the run has ended, if it has.
+  Undecided_reason reason() const
+  {
+    return m_control->reason() == Undecided_reason::NONE && has_reached_node_limit() ? Undecided_reason::NODES
+                                                                                     : m_control->reason();
+  }
 
   // For work without an answer before it has ended: throws Run_stopped when the run ends here.
   void check() const { m_control->check(); }
