@@ -466,4 +466,26 @@ TEST(Operation_limits, closest_points_are_within_bounds_at_a_stop)
   }
 }
 
+// Two formulas of ten thousand cells: that they are written out is a part of the run.
+TEST(Operation_limits, formulas_with_many_cells_are_asked_about)
+{
+  const SC::Spline_map<1, 2> a(scribble(100)), b(scribble(99));
+  const auto [u, v] = SC::parameters(a, b);
+  const SC::Constraint constraint = a(u)[0] * b(v)[1] == 0;
+  std::size_t questions = 0;
+  const SC::Spline_function all = constraint.spline_function([&] { ++questions; });
+  EXPECT_GT(questions, 4u);
+  EXPECT_EQ(all.terms(), constraint.spline_function().terms());
+  struct Stop
+  {};
+  const std::size_t stop = questions / 2;
+  questions = 0;
+  EXPECT_THROW(constraint.spline_function([&] {
+    if (++questions == stop)
+      throw Stop();
+  }),
+               Stop);
+  EXPECT_EQ(questions, stop);
+}
+
 } // namespace operation_limits_test

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <concepts>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -115,13 +116,14 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 \ingroup PkgSplineConstraintsDSolver
 the system of constraints between the unknowns of one call of `unknowns()`, with their conditions.
 \throws Invalid_input when the constraints use unknowns of different calls, or none; and as
-`Constraint::spline_function()`.
+`Constraint::spline_function()`, which `check` is for.
 */
-inline Constraint_system_d make_system(std::span<const Constraint> constraints)
+inline Constraint_system_d make_system(std::span<const Constraint> constraints,
+                                       const std::function<void()>& check = {})
 {
   Constraint_system_d system(common_domains(constraints));
   for (const Constraint& constraint : constraints)
-    system.add(constraint);
+    system.add(constraint, check);
   return system;
 }
 
