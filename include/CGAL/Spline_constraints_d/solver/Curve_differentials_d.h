@@ -61,11 +61,10 @@ private:
   int m_parameter;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! those that an operation has found near a place.
   Curve_differentials_d(std::vector<Exact_rational> place, std::vector<Jet> coordinates, int parameter)
     : m_place(std::move(place)), m_coordinates(std::move(coordinates)), m_parameter(parameter)
   {}
-#endif
 
   //! number of coordinates.
   int dimension() const { return static_cast<int>(m_coordinates.size()); }

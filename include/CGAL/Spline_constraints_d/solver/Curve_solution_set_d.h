@@ -174,14 +174,13 @@ class Curve_solution_set_d
   Summary m_summary;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! these curves and points, whose vertices are indices into `vertices`, and what is undecided; with the work.
   Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves,
                        std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
                        std::vector<Undecided_region> undecided, const Summary& summary)
     : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)),
       m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
-#endif
 
   //! the curves. An open curve ends on the boundary of the domain, where an inequality is zero, at a singular point or
   //! at an undecided region.

@@ -57,10 +57,8 @@ private:
   internal::Minkowski_sum::Sum_of_regions_2 m_sum;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  // Takes a type of the package: the functions that return sums make them.
+  //! a sum that an operation has found.
   explicit Minkowski_sum_2(internal::Minkowski_sum::Sum_of_regions_2 sum) : m_sum(std::move(sum)) {}
-#endif
 
   //! the boundaries; those that are known, if the sum is not complete.
   const std::vector<Boundary>& boundaries() const { return m_sum.boundaries; }

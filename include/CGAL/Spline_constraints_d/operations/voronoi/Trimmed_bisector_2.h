@@ -51,12 +51,10 @@ public:
   //! a bisector without chains. Others are made by `trimmed_bisector()` and `trimmed_self_bisector()`.
   Trimmed_bisector_2() = default;
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: a bisector in terms of the kernel.
+  //! a bisector that an operation has found.
   explicit Trimmed_bisector_2(internal::Voronoi::Bisecting_chains chains)
     : m_diagram(std::move(chains.diagram)), m_chains(std::move(chains.chains))
   {}
-#endif
 
   //! the Voronoi diagram that the bisector is a part of. Its curves are numbered in the order in which they were given;
   //! in what is undecided, so are operands.

@@ -86,8 +86,7 @@ public:
   //! a diagram without sites. Others are made by `voronoi_diagram()` and `medial_axis()`.
   Voronoi_diagram_of_curves_2() : m_diagram(std::make_shared<const internal::Voronoi::Curve_diagram>()) {}
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: a diagram in terms of the kernel.
+  //! a diagram that an operation has found.
   explicit Voronoi_diagram_of_curves_2(internal::Voronoi::Curve_diagram diagram)
     : m_diagram(std::make_shared<const internal::Voronoi::Curve_diagram>(std::move(diagram)))
   {
@@ -98,7 +97,6 @@ public:
       m_vertices.push_back({point_of(point), radius, edges, footpoints, is_at_infinity, is_resolved,
                             CGAL::Bbox_2(box[0][0], box[1][0], box[0][1], box[1][1]), radius_bounds});
   }
-#endif
 
   //! the sites: the polynomial pieces of all curves, and behind them all their ends and the isolated points.
   const std::vector<Site>& sites() const { return m_sites; }
