@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -95,7 +96,8 @@ public:
       if (!samples.empty())
         // the first one ends the arc before
         result.back().insert(result.back().end(), samples.begin() + goes_on, samples.end());
-      goes_on = m_diagram.vertices()[vertex(arc, 1)].radius <= most_radius;
+      const std::optional<double>& radius = m_diagram.vertices()[vertex(arc, 1)].radius;
+      goes_on = radius && *radius <= most_radius;
     }
     return result;
   }
