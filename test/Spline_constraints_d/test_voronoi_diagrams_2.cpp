@@ -214,7 +214,9 @@ TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
     EXPECT_EQ(counts(diagram).branching, scene.vertices.size());
     for (const P& vertex : scene.vertices)
       EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
-                              [&](const auto& v) { return v.edges.size() > 2 && v.point && distance(*v.point, vertex) < 1e-12; }));
+                              [&](const auto& v) {
+                                return v.edges.size() > 2 && v.point && distance(*v.point, vertex) < 1e-12;
+                              }));
     expect_euler(diagram);
   }
 }
@@ -232,7 +234,9 @@ TEST(VoronoiDiagrams, PointBesideVerticesOfParabolas)
       expect_euler(diagram);
       expect_empty_disks(diagram, curves, 0.05, 20);
       EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(),
-                              [](const auto& v) { return v.edges.size() == 3 && v.point && distance(*v.point, P(0, 1)) < 1e-12; }),
+                              [](const auto& v) {
+                                return v.edges.size() == 3 && v.point && distance(*v.point, P(0, 1)) < 1e-12;
+                              }),
                 1);
     }
 }
@@ -262,7 +266,9 @@ TEST(VoronoiDiagrams, SymmetricDrawings)
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_EQ(counts(diagram).branching, 1U);
   EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
-                          [](const auto& v) { return v.edges.size() == 3 && v.point && std::abs(v.point->x()) < 1e-9; }));
+                          [](const auto& v) {
+                            return v.edges.size() == 3 && v.point && std::abs(v.point->x()) < 1e-9;
+                          }));
   expect_euler(diagram);
 }
 
@@ -309,7 +315,9 @@ TEST(VoronoiDiagrams, FansOfACommonDisk)
   const Diagram diagram = SC::voronoi_diagram(wedges);
   EXPECT_TRUE(diagram.is_complete());
   EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
-                          [](const auto& v) { return v.edges.size() == 4 && v.point && distance(*v.point, P(0, 0)) < 1e-12; }));
+                          [](const auto& v) {
+                            return v.edges.size() == 4 && v.point && distance(*v.point, P(0, 0)) < 1e-12;
+                          }));
   expect_euler(diagram);
 }
 
