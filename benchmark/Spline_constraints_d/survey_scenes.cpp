@@ -203,13 +203,13 @@ Point rounded(const Given_point& p)
 template <class Vertex>
 bool has_narrow_bounds(const Vertex& vertex)
 {
-  const Point p = rounded(vertex.point);
+  const Point p = rounded(*vertex.point);
   const auto holds = [&](double low, double value, double high) {
-    return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius);
+    return low <= value && value <= high && high - low < 1e-9 * (1 + *vertex.radius);
   };
   const auto& box = vertex.box;
   return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) &&
-      holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
+      holds(vertex.radius_bounds[0], *vertex.radius, vertex.radius_bounds[1]);
 }
 
 // Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, or the first
@@ -860,7 +860,7 @@ Answer circles(unsigned scene)
                                                                     face->vertex(2)->site());
     answer.is_differing =
         answer.is_differing || std::none_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
-          return !v.is_at_infinity && std::sqrt(CGAL::squared_distance(v.point, p)) < 1e-6 * (1 + v.radius);
+          return !v.is_at_infinity && std::sqrt(CGAL::squared_distance(*v.point, p)) < 1e-6 * (1 + *v.radius);
         });
   }
   const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(),

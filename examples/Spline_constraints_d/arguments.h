@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <system_error>
@@ -46,5 +47,21 @@ inline CGAL::Spline_constraints::Solver_options after(double seconds, CGAL::Spli
     options.time_limit = std::max(options.time_limit - seconds, 1e-9);
   return options;
 }
+
+// The options of the operations of a program, one after the other: the time limit is for all of them together.
+class Options_of_program
+{
+  CGAL::Spline_constraints::Solver_options m_options;
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+
+public:
+  explicit Options_of_program(const CGAL::Spline_constraints::Solver_options& options) : m_options(options) {}
+
+  // With what is left of the time.
+  CGAL::Spline_constraints::Solver_options operator()() const
+  {
+    return after(std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(), m_options);
+  }
+};
 
 #endif // ARGUMENTS_H

@@ -47,8 +47,8 @@ int main()
     for (const auto& foot : projections.feet())
       draw_pair(picture, point, foot.point(1), &foot == &projections.feet().front() ? "#d62728" : "#999");
     picture.point(point, "#2ca02c");
-    std::cout << "(" << point << ") has " << counts.back() << " feet, the nearest at the parameter "
-              << projections.feet().front().parameter(1) << '\n';
+    std::cout << "(" << point << ") has " << (projections.is_complete() ? "" : "at least ") << counts.back()
+              << " feet, the nearest at the parameter " << projections.feet().front().parameter(1) << '\n';
   }
 
   const auto closest = SC::closest_points(first, second);

@@ -78,9 +78,9 @@ int main()
 
   const bool is_complete = inflections.summary().is_complete && vertices.summary().is_complete &&
       heights.summary().is_complete && bitangents.summary().is_complete;
-  std::cout << inflections.count(Kind::INFLECTION) << " inflections, " << vertices.count(Kind::MAXIMUM)
-            << " largest and " << vertices.count(Kind::MINIMUM) << " smallest curvatures, " << heights.features().size()
-            << " extreme points, " << bitangents.bitangents().size()
-            << " bitangents; complete: " << (is_complete ? "yes" : "no") << '\n';
+  std::cout << (is_complete ? "" : "at least ") << inflections.count(Kind::INFLECTION) << " inflections, "
+            << vertices.count(Kind::MAXIMUM) << " largest and " << vertices.count(Kind::MINIMUM)
+            << " smallest curvatures, " << heights.features().size() << " extreme points, "
+            << bitangents.bitangents().size() << " bitangents; complete: " << (is_complete ? "yes" : "no") << '\n';
   return is_complete && inflections.count(Kind::INFLECTION) == 6 ? 0 : 1;
 }

@@ -7,9 +7,10 @@
 //
 // Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of
 // B that is in the same space; without B, all pairs in A. Two surfaces have curves in common, with their ends, singular
-// points, where the surfaces touch (tangent), and single points on edges (end points). The time limit is for each pair.
-// Without arguments: data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when every
-// intersection is accounted for, 3 when not, 2 for bad input.
+// points, where the surfaces touch (tangent), and single points on edges (end points). The time limit is for all pairs
+// together. Without arguments: data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when
+// every intersection is accounted for, 3 when not, 2 for bad input.
+#include "arguments.h"
 #include "intersect_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -51,6 +52,9 @@ void intersect_curves(const std::vector<Entry>& a, const std::vector<Entry>& b, 
                                : SC::pairwise_intersections(curves(a), curves(b), options);
   for (const auto& [i, j, intersections] : result.pairs())
     report.add(a[i], b[j], intersections);
+  for (const SC::Undecided_part& part : result.undecided())
+    if (part.parameters.size() == 1)   // a curve whose pairs were not all looked at
+      report.add(part);
   report.add(result.summary());
 }
 
@@ -75,18 +79,20 @@ try {
   const File a = read(arguments.files[0]), second = arguments.files.size() == 2 ? read(arguments.files[1]) : File(),
              &b = arguments.files.size() == 2 ? second : a;
   Report report(a, b);
-  intersect_curves(a.curves_2, b.curves_2, arguments.options, report);
-  intersect_curves(a.curves_3, b.curves_3, arguments.options, report);
+  const Options_of_program options(arguments.options);
+  intersect_curves(a.curves_2, b.curves_2, options(), report);
+  intersect_curves(a.curves_3, b.curves_3, options(), report);
   const auto intersect = [&](const auto& curve, const auto& surface) {
-    return SC::intersections(curve, surface, arguments.options);
+    return SC::intersections(curve, surface, options());
   };
   intersect_pairs(a.curves_3, b.surfaces_3, report, intersect);
   if (&a != &b)
     intersect_pairs(b.curves_3, a.surfaces_3, report, intersect);
-  SC::Solver_options curve_options = arguments.options;
-  curve_options.tolerance = 1e-8;
-  intersect_pairs(a.surfaces_3, b.surfaces_3, report,
-                  [&](const auto& s1, const auto& s2) { return SC::intersection_curves(s1, s2, curve_options); });
+  intersect_pairs(a.surfaces_3, b.surfaces_3, report, [&](const auto& s1, const auto& s2) {
+    SC::Solver_options curve_options = options();
+    curve_options.tolerance = 1e-8;
+    return SC::intersection_curves(s1, s2, curve_options);
+  });
   report.print_summary();
   if (!arguments.picture.empty())
     report.draw(arguments.picture);

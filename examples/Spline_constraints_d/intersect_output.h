@@ -102,6 +102,13 @@ public:
 
   void add(const SC::Summary& summary) { m_total += summary; }
 
+  // What is undecided apart from the answers.
+  void add(const SC::Undecided_part& part)
+  {
+    ++m_count[static_cast<std::size_t>(Kind::UNDECIDED)];
+    std::cout << part << '\n';
+  }
+
   template <class First, class Second, class Intersections>
   void add(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second,
            const Intersections& intersections)
@@ -193,8 +200,16 @@ private:
   {
     return std::to_string(number) + ' ' + (number == 1 ? singular : plural);
   }
-  std::string counted(std::size_t i) const { return counted(m_count[i], styles[i].singular, styles[i].plural); }
-  std::string counted_curves() const { return counted(m_curves.size(), "curve", "curves"); }
+  std::string counted(std::size_t i) const
+  {
+    return (is_complete() || styles[i].kind == Kind::UNDECIDED ? "" : "at least ") +
+        counted(m_count[i], styles[i].singular, styles[i].plural);
+  }
+  std::string counted_curves() const
+  {
+    return is_complete() ? counted(m_curves.size(), "curve", "curves")
+                         : counted(m_curves.size(), "curve or part of one", "curves or parts of curves");
+  }
 
   template <class First, class Second, class Point>
   void add_point(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second, const Point& x)

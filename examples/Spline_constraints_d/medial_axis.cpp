@@ -36,7 +36,7 @@ int main(int argc, char* argv[])
     SC::SVG_writer picture(file, curves);
     picture.layer("disks");
     for (std::size_t e = 0; e < axis.edges().size(); ++e) {
-      auto last = axis.vertices()[axis.edges()[e].vertices[0]].point;
+      auto last = *axis.vertices()[axis.edges()[e].vertices[0]].point;
       for (const auto& sample : axis.polyline(e, picture.pixel() / 8))
         if (CGAL::squared_distance(sample.point, last) > CGAL::square(picture.extent() / 20) && sample.radius > 0) {
           picture.circle(sample.point, sample.radius, "#9ecae1", 1);

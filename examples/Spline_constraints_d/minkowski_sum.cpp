@@ -63,14 +63,17 @@ int main(int argc, char* argv[])
     if (sum.is_complete())
       write_picture(sum, letters, nib);
 
-    for (const auto& boundary : sum.boundaries())
+    std::size_t boundaries = 0;   // parts of boundaries may be parts of the same one
+    for (const auto& boundary : sum.boundaries()) {
+      boundaries += boundary.is_hole || boundary.outer;
       std::cout << (boundary.is_hole     ? "a hole of "
                         : boundary.outer ? "an outer boundary of "
                                          : "a part of a boundary, of ")
                 << boundary.arcs.size() << " arcs\n";
+    }
     for (const auto& part : sum.undecided())
       std::cout << part << '\n';
-    std::cout << "boundaries: " << (sum.is_complete() ? "" : "at least ") << sum.boundaries().size()
+    std::cout << "boundaries: " << (sum.is_complete() ? "" : "at least ") << boundaries
               << "; undecided: " << sum.undecided().size() << "; complete: " << (sum.is_complete() ? "yes" : "no")
               << '\n';
     return sum.is_complete() ? 0 : 3;

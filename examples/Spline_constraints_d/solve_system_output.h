@@ -65,9 +65,10 @@ template <class Solution_set>
 void print_summary(const Solution_set& solutions)
 {
   using CGAL::Spline_constraints::Solution_kind;
-  std::cout << "solutions: " << solutions.count(Solution_kind::CERTIFIED) << " certified, "
-            << solutions.count(Solution_kind::CLUSTER) << " clusters, " << solutions.count(Solution_kind::CONTINUUM)
-            << " continua, " << solutions.count(Solution_kind::UNDECIDED)
+  const char* const least = solutions.is_complete() ? "" : "at least ";
+  std::cout << "solutions: " << least << solutions.count(Solution_kind::CERTIFIED) << " certified, " << least
+            << solutions.count(Solution_kind::CLUSTER) << " clusters, " << least
+            << solutions.count(Solution_kind::CONTINUUM) << " continua, " << solutions.count(Solution_kind::UNDECIDED)
             << " undecided; complete: " << (solutions.is_complete() ? "yes" : "no") << "; nodes "
             << solutions.summary().nodes << "; seconds " << std::setprecision(4) << solutions.summary().seconds << '\n';
 }

@@ -40,14 +40,17 @@ int main()
   picture.layer("path");
   picture.curve(path, "black", 2);
 
-  for (const auto& boundary : area.boundaries())
+  std::size_t boundaries = 0;   // parts of boundaries may be parts of the same one
+  for (const auto& boundary : area.boundaries()) {
+    boundaries += boundary.is_hole || boundary.outer;
     std::cout << (boundary.is_hole     ? "a hole of "
                       : boundary.outer ? "an outer boundary of "
                                        : "a part of a boundary, of ")
               << boundary.arcs.size() << " arcs\n";
+  }
   for (const auto& part : area.undecided())
     std::cout << part << '\n';
-  std::cout << "boundaries: " << (area.is_complete() ? "" : "at least ") << area.boundaries().size()
+  std::cout << "boundaries: " << (area.is_complete() ? "" : "at least ") << boundaries
             << "; undecided: " << area.undecided().size() << "; complete: " << (area.is_complete() ? "yes" : "no")
             << '\n';
   return area.is_complete() ? 0 : 3;

@@ -37,7 +37,8 @@ int main()
     for (const auto& chain : sector.chains()) {
       for (const std::size_t arc : chain.arcs)
         picture.polyline(sector.polyline(arc, 0.005), colours[k - 1], 2);
-      std::cout << "alpha = " << k << "/8: " << chain.arcs.size() << " arcs" << (chain.is_closed ? ", closed\n" : "\n");
+      std::cout << "alpha = " << k << "/8: " << (sector.is_complete() ? "" : "at least ") << chain.arcs.size()
+                << " arcs" << (chain.is_closed ? ", closed\n" : "\n");
     }
     is_complete = is_complete && sector.is_complete();
   }

@@ -48,7 +48,7 @@ int main()
   }
   std::ofstream out("umbilics.svg");
   scene.write(out);
-  std::cout << "umbilics: " << set.points().size() << ", " << set.undecided().size()
-            << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << '\n';
+  std::cout << "umbilics: " << (set.is_complete() ? "" : "at least ") << set.points().size() << ", "
+            << set.undecided().size() << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << '\n';
   return set.is_complete() ? 0 : 3;
 }

@@ -43,6 +43,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -348,5 +349,143 @@ TEST(Operation_limits, surface_curves) { check(surface_curves()); }
 TEST(Operation_limits, distances) { check(distances()); }
 TEST(Operation_limits, loci) { check(loci()); }
 TEST(Operation_limits, curve_features) { check(curve_features()); }
+
+// Of a collection in which each two curves meet in one point.
+std::vector<Curve> grid(int lines)
+{
+  std::vector<Curve> result;
+  for (int i = 0; i < lines; ++i) {
+    result.push_back(SC::segment_curve(Point(i, -1), Point(i, lines)));
+    result.push_back(SC::segment_curve(Point(-1, i), Point(lines, i)));
+  }
+  return result;
+}
+
+// Pairs that are left at a stop are told of by one part for each curve, and cost no questions.
+TEST(Operation_limits, pairs_are_left_at_a_stop)
+{
+  constexpr int lines = 12;
+  const std::vector<Curve> curves = grid(lines);
+  Watcher watcher;
+  const auto all = SC::pairwise_intersections(curves, {.visitor = watcher});
+  ASSERT_EQ(all.pairs().size(), static_cast<std::size_t>(lines * lines));
+  EXPECT_TRUE(all.is_complete());
+  for (const std::size_t stop : {std::size_t(1), watcher.questions / 2}) {
+    Watcher stopping{.stops_at = stop};
+    const auto some = SC::pairwise_intersections(curves, {.visitor = stopping});
+    EXPECT_LE(stopping.questions, stop + 1);   // the system in hand, and the operation
+    expect_incomplete(outcome(some, {}), SC::Undecided_reason::STOPPED);
+    EXPECT_LT(some.pairs().size(), all.pairs().size());
+    EXPECT_EQ(some.pairs().empty(), stop == 1);
+    for (std::size_t i = 0; i < some.pairs().size(); ++i) {   // those before the stop
+      EXPECT_EQ(some.pairs()[i].first, all.pairs()[i].first);
+      EXPECT_EQ(some.pairs()[i].second, all.pairs()[i].second);
+    }
+    const auto undecided = some.undecided();
+    EXPECT_LE(undecided.size(), curves.size());
+    for (std::size_t i = some.pairs().size(); i < all.pairs().size(); ++i) {   // in a part each
+      const auto point = all.pairs()[i].intersections[0].point();
+      EXPECT_TRUE(std::any_of(undecided.begin(), undecided.end(), [&](const SC::Undecided_part& part) {
+        return part.parameters[0].operand == all.pairs()[i].first && part.place[0].first <= point.x() &&
+               point.x() <= part.place[0].second && part.place[1].first <= point.y() &&
+               point.y() <= part.place[1].second;
+      }));
+    }
+  }
+}
+
+TEST(Operation_limits, pairs_are_left_where_there_are_no_nodes)
+{
+  const std::vector<Curve> curves = grid(12);
+  const auto all = SC::pairwise_intersections(curves);
+  const auto some = SC::pairwise_intersections(curves, {.node_limit = all.summary().nodes / 2});
+  expect_incomplete(outcome(some, {}), SC::Undecided_reason::NODES);
+  EXPECT_GT(some.pairs().size(), 0u);
+  EXPECT_LT(some.pairs().size(), all.pairs().size());
+  EXPECT_LT(some.summary().nodes, all.summary().nodes);
+}
+
+// A spiral that goes to and fro over itself, of many pieces.
+Curve scribble(int pieces)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < pieces + 3; ++i)
+    points.emplace_back(i % 7, (i * i) % 11);
+  std::vector<double> knots(4, 0);
+  for (int i = 1; i < pieces; ++i)
+    knots.push_back(i);
+  knots.insert(knots.end(), 4, pieces);
+  return Curve(3, knots, points);
+}
+
+// Pairs of arcs that are left are told of by one part for each arc: there are many times more of them.
+TEST(Operation_limits, arcs_of_a_curve_are_left_at_a_stop)
+{
+  const Curve curve = scribble(24);
+  Watcher watcher;
+  const auto all = SC::self_intersections(curve, {.visitor = watcher});
+  ASSERT_GT(all.size(), 24u);
+  EXPECT_TRUE(all.is_complete());
+  constexpr std::size_t most_arcs = 24 * 10;
+  for (std::size_t part = 0; part < 8; ++part) {
+    Watcher stopping{.stops_at = part * watcher.questions / 8 + 1};
+    const auto some = SC::self_intersections(curve, {.visitor = stopping});
+    EXPECT_LE(stopping.questions, stopping.stops_at + 1);
+    expect_incomplete(outcome(some, {}), SC::Undecided_reason::STOPPED);
+    EXPECT_LE(some.count(SC::Intersection_kind::UNDECIDED), most_arcs);
+    for (const auto& x : all) {
+      const auto holds = [&](const auto& y) {
+        return y.parameter_range(0).first <= x.parameter_range(0).second &&
+               x.parameter_range(0).first <= y.parameter_range(0).second &&
+               y.parameter_range(1).first <= x.parameter_range(1).second &&
+               x.parameter_range(1).first <= y.parameter_range(1).second;
+      };
+      EXPECT_TRUE(std::any_of(some.begin(), some.end(), holds));   // found, or undecided
+    }
+  }
+  SC::Solver_options few_nodes{.node_limit = all.summary().nodes / 2};
+  const auto some = SC::self_intersections(curve, few_nodes);
+  expect_incomplete(outcome(some, {}), SC::Undecided_reason::NODES);
+  EXPECT_LE(some.count(SC::Intersection_kind::UNDECIDED), most_arcs);
+}
+
+// A run that has ended keeps the bounds of the distance.
+TEST(Operation_limits, closest_points_are_within_bounds_at_a_stop)
+{
+  const Surface a = hills(1), b = SC::sphere_surface<K>(K::Point_3(2, 2, 4), 1);
+  Watcher watcher;
+  const auto all = SC::closest_points(a, b, {.visitor = watcher});
+  const auto [least, most] = all.distance_range();
+  for (std::size_t part = 0; part < 8; ++part) {
+    Watcher stopping{.stops_at = part * watcher.questions / 8 + 1};
+    const auto some = SC::closest_points(a, b, {.visitor = stopping});
+    EXPECT_LE(stopping.questions, stopping.stops_at + 1);
+    EXPECT_FALSE(some.is_complete());
+    EXPECT_LE(some.distance_range().first, most);
+    EXPECT_LE(least, some.distance_range().second);
+  }
+}
+
+// Two formulas of ten thousand cells: that they are written out is a part of the run.
+TEST(Operation_limits, formulas_with_many_cells_are_asked_about)
+{
+  const SC::Spline_map<1, 2> a(scribble(100)), b(scribble(99));
+  const auto [u, v] = SC::parameters(a, b);
+  const SC::Constraint constraint = a(u)[0] * b(v)[1] == 0;
+  std::size_t questions = 0;
+  const SC::Spline_function all = constraint.spline_function([&] { ++questions; });
+  EXPECT_GT(questions, 4u);
+  EXPECT_EQ(all.terms(), constraint.spline_function().terms());
+  struct Stop
+  {};
+  const std::size_t stop = questions / 2;
+  questions = 0;
+  EXPECT_THROW(constraint.spline_function([&] {
+    if (++questions == stop)
+      throw Stop();
+  }),
+               Stop);
+  EXPECT_EQ(questions, stop);
+}
 
 } // namespace operation_limits_test

@@ -96,19 +96,21 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram
 {
   for (const auto& vertex : diagram.vertices()) {
     const bool is_proved = vertex.is_resolved && !vertex.is_at_infinity;
+    EXPECT_NE(vertex.point.has_value(), vertex.is_at_infinity);
+    EXPECT_NE(vertex.radius.has_value(), vertex.is_at_infinity);
     const auto& box = vertex.box;
     EXPECT_EQ(std::isfinite(box.xmax() - box.xmin() + box.ymax() - box.ymin() + vertex.radius_bounds[1]), is_proved);
     if (!is_proved)
       continue;
-    const double error = 1e-6 * (1 + vertex.radius), x = CGAL::to_double(vertex.point.x()),
-                 y = CGAL::to_double(vertex.point.y());
+    const double error = 1e-6 * (1 + *vertex.radius), x = CGAL::to_double(vertex.point->x()),
+                 y = CGAL::to_double(vertex.point->y());
     EXPECT_LE((std::max)({x - box.xmin(), box.xmax() - x, y - box.ymin(), box.ymax() - y,
-                          vertex.radius - vertex.radius_bounds[0], vertex.radius_bounds[1] - vertex.radius}),
+                          *vertex.radius - vertex.radius_bounds[0], vertex.radius_bounds[1] - *vertex.radius}),
               error)
-        << "vertex at " << vertex.point;
+        << "vertex at " << *vertex.point;
     EXPECT_TRUE(box.xmin() <= x && x <= box.xmax() && box.ymin() <= y && y <= box.ymax() &&
-                vertex.radius_bounds[0] <= vertex.radius && vertex.radius <= vertex.radius_bounds[1])
-        << "vertex at " << vertex.point;
+                vertex.radius_bounds[0] <= *vertex.radius && *vertex.radius <= vertex.radius_bounds[1])
+        << "vertex at " << *vertex.point;
     for (const auto& footpoint : vertex.footpoints)
       if (!diagram.sites()[footpoint.site].is_point) {
         EXPECT_LE((*footpoint.parameter_bounds)[0], *footpoint.parameter);

@@ -58,7 +58,7 @@ void expect_vertices(const Diagram& diagram, const std::vector<Expected_vertex>&
   for (const auto& [point, sites] : expected) {
     EXPECT_EQ(sites.size(), 3U) << point;
     const auto vertex = std::find_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
-      return !v.is_at_infinity && distance(v.point, point) < 1e-6 * (1 + v.radius);
+      return !v.is_at_infinity && distance(*v.point, point) < 1e-6 * (1 + *v.radius);
     });
     ASSERT_NE(vertex, diagram.vertices().end()) << point;
     EXPECT_TRUE(found.insert(static_cast<std::size_t>(vertex - diagram.vertices().begin())).second) << point;

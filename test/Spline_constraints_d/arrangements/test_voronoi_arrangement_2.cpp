@@ -191,7 +191,7 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
       if (!vertex.is_at_infinity) {
         const auto& site = diagram.sites()[footpoint.site];
         const P touched = site.is_point ? site.point : curves[*site.curve](*footpoint.parameter);
-        EXPECT_NEAR(std::sqrt(CGAL::squared_distance(vertex.point, touched)), vertex.radius, 1e-9);
+        EXPECT_NEAR(std::sqrt(CGAL::squared_distance(*vertex.point, touched)), *vertex.radius, 1e-9);
       }
   }
   const auto result = SC::to_arrangement(diagram, 1e-4, CGAL::Bbox_2(-5, -6, 9, 9));

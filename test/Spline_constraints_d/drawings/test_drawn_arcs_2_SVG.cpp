@@ -57,8 +57,8 @@ TEST(DrawnArcs, OpenArcsAboveAHalfCircle)
       EXPECT_EQ(counts(diagram), (Counts{1, 0, 0, 1, 1}));
       for (const auto& vertex : diagram.vertices())
         if (!vertex.is_at_infinity) {
-          EXPECT_NEAR(vertex.radius, 20, 1e-9);
-          EXPECT_NEAR(std::abs(rounded(vertex.point).y() + 30), std::sqrt(400 - gap * gap / 4), 1e-9);
+          EXPECT_NEAR(*vertex.radius, 20, 1e-9);
+          EXPECT_NEAR(std::abs(rounded(*vertex.point).y() + 30), std::sqrt(400 - gap * gap / 4), 1e-9);
         }
       const std::vector<P> points = centers(diagram);
       EXPECT_GT(points.size(), 2U);

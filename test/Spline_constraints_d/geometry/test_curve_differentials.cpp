@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -173,7 +174,8 @@ TEST(Curve_differentials, random_curves_agree_with_their_second_order_expansion)
         equations.push_back(f - f(p));
       }
       const auto at =
-          SC::curve_differentials<Rational>(system_of(equations, n), box_of(p), round % 2 == 0 ? -1 : round % n);
+          SC::curve_differentials<Rational>(system_of(equations, n), box_of(p),
+                                            round % 2 == 0 ? std::nullopt : std::optional(round % n));
       if (!at)
         continue;
       ++regular;

@@ -6,12 +6,15 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/joints/exact_joints_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -287,6 +290,47 @@ TEST(region_limits_2, interior_without_boundaries)
   EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(1.5, 1.75))));
 }
 
+// An answer about a region that is not complete is undecided itself, and names its curves.
+TEST(region_limits_2, operands_that_are_not_decided)
+{
+  const auto outline = wavy_outline(12, 4, 0.5, 1);
+  const auto whole = SC::planar_region(outline), none = SC::planar_region(outline, {.time_limit = 1e-9});
+  ASSERT_TRUE(whole.is_complete());
+  ASSERT_FALSE(none.is_complete());
+  const auto expect_curve = [](const auto& result, std::size_t operand) {
+    EXPECT_FALSE(result.is_complete());
+    EXPECT_FALSE(result.summary().is_complete);
+    EXPECT_EQ(result.summary().why_not, SC::Undecided_reason::TIME);
+    ASSERT_EQ(result.undecided().size(), 1U);
+    const SC::Undecided_part& part = result.undecided().front();
+    EXPECT_EQ(part.reason, "time limit");
+    ASSERT_EQ(part.parameters.size(), 1U);
+    EXPECT_EQ(part.parameters.front().operand, operand);
+    EXPECT_LT(part.parameters.front().ranges.front().first, part.parameters.front().ranges.front().second);
+  };
+  expect_curve(SC::medial_axis(none), 0);
+  expect_curve(SC::trimmed_offset(none, 0.25), 0);
+  expect_curve(SC::minkowski_sum(none, whole), 0);
+  const auto sum = SC::minkowski_sum(whole, none);
+  expect_curve(sum, 1);
+  EXPECT_TRUE(sum.boundaries().empty());
+  EXPECT_TRUE(sum.polygons_with_holes(0.1).empty());
+  EXPECT_FALSE(CGAL::is_certain(sum.has_in_interior(Point(0, 0))));
+  const auto box = SC::minkowski_sum(whole, whole).polygons_with_holes(0.01).front().outer_boundary().bbox();
+  for (int k = 0; k < 2; ++k) {   // around the whole sum
+    EXPECT_LE(sum.undecided().front().place[k].first, box.min(k));
+    EXPECT_GE(sum.undecided().front().place[k].second, box.max(k));
+  }
+  expect_curve(SC::swept_area(none, SC::segment_curve(Point(0, 0), Point(3, 1))), 0);
+  expect_curve(SC::region_distance(none, whole), 0);
+  const auto distance = SC::region_distance(whole, none);
+  expect_curve(distance, 1);
+  EXPECT_EQ(distance.squared_distance_range().first, 0);
+  EXPECT_GT(distance.squared_distance_range().second, 0);
+  EXPECT_FALSE(CGAL::is_certain(distance.do_meet()));
+  EXPECT_FALSE(SC::region_kernel(none).is_complete());
+}
+
 // There is no region before it is proved to be one.
 TEST(region_limits_2, regions_that_are_not_decided)
 {
@@ -296,8 +340,6 @@ TEST(region_limits_2, regions_that_are_not_decided)
   EXPECT_THROW(region.boundaries(), SC::Invalid_input);
   EXPECT_THROW(region.area(), SC::Invalid_input);
   EXPECT_THROW(region.bounded_side(Point(0, 0)), SC::Invalid_input);
-  EXPECT_THROW(SC::minkowski_sum(region, region), SC::Invalid_input);
-  EXPECT_FALSE(SC::region_kernel(region).is_complete());
   EXPECT_TRUE(SC::planar_region(wavy_outline(12, 4, 0.5, 1)).is_complete());
 }
 

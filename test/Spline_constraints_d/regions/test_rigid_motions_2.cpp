@@ -255,7 +255,7 @@ std::vector<Vertex_key> vertex_keys(const Diagram& diagram, double scale)
     for (const auto& footpoint : vertex.footpoints)
       sites.push_back(footpoint.site);
     std::sort(sites.begin(), sites.end());
-    result.emplace_back(sites, vertex.is_at_infinity, vertex.is_at_infinity ? 0 : vertex.radius / scale);
+    result.emplace_back(sites, vertex.is_at_infinity, vertex.radius.value_or(0) / scale);
   }
   std::sort(result.begin(), result.end());
   return result;

@@ -39,8 +39,8 @@ std::size_t tips(const Diagram& diagram, const P& p, double radius)
 {
   return static_cast<std::size_t>(
       std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
-        return !v.is_at_infinity && v.edges.size() == 1 && distance(v.point, p) < 1e-9 &&
-            std::abs(v.radius - radius) < 1e-9;
+        return !v.is_at_infinity && v.edges.size() == 1 && distance(*v.point, p) < 1e-9 &&
+            std::abs(*v.radius - radius) < 1e-9;
       }));
 }
 

@@ -46,7 +46,9 @@ std::size_t number_of_vertices(const Axis& axis, std::size_t degree)
 bool has_vertex(const Axis& axis, const P& p, double radius)
 {
   return std::any_of(axis.vertices().begin(), axis.vertices().end(),
-                     [&](const auto& v) { return distance(v.point, p) < 1e-9 && std::abs(v.radius - radius) < 1e-9; });
+                     [&](const auto& v) {
+                       return v.radius && distance(*v.point, p) < 1e-9 && std::abs(*v.radius - radius) < 1e-9;
+                     });
 }
 
 // Between y = x^2 and y = 4: it begins in the center of curvature (0, 1/2), and branches in (0, 5/2).

@@ -52,7 +52,7 @@ std::size_t vertices_of_radius_zero(const Diagram& diagram, const P& p)
 {
   return static_cast<std::size_t>(
       std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
-        return !v.is_at_infinity && v.radius < 1e-12 && distance(v.point, p) < 1e-12;
+        return !v.is_at_infinity && *v.radius < 1e-12 && distance(*v.point, p) < 1e-12;
       }));
 }
 
@@ -195,7 +195,9 @@ TEST(SingularEnds, CuspsInside)
   EXPECT_EQ(axis.edges().size(), 3U);
   EXPECT_EQ(axis.vertices().size(), 4U);
   EXPECT_TRUE(std::any_of(axis.vertices().begin(), axis.vertices().end(),
-                          [](const auto& v) { return v.radius < 1e-12 && distance(v.point, P(0.5, 0.75)) < 1e-12; }));
+                          [](const auto& v) {
+                            return v.radius && *v.radius < 1e-12 && distance(*v.point, P(0.5, 0.75)) < 1e-12;
+                          }));
 
   const Curves oblique{bezier({P(-2, -2), P(-3.5, -1.25), P(-3.625, -1.75), P(-3.375, -1.5)})};
   expect_valid(SC::voronoi_diagram(oblique), oblique);

@@ -36,8 +36,8 @@ TEST(SmallFeatures, GapBetweenSegments)
     EXPECT_EQ(counts(diagram), (Counts{0, 2, 0, 2, 3}));
     for (const auto& vertex : diagram.vertices())
       if (!vertex.is_at_infinity) {
-        EXPECT_NEAR(vertex.radius, gap / 2, 1e-15);
-        EXPECT_LT(std::min(distance(vertex.point, P(0, gap / 2)), distance(vertex.point, P(4, gap / 2))), 1e-15);
+        EXPECT_NEAR(*vertex.radius, gap / 2, 1e-15);
+        EXPECT_LT(std::min(distance(*vertex.point, P(0, gap / 2)), distance(*vertex.point, P(4, gap / 2))), 1e-15);
       }
   }
 }

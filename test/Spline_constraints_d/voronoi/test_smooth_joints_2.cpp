@@ -35,7 +35,7 @@ std::vector<std::pair<double, double>> vertices_of_degree(const Diagram& diagram
   std::vector<std::pair<double, double>> result;
   for (const auto& vertex : diagram.vertices())
     if (!vertex.is_at_infinity && vertex.edges.size() == degree)
-      result.emplace_back(vertex.point.x(), vertex.radius);
+      result.emplace_back(vertex.point->x(), *vertex.radius);
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -238,8 +238,8 @@ TEST(CommonDisks, TwoJointsAndAWall)
   expect_euler(diagram);
   expect_empty_disks(diagram, curves, 0.1, 20);
   const auto is_common = [](const auto& vertex) {
-    return !vertex.is_at_infinity && vertex.edges.size() == 3 && distance(vertex.point, P(0, 0)) < 1e-9 &&
-        std::abs(vertex.radius - 1) < 1e-9;
+    return !vertex.is_at_infinity && vertex.edges.size() == 3 && distance(*vertex.point, P(0, 0)) < 1e-9 &&
+        std::abs(*vertex.radius - 1) < 1e-9;
   };
   EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_common), 1);
 }

@@ -180,13 +180,13 @@ TEST(TrimmedBisectors, CommonEnd)
     ASSERT_EQ(polylines.size(), 1U);
     if (vertices[last].is_at_infinity && chain.arcs.size() == 2) {   // with the first curve on the right
       ++diagonals;
-      EXPECT_NEAR(vertices[first].radius, 0, 1e-12);
+      EXPECT_NEAR(*vertices[first].radius, 0, 1e-12);
       for (const auto& sample : polylines[0])
         EXPECT_NEAR(sample.point.x(), sample.point.y(), 1e-9);
     } else {
       EXPECT_EQ(chain.arcs.size(), 4U);
-      EXPECT_NEAR(distance(vertices[last].point, P(0, -2)), 0, 1e-9);
-      EXPECT_NEAR(vertices[last].radius, 2, 1e-9);
+      EXPECT_NEAR(distance(*vertices[last].point, P(0, -2)), 0, 1e-9);
+      EXPECT_NEAR(*vertices[last].radius, 2, 1e-9);
       for (const auto& sample : polylines[0])
         if (sample.point.x() > -6) {
           EXPECT_NEAR(sample.point.y(), sample.radius - 4, 1e-9);
@@ -238,7 +238,7 @@ TEST(TrimmedBisectors, CrossingSegments)
     const auto& ends = bisector.diagram().vertices();
     EXPECT_NE(ends[chain.vertices[0]].is_at_infinity, ends[chain.vertices[1]].is_at_infinity);
     const std::size_t crossing = chain.vertices[ends[chain.vertices[0]].is_at_infinity];
-    EXPECT_NEAR(distance(ends[crossing].point, P(2, 0)), 0, 1e-12);
+    EXPECT_NEAR(distance(*ends[crossing].point, P(2, 0)), 0, 1e-12);
     EXPECT_EQ(ends[crossing].radius, 0);
     for (const auto& sample : samples(bisector, chain)) {
       EXPECT_NEAR(SC::distance_range(sample.point, segments[0]).first, sample.radius, 1e-9 * (1 + sample.radius));

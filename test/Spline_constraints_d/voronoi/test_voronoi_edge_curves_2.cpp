@@ -58,8 +58,8 @@ TEST(VoronoiEdgeCurves, EquidistantExactly)
       if (vertex.is_at_infinity)
         ++infinite;
       else
-        EXPECT_NEAR(SC::to_nearest_double(CGAL::squared_distance(last, vertex.point)), 0,
-                    1e-16 * (1 + vertex.radius * vertex.radius));
+        EXPECT_NEAR(SC::to_nearest_double(CGAL::squared_distance(last, *vertex.point)), 0,
+                    1e-16 * (1 + *vertex.radius * *vertex.radius));
     }
   }
   EXPECT_GE(found, 3U);

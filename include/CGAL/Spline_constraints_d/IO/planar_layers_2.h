@@ -164,8 +164,8 @@ Planar_layers_2<Kernel> planar_layers(const Voronoi_diagram_of_curves_2<Kernel>&
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     collector.add_line("edges", diagram.polyline(e, error, most_radius));
   for (const auto& vertex : diagram.vertices())
-    if (!vertex.is_at_infinity && vertex.radius <= most_radius && vertex.edges.size() > 2)
-      collector.add_point("vertices", vertex.point);
+    if (!vertex.is_at_infinity && *vertex.radius <= most_radius && vertex.edges.size() > 2)
+      collector.add_point("vertices", *vertex.point);
   return std::move(collector).layers();
 }
 

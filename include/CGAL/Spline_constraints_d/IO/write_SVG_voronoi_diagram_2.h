@@ -78,7 +78,7 @@ void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagra
   picture.layer("vertices");
   for (const auto& vertex : diagram.vertices())
     if (!vertex.is_at_infinity && vertex.edges.size() > 2)
-      picture.point(vertex.point, "#d62728", 6);
+      picture.point(*vertex.point, "#d62728", 6);
 }
 
 namespace IO {

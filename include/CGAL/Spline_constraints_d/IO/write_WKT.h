@@ -174,7 +174,7 @@ become chords. If there are no such arcs, the text is a `POLYGON` or a `MULTIPOL
 \param region the region.
 \param error the distance of other curves from their chords, at most, up to rounding of coordinates to doubles;
 positive.
-\throws Invalid_input when the error is not positive.
+\throws Invalid_input when the error is not positive, or the region is not complete.
 */
 template <SplineKernel Kernel>
 void write_WKT(std::ostream& out, const Planar_region_2<Kernel>& region, double error)

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
 #endif
 
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -45,8 +46,9 @@ inline std::vector<std::string> symbol_names(const Symbol_table& symbols)
   return names;
 }
 
-// A function of the unknowns alone; defined in internal/expanded.h.
-Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial);
+// A function of the unknowns alone; `check()` may end the work by an exception. Defined in internal/expanded.h.
+Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial,
+                         const std::function<void()>& check);
 
 } // namespace internal
 
@@ -88,17 +90,21 @@ struct Constraint
   join it where the coefficients do not become more. All others stay apart. Complexity: for a formula with \f$m\f$
   different products of splines of one unknown, one multiplication of integers for each of these products and each
   coefficient of the result.
+  \param check is called again and again during long work, which it may end by an exception.
   \throws Invalid_input when a tensor gets too many coefficients, or an unknown without a range is left.
   */
-  Spline_function spline_function() const { return internal::expanded(symbols.get(), function); }
+  Spline_function spline_function(const std::function<void()>& check = {}) const
+  {
+    return internal::expanded(symbols.get(), function, check);
+  }
 
   //! the conditions as functions of the unknowns alone, each up to a positive factor. \throws Invalid_input as
   //! `spline_function()`.
-  std::vector<Spline_function> condition_functions() const
+  std::vector<Spline_function> condition_functions(const std::function<void()>& check = {}) const
   {
     std::vector<Spline_function> result;
     for (const Power_polynomial& condition : conditions)
-      result.push_back(internal::expanded(symbols.get(), condition));
+      result.push_back(internal::expanded(symbols.get(), condition, check));
     return result;
   }
 

@@ -114,13 +114,14 @@ public:
     requires std::convertible_to<const T&, Power_polynomial> && (!std::derived_from<T, Power_polynomial>)
   Expression(const T& constant) : m_numerator(constant) {}
 
-#ifndef DOXYGEN_RUNNING
+  //! a quotient in symbols that the package keeps in a table.
   Expression(Power_polynomial numerator, Monomial denominator, std::shared_ptr<internal::Symbol_table> symbols)
     : m_numerator(std::move(numerator)), m_denominator(std::move(denominator)), m_symbols(std::move(symbols))
   {
     cancel();
   }
 
+#ifndef DOXYGEN_RUNNING
   const Power_polynomial& numerator() const { return m_numerator; }
   const Monomial& denominator() const { return m_denominator; }
   const std::shared_ptr<internal::Symbol_table>& symbols() const { return m_symbols; }

@@ -57,15 +57,14 @@ class Unknown
   int m_index;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  // Throws when the table has no such unknown.
+  //! an unknown among the symbols that the package keeps in a table. \throws Invalid_input when the table has no such
+  //! unknown.
   Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index)
     : Expression(Power_polynomial::variable(index), Monomial(), std::move(symbols)), m_index(index)
   {
     if (this->symbols() == nullptr || !this->symbols()->is_unknown(index))
       throw Invalid_input("Unknown: no range for index " + std::to_string(index));
   }
-#endif
 
   //! its place among the unknowns that were made together.
   int index() const { return m_index; }

@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,10 +98,11 @@ public:
   /*!
   adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a
   formula is divided by is no solution of it.
+  \param check as of `Constraint::spline_function()`.
   \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger
   domain in the system than its range in the formula, which proofs about divisors rely on.
   */
-  void add(const Constraint& constraint)
+  void add(const Constraint& constraint, const std::function<void()>& check = {})
   {
     for (int i = 0;
          constraint.domains != nullptr && i < dimension() && i < static_cast<int>(constraint.domains->size()); ++i)
@@ -108,8 +110,8 @@ public:
           domain(i).first < range.first || range.second < domain(i).second)
         throw Invalid_input("Constraint_system_d: unknown " + std::to_string(i) +
                             " of a formula ranges beyond its own range");
-    add(constraint.spline_function(), constraint.relation);
-    for (Spline_function& condition : constraint.condition_functions()) {
+    add(constraint.spline_function(check), constraint.relation);
+    for (Spline_function& condition : constraint.condition_functions(check)) {
       const auto is_condition = [&](const Inequality& known) {
         return known.relation == Relation::NOT_EQUAL && known.function.terms() == condition.terms();
       };

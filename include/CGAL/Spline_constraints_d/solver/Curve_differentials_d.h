@@ -61,11 +61,10 @@ private:
   int m_parameter;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! those that an operation has found near a place.
   Curve_differentials_d(std::vector<Exact_rational> place, std::vector<Jet> coordinates, int parameter)
     : m_place(std::move(place)), m_coordinates(std::move(coordinates)), m_parameter(parameter)
   {}
-#endif
 
   //! number of coordinates.
   int dimension() const { return static_cast<int>(m_coordinates.size()); }
@@ -220,14 +219,14 @@ public:
     }
   }
 
-  // Empty when the rank of the Jacobian is not seen to be full. A negative parameter stands for the best one.
-  std::optional<Curve_differentials_d<NT>> operator()(int parameter) const
+  // Empty when the rank of the Jacobian is not seen to be full. Without a parameter, by the best one.
+  std::optional<Curve_differentials_d<NT>> operator()(const std::optional<int>& parameter) const
   {
     const std::size_t n = m_point.size(), length = n + n - 1;
     const std::vector<std::size_t> unknowns = with_last(parameter);
     std::vector<NT> rows = jacobian_beside_unit_matrix(unknowns);
     const std::vector<int> row_of =
-        gauss_jordan(rows, length, parameter < 0 ? n : n - 1, n - 1, [](const NT& x) { return magnitude(x); });
+        gauss_jordan(rows, length, parameter ? n - 1 : n, n - 1, [](const NT& x) { return magnitude(x); });
     if (row_of.empty())
       return std::nullopt;
     // n - 1 if there is none
@@ -261,12 +260,12 @@ private:
   }
 
   // The unknowns, a chosen one at the end.
-  std::vector<std::size_t> with_last(int chosen) const
+  std::vector<std::size_t> with_last(const std::optional<int>& chosen) const
   {
     std::vector<std::size_t> result(m_point.size());
     std::iota(result.begin(), result.end(), std::size_t(0));
-    if (chosen >= 0)
-      std::rotate(result.begin() + chosen, result.begin() + chosen + 1, result.end());
+    if (chosen)
+      std::rotate(result.begin() + *chosen, result.begin() + *chosen + 1, result.end());
     return result;
   }
 
@@ -342,10 +341,11 @@ and 34-37, for any number of unknowns.
 */
 template <SplineNumberType NT>
 std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_system_d& system,
-                                                             const Curve_vertex::Exact_box& box, int parameter = -1)
+                                                             const Curve_vertex::Exact_box& box,
+                                                             std::optional<int> parameter = std::nullopt)
 {
-  if (parameter < -1 || parameter >= system.dimension())
-    throw Invalid_input("curve_differentials: no unknown " + std::to_string(parameter));
+  if (parameter && (*parameter < 0 || *parameter >= system.dimension()))
+    throw Invalid_input("curve_differentials: no unknown " + std::to_string(*parameter));
   [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
   return internal::Implicit_differentiation<NT>(system, box)(parameter);
 }
@@ -353,7 +353,8 @@ std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_sy
 //! \ingroup PkgSplineConstraintsDSolver
 //! the same at a vertex of a curve, as enclosures that hold for the exact solution.
 inline std::optional<Curve_differentials_d<Mpfr_interval>>
-curve_differentials(const Constraint_system_d& system, const Curve_vertex& vertex, int parameter = -1)
+curve_differentials(const Constraint_system_d& system, const Curve_vertex& vertex,
+                    std::optional<int> parameter = std::nullopt)
 {
   return curve_differentials<Mpfr_interval>(system, vertex.box, parameter);
 }
@@ -362,7 +363,8 @@ curve_differentials(const Constraint_system_d& system, const Curve_vertex& verte
 //! the same at a point of a polyline, exactly for the curve \f$f(x) = f(p)\f$ through it. \throws Invalid_input also
 //! when a coordinate is not finite.
 inline std::optional<Curve_differentials_d<Exact_rational>>
-curve_differentials(const Constraint_system_d& system, const std::vector<double>& point, int parameter = -1)
+curve_differentials(const Constraint_system_d& system, const std::vector<double>& point,
+                    std::optional<int> parameter = std::nullopt)
 {
   Curve_vertex::Exact_box box;
   for (const double x : point)

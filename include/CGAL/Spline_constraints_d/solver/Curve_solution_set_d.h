@@ -174,14 +174,13 @@ class Curve_solution_set_d
   Summary m_summary;
 
 public:
-#ifndef DOXYGEN_RUNNING
+  //! these curves and points, whose vertices are indices into `vertices`, and what is undecided; with the work.
   Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves,
                        std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
                        std::vector<Undecided_region> undecided, const Summary& summary)
     : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)),
       m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
-#endif
 
   //! the curves. An open curve ends on the boundary of the domain, where an inequality is zero, at a singular point or
   //! at an undecided region.
@@ -226,20 +225,25 @@ public:
 
 namespace internal {
 
-// The one line that says what a set of curves has, and how complete it is.
+// The one line that says what a set of curves has, and how complete it is. Of an incomplete one, counts are least
+// numbers, and curves that are not closed may be parts of the same one, or of a closed one.
 template <class Curve_set>
 std::ostream& write_counts(std::ostream& out, const Curve_set& set)
 {
-  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, "
-             << set.points().size() << " points, " << set.singular_points().size() << " singular points, "
-             << set.undecided().size() << " undecided; complete: " << (set.is_complete() ? "yes" : "no") << "; nodes "
-             << set.summary().nodes << "; seconds " << set.summary().seconds;
+  const bool is_complete = set.is_complete();
+  const char* const least = is_complete ? "" : "at least ";
+  return out << "curves: " << least << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves()
+             << (is_complete ? " open, " : " open or parts of curves, ") << least << set.points().size() << " points, "
+             << least << set.singular_points().size() << " singular points, " << set.undecided().size()
+             << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes " << set.summary().nodes
+             << "; seconds " << set.summary().seconds;
 }
 
 } // namespace internal
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! writes one line: the numbers of curves, single points, singular points and undecided regions.
+//! writes one line: the numbers of curves, single points, singular points and undecided regions. Where some are
+//! undecided, the others are said to be least numbers, and open curves perhaps parts of others.
 inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
 {
   return internal::write_counts(out, set);

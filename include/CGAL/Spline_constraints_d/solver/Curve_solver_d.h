@@ -92,7 +92,12 @@ public:
   //! all curves of solutions.
   //! \param system the constraints; one equality less than unknowns.
   //! \throws Invalid_input when the number of equalities is another one, or the range of an unknown is one number.
-  Curve_solution_set_d operator()(const Constraint_system_d& system) const { return solved(system, m_options); }
+  Curve_solution_set_d operator()(const Constraint_system_d& system) const
+  {
+    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
+    internal::Run_control control(m_options);
+    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control, {});
+  }
 
   //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
   //! goes on.
@@ -101,15 +106,7 @@ public:
   {
     Solver_options options = m_options;
     options.visitor = visitor;
-    return solved(system, options);
-  }
-
-private:
-  static Curve_solution_set_d solved(const Constraint_system_d& system, const Solver_options& options)
-  {
-    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
-    internal::Run_control control(options);
-    return internal::all_curves<Traits, Concurrency_tag>(system, options, control, {});
+    return Curve_solver_d(options)(system);
   }
 };
 

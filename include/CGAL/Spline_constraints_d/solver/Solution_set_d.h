@@ -134,7 +134,10 @@ private:
   }
 
 public:
+  //! an answer without unknowns that is undecided.
   Solution_d() = default;
+
+  //! an answer in a box; with a region that holds no other one, or an empty one.
   Solution_d(Solution_kind kind, Box box, Box region, const char* number_type,
              Undecided_reason reason = Undecided_reason::NONE, int multiplicity = 0)
     : m_kind(kind), m_reason(reason), m_multiplicity(multiplicity), m_number_type(number_type), m_box(std::move(box)),
@@ -309,7 +312,10 @@ private:
   Summary m_summary;
 
 public:
+  //! no answers.
   Solution_set_d() = default;
+
+  //! these answers, in any order, and the work.
   Solution_set_d(std::vector<Solution> solutions, const Summary& summary)
     : m_solutions(std::move(solutions)), m_summary(summary)
   {

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <concepts>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,7 @@ public:
   //! all solutions of the system.
   //! \param system the constraints; at least as many equalities as unknowns.
   //! \throws Invalid_input when there are fewer equalities than unknowns.
-  Solution_set operator()(const Constraint_system_d& system) const { return solved(system, m_options); }
+  Solution_set operator()(const Constraint_system_d& system) const;
 
   //! the same, watched by this visitor and not by that of the options. It is called by one thread at a time, not always
   //! by the same one.
@@ -68,16 +69,13 @@ public:
   {
     Solver_options options = m_options;
     options.visitor = visitor;
-    return solved(system, options);
+    return Subdivision_solver_d(options)(system);
   }
-
-private:
-  static Solution_set solved(const Constraint_system_d& system, const Solver_options& options);
 };
 
 template <ConstraintSolverTraits Traits, class Concurrency_tag>
 typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
-Subdivision_solver_d<Traits, Concurrency_tag>::solved(const Constraint_system_d& system, const Solver_options& options)
+Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system) const
 {
   internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
   const int n = system.dimension();
@@ -86,11 +84,11 @@ Subdivision_solver_d<Traits, Concurrency_tag>::solved(const Constraint_system_d&
                         std::to_string(n) + " unknowns; for curves of solutions see solve_curves()");
 
   [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
-  [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
+  [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
   Summary summary;
-  internal::Run_control control(options);
+  internal::Run_control control(m_options);
   std::vector<typename Solution_set::Solution> solutions =
-      internal::all_solutions<Traits, Concurrency_tag>(system, options, control, summary);
+      internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;
@@ -115,13 +113,14 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 \ingroup PkgSplineConstraintsDSolver
 the system of constraints between the unknowns of one call of `unknowns()`, with their conditions.
 \throws Invalid_input when the constraints use unknowns of different calls, or none; and as
-`Constraint::spline_function()`.
+`Constraint::spline_function()`, which `check` is for.
 */
-inline Constraint_system_d make_system(std::span<const Constraint> constraints)
+inline Constraint_system_d make_system(std::span<const Constraint> constraints,
+                                       const std::function<void()>& check = {})
 {
   Constraint_system_d system(common_domains(constraints));
   for (const Constraint& constraint : constraints)
-    system.add(constraint);
+    system.add(constraint, check);
   return system;
 }
 

@@ -10,11 +10,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_FORMULA_EXPANSION_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
 #include <CGAL/Spline_constraints_d/function/internal/Sum_of_products.h>
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -103,11 +105,12 @@ class Formula_expansion
   const Power_polynomial m_polynomial;
   std::vector<Summand> m_summands;
   Big_integer m_denominator = 1;
+  mutable Interruption m_interruption;
 
 public:
   // \pre no symbol of the polynomial stands for a formula
-  Formula_expansion(const Symbol_table& symbols, Power_polynomial polynomial)
-    : m_symbols(symbols), m_polynomial(std::move(polynomial))
+  Formula_expansion(const Symbol_table& symbols, Power_polynomial polynomial, std::function<void()> check = {})
+    : m_symbols(symbols), m_polynomial(std::move(polynomial)), m_interruption(std::move(check))
   {
     std::vector<Exact_rational> scales;
     for (const auto& [monomial, coefficient] : m_polynomial.terms()) {
@@ -235,9 +238,9 @@ private:
     const Sum_of_products sum(factors, std::move(products));
 #ifdef CGAL_SPLINE_CONSTRAINTS_D_HAS_WIDE_INTEGER
     if (sum.bits() < 127)
-      return term_of(part, blocks, sum.sum<Wide_integer>());
+      return term_of(part, blocks, sum.sum<Wide_integer>(m_interruption));
 #endif
-    return term_of(part, blocks, sum.sum<Big_integer>());
+    return term_of(part, blocks, sum.sum<Big_integer>(m_interruption));
   }
 
   // Unknowns that a spline has as axes together.
@@ -393,7 +396,7 @@ private:
   // Brings the axes, which are cells and powers of one block after the other, into the order of the unknowns, cells
   // first.
   template <class Integer>
-  static Spline_term term_of(const Part& part, const std::vector<Block>& blocks, const std::vector<Integer>& sum)
+  Spline_term term_of(const Part& part, const std::vector<Block>& blocks, const std::vector<Integer>& sum) const
   {
     std::vector<int> extents;
     for (const Block& block : blocks) {
@@ -423,6 +426,7 @@ private:
     for (std::size_t cell : offsets(result.last_cells(), cell_strides)) {
       auto& piece = result.pieces.emplace_back();
       piece.reserve(power_offsets.size());
+      m_interruption.add_work(power_offsets.size());
       for (std::size_t power : power_offsets)
         piece.push_back(sum[cell + power]);
     }
@@ -432,8 +436,10 @@ private:
       term.variables.push_back(unknowns[axis]);
     term.degrees = result.degrees;
     term.breaks = result.breaks;
-    for (const auto& piece : result.pieces)
+    for (const auto& piece : result.pieces) {
+      m_interruption.add_work(piece.size());
       term.pieces.push_back(to_rationals<Exact_rational>(piece));
+    }
     return term;
   }
 

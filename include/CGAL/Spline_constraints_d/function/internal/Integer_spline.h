@@ -235,16 +235,19 @@ public:
     while (last + 1 < own.size() && own[last] < end)
       ++last;
     const Axis_view cells = axis_view(m_pieces.last_cells(), axis);
-    Integer_pieces<Big_integer> result{degrees(), breaks(), {}};
-    result.breaks[axis].assign(own.begin() + first, own.begin() + last + 1);
+    Integer_pieces<Big_integer> result{degrees(), {}, {}};
+    for (int j = 0; j < dimension(); ++j)
+      if (j == axis)
+        result.breaks.emplace_back(own.begin() + first, own.begin() + last + 1);
+      else
+        result.breaks.push_back(breaks()[j]);
     if (begin < end) {
       result.breaks[axis].front() = begin;
       result.breaks[axis].back() = end;
     }
-    for (std::size_t p = 0; p < pieces().size(); ++p) {
-      const std::size_t cell = p / cells.inner % (cells.degree + 1);
-      if (first <= cell && cell < last)
-        result.pieces.push_back(pieces()[p]);
+    for (std::size_t o = 0; o < cells.outer; ++o) {   // only the cells of the part are touched
+      const auto row = pieces().begin() + o * (cells.degree + 1) * cells.inner;
+      result.pieces.insert(result.pieces.end(), row + first * cells.inner, row + last * cells.inner);
     }
     return Integer_spline(std::move(result), m_denominator);
   }

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SUM_OF_PRODUCTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SUM_OF_PRODUCTS_H
 
+#include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
 #include <algorithm>
@@ -129,7 +130,7 @@ public:
 
   // The vector of the whole sum, the last factor fastest.
   template <class Integer>
-  std::vector<Integer> sum() const
+  std::vector<Integer> sum(Interruption& interruption) const
   {
     std::vector<std::vector<std::vector<Integer>>> factors;
     for (const Factor& factor : m_factors) {
@@ -140,13 +141,13 @@ public:
           convert(vector[i], converted[i]);
       }
     }
-    return sum(factors, 0, m_products.data(), m_products.data() + m_products.size());
+    return sum(factors, 0, m_products.data(), m_products.data() + m_products.size(), interruption);
   }
 
 private:
   template <class Integer>
   std::vector<Integer> sum(const std::vector<std::vector<std::vector<Integer>>>& factors, std::size_t level,
-                           const Product* first, const Product* last) const
+                           const Product* first, const Product* last, Interruption& interruption) const
   {
     if (level == factors.size()) {
       Integer scale;
@@ -161,13 +162,14 @@ private:
       const Product* next = first;
       while (next != last && next->vectors[level] == first->vectors[level])
         ++next;
-      const std::vector<Integer> inner = sum(factors, level + 1, first, next);
+      const std::vector<Integer> inner = sum(factors, level + 1, first, next, interruption);
       Integer* target = result.data();
       for (const Integer& x : factors[level][first->vectors[level]]) {
         if (x != 0)
           for (std::size_t k = 0; k < rest; ++k)
             add_product(target[k], x, inner[k]);
         target += rest;
+        interruption.add_work(rest);
       }
       first = next;
     }

@@ -15,19 +15,22 @@
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
+#include <functional>
+
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
 // As a function of the unknowns: exact when no spline occurs, else times a positive integer.
-CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial)
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial,
+                                                        const std::function<void()>& check)
 {
   if (symbols == nullptr)
     return polynomial;
   const Power_polynomial without_formulas = symbols->without_formulas(polynomial);
   if (symbols->has_only_unknowns(without_formulas))
     return without_formulas;
-  return Formula_expansion(*symbols, without_formulas).scaled_function();
+  return Formula_expansion(*symbols, without_formulas, check).scaled_function();
 }
 
 } // namespace internal

@@ -71,11 +71,15 @@ inline std::vector<Differentiated_map> polynomial_pieces(const Planar_map& curve
   return result;
 }
 
+inline bool are_codirectional(const Exact_pair& a, const Exact_pair& b)
+{
+  return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0;
+}
+
 // Whether one part goes on in the direction in which the other one ends.
 inline bool have_common_tangent(const Differentiated_map& before, const Differentiated_map& after)
 {
-  const Exact_pair a = before.at(1, before.end()), b = after.at(1, after.begin());
-  return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0;
+  return are_codirectional(before.at(1, before.end()), after.at(1, after.begin()));
 }
 
 // A part with a continuous derivative. Where the next part goes on in the same direction, its end is the begin of that

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/undecided_region.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Uncertain.h>
@@ -87,7 +88,7 @@ public:
   bool is_complete() const { return m_summary.is_complete; }
 
   //! boxes around boundaries of the first region that may have other pairs of nearest points, and why that is not
-  //! decided.
+  //! decided. Of a region that is not complete, its curves, those of the second one counted behind those of the first.
   const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
   //! the work of the solver.
@@ -172,6 +173,30 @@ std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& 
   return result;
 }
 
+// Of regions of which one at least is not complete: their points are in boxes around the curves.
+template <SplineKernel Kernel>
+Region_distance_2<Kernel> undecided_distance(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
+{
+  std::array<CGAL::Bbox_2, 2> boxes;
+  std::vector<Undecided_part> undecided;
+  Undecided_reason reason = Undecided_reason::NONE;
+  for (const auto* region : {&a, &b}) {
+    for (const Bspline_curve_2<Kernel>& curve : region->curves())
+      boxes[region == &b] += curve.bbox();
+    if (region->is_complete())
+      continue;
+    undecided.push_back(undecided_region(*region, region == &b ? a.curves().size() : 0));
+    reason = region->summary().why_not;
+  }
+  Exact_rational most(0);
+  for (int k = 0; k < 2; ++k) {
+    const Exact_rational extent(to_rational((std::max)(boxes[0].max(k), boxes[1].max(k))) -
+                                to_rational((std::min)(boxes[0].min(k), boxes[1].min(k))));
+    most += Exact_rational(extent * extent);
+  }
+  return {{}, std::move(undecided), {squared_distance_of_boxes(boxes[0], boxes[1]), most}, undecided_summary(reason)};
+}
+
 } // namespace Distances
 } // namespace internal
 
@@ -185,7 +210,7 @@ distances of their curves, each of which `closest_points()` encloses. They are l
 of their boxes, as long as that is not larger than a distance that is known.
 
 \param a the first region.
-\param b the second region.
+\param b the second region. Where one of them is not complete, all that is known are bounds from boxes around both.
 \param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
@@ -198,6 +223,8 @@ Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, cons
 {
   using Result = Region_distance_2<Kernel>;
   internal::Common::Operation_budget budget(options);
+  if (!a.is_complete() || !b.is_complete())
+    return internal::Distances::undecided_distance(a, b);
   if (internal::Distances::has_boundary_in(a, b) || internal::Distances::has_boundary_in(b, a))
     return Result({}, {}, {Exact_rational(0), Exact_rational(0)}, budget.total());
   std::vector<typename Result::Pair> pairs;

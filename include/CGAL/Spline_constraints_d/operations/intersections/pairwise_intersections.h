@@ -63,22 +63,27 @@ public:
 private:
   std::vector<Pair> m_pairs;
   std::size_t m_number_of_first;
+  std::vector<Undecided_part> m_rest;
   Summary m_summary;
 
 public:
-  //! these pairs. Curves of a second collection are operands behind the first ones.
-  Pairwise_intersections(std::vector<Pair> pairs, std::size_t number_of_first, const Summary& work)
-    : m_pairs(std::move(pairs)), m_number_of_first(number_of_first), m_summary(work)
+  //! these pairs, and what is undecided since pairs were not looked at. Curves of a second collection are operands
+  //! behind the first ones.
+  Pairwise_intersections(std::vector<Pair> pairs, std::size_t number_of_first, std::vector<Undecided_part> rest,
+                         const Summary& work)
+    : m_pairs(std::move(pairs)), m_number_of_first(number_of_first), m_rest(std::move(rest)), m_summary(work)
   {}
 
-  //! the pairs of curves that meet, or are not proved not to, in lexicographic order.
+  //! the pairs of curves that meet, or are not proved not to, in lexicographic order. Those that were not looked at,
+  //! since the run had ended, are none of them.
   const std::vector<Pair>& pairs() const { return m_pairs; }
 
   //! whether no intersection is missing, by proof, and none is undecided.
   bool is_complete() const { return m_summary.is_complete; }
 
   //! what is undecided, where in space and on the curves, and why. Operands are numbered as the curves of the
-  //! collection; those of a second one go on where the first one ends.
+  //! collection; those of a second one go on where the first one ends. Where the run ended before all pairs were looked
+  //! at, there is one part for all those that were not of each curve of the (first) collection: this curve as a whole.
   std::vector<Undecided_part> undecided() const
   {
     std::vector<Undecided_part> result;
@@ -88,6 +93,7 @@ public:
           parameters.operand = parameters.operand == 0 ? pair.first : m_number_of_first + pair.second;
         result.push_back(std::move(part));
       }
+    result.insert(result.end(), m_rest.begin(), m_rest.end());
     return result;
   }
 
@@ -115,21 +121,28 @@ auto patches_of(Range&& range)
 
 // Those of the pairs that have any, in points of the kernel of the curves. `is_one`: of one collection.
 template <SplineKernel Kernel, int d>
-Pairwise_intersections<Kernel, d> pairwise_intersections_at(std::vector<typename Pairwise_common_points<d>::Pair> pairs,
+Pairwise_intersections<Kernel, d> pairwise_intersections_at(Pairs_with_common_points found,
                                                             const std::vector<Spline_patch<d>>& first,
                                                             const std::vector<Spline_patch<d>>& second, bool is_one)
 {
   std::vector<Intersecting_pair<Kernel, d>> result;
+  std::vector<Undecided_part> rest;
   Summary summary;
-  summary.is_complete = true;
-  for (auto& pair : pairs) {
+  for (Pair_with_common_points& pair : found.pairs) {
     auto intersections = intersections_at<Kernel, d>(std::move(pair.points),
                                                      Patch_pair<d>(first[pair.first], second[pair.second]), pair.work);
     summary += intersections.summary();
     if (!intersections.empty())
       result.push_back({pair.first, pair.second, std::move(intersections)});
   }
-  return {std::move(result), is_one ? 0 : first.size(), summary};
+  for (const std::size_t i : found.rest)
+    rest.push_back(
+        {double_ranges(first[i].values()), {{i, {double_range(first[i].domain(0))}}}, in_words(found.reason)});
+  if (!rest.empty()) {
+    summary.is_complete = false;
+    summary.why_not = found.reason;
+  }
+  return {std::move(result), is_one ? 0 : first.size(), std::move(rest), summary};
 }
 
 } // namespace Intersections

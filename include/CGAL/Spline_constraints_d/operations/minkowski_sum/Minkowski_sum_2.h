@@ -57,10 +57,8 @@ private:
   internal::Minkowski_sum::Sum_of_regions_2 m_sum;
 
 public:
-#ifndef DOXYGEN_RUNNING
-  // Takes a type of the package: the functions that return sums make them.
+  //! a sum that an operation has found.
   explicit Minkowski_sum_2(internal::Minkowski_sum::Sum_of_regions_2 sum) : m_sum(std::move(sum)) {}
-#endif
 
   //! the boundaries; those that are known, if the sum is not complete.
   const std::vector<Boundary>& boundaries() const { return m_sum.boundaries; }
@@ -71,7 +69,8 @@ public:
   /*!
   what is not decided: boxes in the plane, outside of which the boundaries are proved. Within them there may be others,
   or an arc may be inside of the sum. When a limit was reached, or the visitor stopped the run, before any part of the
-  boundary was known, there is one box around the whole sum. The parameters are about those of the points of both
+  boundary was known, there is one box around the whole sum; so there is when an operand is a region that is not
+  complete, with the parameters of its curves. The parameters are about those of the points of both
   operands; curves of the second operand are counted behind those of the first one.
   */
   const std::vector<Undecided_part>& undecided() const { return m_sum.undecided; }
@@ -83,6 +82,8 @@ public:
   //! use the boundaries.
   CGAL::Uncertain<bool> has_in_interior(const Point& point) const
   {
+    if (m_sum.model == nullptr)
+      return CGAL::Uncertain<bool>::indeterminate();
     return internal::Minkowski_sum::has_in_interior(
         *m_sum.model, internal::Exact_pair{internal::converted_number<Exact_rational>(point.x()),
                                            internal::converted_number<Exact_rational>(point.y())});

@@ -38,7 +38,7 @@ sum does not matter.
 
 \tparam Kernel a `SplineKernel`.
 \param a the first region.
-\param b the second region.
+\param b the second region. Where one of them is not complete, the sum is not.
 \param options limits of time and nodes, a visitor; see `Minkowski_sum_2::undecided()`. The rest of the options has no
 effect.
 \throws Invalid_input when an option makes no sense; when the greatest absolute value of a coordinate is neither 0 nor
@@ -55,7 +55,8 @@ Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Pl
                                       const Solver_options& options = {})
 {
   return Minkowski_sum_2<Kernel>(internal::Minkowski_sum::sum_of_regions(
-      {{{a.loops(), a.curves().size()}, {b.loops(), b.curves().size()}}}, options));
+      {internal::Minkowski_sum::sum_operand(a, 0), internal::Minkowski_sum::sum_operand(b, a.curves().size())},
+      options));
 }
 
 /*!

@@ -59,7 +59,7 @@ which decides more.
 
 \tparam Kernel a `SplineKernel`.
 \tparam Curve a model of `ParametricCurve_2` with the same kernel.
-\param region the region.
+\param region the region; where it is not complete, the area is not.
 \param path the curve. Its index in the arcs of the result is zero.
 \param options as of `minkowski_sum()`.
 \throws Invalid_input when an option makes no sense; when the greatest absolute value of a coordinate is neither 0 nor
@@ -74,7 +74,7 @@ Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const 
                                    const Solver_options& options = {})
 {
   return Minkowski_sum_2<Kernel>(internal::Minkowski_sum::sum_of_regions(
-      {{{region.loops(), region.curves().size()}, internal::Minkowski_sum::both_sides(path)}}, options));
+      {internal::Minkowski_sum::sum_operand(region, 0), internal::Minkowski_sum::both_sides(path)}, options));
 }
 
 /*!

@@ -268,11 +268,12 @@ error is halved, up to eight times. Where boundaries touch with a common tangent
 do, no error may be small enough: then the region is refused.
 
 \tparam Traits `Gps_circle_segment_traits_2` over a kernel with exact numbers.
-\param region the region; where it is not complete, what has no closed boundary is left out, as from polygons.
+\param region the region; where an offset or sum is not complete, what has no closed boundary is left out, as from
+polygons.
 \param error edges are not farther than that from the boundaries, and these from them, up to rounding; positive.
 \param traits the traits class.
 \throws Invalid_input when the error is not positive, the absolute value of a coordinate is greater than \f$2^{250}\f$,
-or edges meet elsewhere with all of these errors.
+edges meet elsewhere with all of these errors, or a `Planar_region_2` is not complete.
 
 Complexity: for each error that is tried, \f$O(n \log n)\f$ for \f$n\f$ chords, and a sweep over the arcs.
 */

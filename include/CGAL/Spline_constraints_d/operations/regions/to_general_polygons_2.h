@@ -44,7 +44,8 @@ to_circle_segment_traits_curves<Traits::Curve_2>(piece); }); auto polygons = to_
 \param curves_of what makes a `std::optional` range of `Traits::Curve_2` of a curve, a model of `ParametricCurve_2` of
 one polynomial or rational piece, in the direction of that; nothing, if it is no such curve.
 \param traits the traits class.
-\throws Invalid_input when a piece is no curve of the traits class; the message names the curve.
+\throws Invalid_input when a piece is no curve of the traits class (the message names the curve), or the region is not
+complete.
 */
 template <class Traits, SplineKernel Kernel, class Curves_of>
 std::vector<typename Traits::Polygon_with_holes_2>

@@ -54,7 +54,7 @@ template <std::ranges::input_range Range>
 auto region_kernel(const Range& curves, const Solver_options& options = {})
 {
   const auto region = planar_region(curves, options);
-  return region_kernel(region, internal::Common::rest_of(options, region.summary()));
+  return region_kernel(region, internal::rest_of(options, region.summary()));
 }
 
 //! the kernel of the region that a closed curve bounds.

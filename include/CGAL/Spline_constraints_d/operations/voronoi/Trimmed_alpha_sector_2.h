@@ -60,10 +60,8 @@ public:
   //! a sector without arcs. Others are made by `trimmed_alpha_sector()`.
   Trimmed_alpha_sector_2() = default;
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: a sector in terms of the kernel.
+  //! a sector that an operation has found.
   explicit Trimmed_alpha_sector_2(internal::Voronoi::Curve_sector sector) : m_sector(std::move(sector)) {}
-#endif
 
   //! the arcs.
   const std::vector<Arc>& arcs() const { return m_sector.arcs; }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,12 +52,10 @@ public:
   //! a bisector without chains. Others are made by `trimmed_bisector()` and `trimmed_self_bisector()`.
   Trimmed_bisector_2() = default;
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: a bisector in terms of the kernel.
+  //! a bisector that an operation has found.
   explicit Trimmed_bisector_2(internal::Voronoi::Bisecting_chains chains)
     : m_diagram(std::move(chains.diagram)), m_chains(std::move(chains.chains))
   {}
-#endif
 
   //! the Voronoi diagram that the bisector is a part of. Its curves are numbered in the order in which they were given;
   //! in what is undecided, so are operands.
@@ -97,7 +96,8 @@ public:
       if (!samples.empty())
         // the first one ends the arc before
         result.back().insert(result.back().end(), samples.begin() + goes_on, samples.end());
-      goes_on = m_diagram.vertices()[vertex(arc, 1)].radius <= most_radius;
+      const std::optional<double>& radius = m_diagram.vertices()[vertex(arc, 1)].radius;
+      goes_on = radius && *radius <= most_radius;
     }
     return result;
   }

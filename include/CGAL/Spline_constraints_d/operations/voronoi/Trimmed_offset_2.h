@@ -74,8 +74,7 @@ public:
   //! an offset without boundaries. Others are made by `trimmed_offset()`.
   Trimmed_offset_2() = default;
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: an offset in terms of the kernel.
+  //! an offset that an operation has found.
   explicit Trimmed_offset_2(internal::Voronoi::Curve_offset offset) : m_offset(std::move(offset))
   {
     for (const auto& [center, curve, parameters] : m_offset.arcs) {
@@ -84,7 +83,6 @@ public:
         m_arcs.back().center = internal::kernel_object<Kernel, Point>(*center);
     }
   }
-#endif
 
   //! the arcs.
   const std::vector<Arc>& arcs() const { return m_arcs; }

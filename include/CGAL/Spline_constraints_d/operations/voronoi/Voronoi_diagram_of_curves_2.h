@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -65,8 +66,8 @@ public:
   //! a vertex.
   struct Vertex
   {
-    Point point;                        ///< where it is, rounded; the origin, if it is at infinity
-    double radius;                      ///< the distance from the sites; infinite, if it is at infinity
+    std::optional<Point> point;         ///< where it is, rounded; none, if it is at infinity
+    std::optional<double> radius;       ///< the distance from the sites; none, if it is at infinity
     std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
     /// one between each edge and the next one, clockwise; one, if there are no edges
     std::vector<Footpoint> footpoints;
@@ -86,8 +87,7 @@ public:
   //! a diagram without sites. Others are made by `voronoi_diagram()` and `medial_axis()`.
   Voronoi_diagram_of_curves_2() : m_diagram(std::make_shared<const internal::Voronoi::Curve_diagram>()) {}
 
-#ifndef DOXYGEN_RUNNING
-  // For the package: a diagram in terms of the kernel.
+  //! a diagram that an operation has found.
   explicit Voronoi_diagram_of_curves_2(internal::Voronoi::Curve_diagram diagram)
     : m_diagram(std::make_shared<const internal::Voronoi::Curve_diagram>(std::move(diagram)))
   {
@@ -95,10 +95,10 @@ public:
       m_sites.push_back({is_point, point_of(point), curve, parameters, region});
     for (const auto& [point, radius, edges, footpoints, is_at_infinity, is_resolved, box, radius_bounds] :
          m_diagram->vertices)
-      m_vertices.push_back({point_of(point), radius, edges, footpoints, is_at_infinity, is_resolved,
+      m_vertices.push_back({point ? std::optional(point_of(*point)) : std::nullopt, radius, edges, footpoints,
+                            is_at_infinity, is_resolved,
                             CGAL::Bbox_2(box[0][0], box[1][0], box[0][1], box[1][1]), radius_bounds});
   }
-#endif
 
   //! the sites: the polynomial pieces of all curves, and behind them all their ends and the isolated points.
   const std::vector<Site>& sites() const { return m_sites; }
@@ -157,27 +157,28 @@ public:
   points along an edge, so many that it passes the middles of their chords at no more than a given distance, where the
   bounds of their radii are close together.
 
-  An edge with an end at infinity is cut where the radius of the disks is larger than a given one; nothing is left if
-  all are.
+  An edge is cut where the radius of the disks is larger than a given one, which is the way to one with an end at
+  infinity; nothing is left if all are.
 
   \param edge the index of the edge.
   \param error the distance; positive.
-  \param most_radius the radius.
+  \param most_radius the radius; none: the edge is not cut.
   \throws Invalid_input when there is no such edge, or the error is not positive.
   */
   std::vector<Sample> polyline(std::size_t edge, double error,
-                               double most_radius = std::numeric_limits<double>::infinity()) const
+                               std::optional<double> most_radius = std::nullopt) const
   {
     std::vector<Sample> result;
     for (const internal::Voronoi::Disk_sample& sample :
-         internal::Voronoi::samples_of_edge(*m_diagram, edge, error, most_radius))
+         internal::Voronoi::samples_of_edge(
+             *m_diagram, edge, error, most_radius.value_or(std::numeric_limits<double>::infinity())))
       result.push_back({point_of(sample.center), sample.radius, sample.parameters, sample.radius_bounds});
     return result;
   }
 
   //! points along an edge of the boundary of a cell, from its begin to its end; otherwise as above.
   std::vector<Sample> polyline(const Cell::Edge& edge, double error,
-                               double most_radius = std::numeric_limits<double>::infinity()) const
+                               std::optional<double> most_radius = std::nullopt) const
   {
     std::vector<Sample> result = polyline(edge.index, error, most_radius);
     if (edge.is_reversed) {

@@ -34,11 +34,10 @@ No edge ends there: disks that touch the boundary in that corner only belong to 
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand
 the pieces of the boundary to all cores through TBB. The answers are the same.
-\param region the region. Parameters are those of its curves.
+\param region the region. Parameters are those of its curves. Where it is not complete, all of them are undecided.
 \param options limits and a visitor, as of `voronoi_diagram()`.
 \throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and
-\f$2^{250}\f$, the weight of a curve is not proved to have one sign, the region is not complete, or an option makes no
-sense.
+\f$2^{250}\f$, the weight of a curve is not proved to have one sign, or an option makes no sense.
 
 Complexity: about half of that of the Voronoi diagram.
 */

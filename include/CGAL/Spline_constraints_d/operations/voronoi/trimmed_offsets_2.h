@@ -86,7 +86,8 @@ the trimmed offset of a region: the boundary of the region that has grown by a d
 shrunk. Corners become round on the side where they are reflex.
 
 \tparam Concurrency_tag as above.
-\param region the region. Parameters of arcs are those of its curves.
+\param region the region. Parameters of arcs are those of its curves. Where it is not complete, all of them are
+undecided.
 \param distance the distance; not zero. The result may be empty if it is negative.
 \param options as above.
 \throws Invalid_input when the distance is zero or not finite, the greatest coordinate is not as above, the weight of a

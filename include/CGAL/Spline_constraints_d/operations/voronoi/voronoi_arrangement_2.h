@@ -138,7 +138,7 @@ bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement,
     }
   for (std::size_t v = 0; v < chords.size(); ++v)
     if (const auto& vertex = diagram.vertices()[v];
-        vertex.radius <= most_radius && !has_order_of_edges(chords[v], vertex.edges))
+        vertex.radius && *vertex.radius <= most_radius && !has_order_of_edges(chords[v], vertex.edges))
       return false;
   return true;
 }
@@ -219,13 +219,13 @@ private:
       result[e] = m_diagram.polyline(e, error, m_most_radius);
       const auto& [first, last] = m_diagram.edges()[e].vertices;
       const auto is_kept = [&](std::size_t v) {
-        return !result[e].empty() && !m_diagram.vertices()[v].is_at_infinity &&
-            m_diagram.vertices()[v].radius <= m_most_radius;
+        const std::optional<double>& radius = m_diagram.vertices()[v].radius;
+        return !result[e].empty() && radius && *radius <= m_most_radius;
       };
       if (is_kept(first))
-        result[e].front().point = m_diagram.vertices()[first].point;
+        result[e].front().point = *m_diagram.vertices()[first].point;
       if (is_kept(last))
-        result[e].back().point = m_diagram.vertices()[last].point;
+        result[e].back().point = *m_diagram.vertices()[last].point;
       m_control.add_progress(progress / static_cast<double>(result.size()));
       m_sampled = (std::max)(m_sampled, e + 1);
     }
@@ -274,7 +274,7 @@ void label_vertices(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_
   std::map<Chord_traits_2::Point_2, std::size_t> vertex_at;
   for (std::size_t v = 0; v < diagram.vertices().size(); ++v)
     if (const auto& vertex = diagram.vertices()[v]; !vertex.is_at_infinity)
-      vertex_at.try_emplace({CGAL::to_double(vertex.point.x()), CGAL::to_double(vertex.point.y())}, v);
+      vertex_at.try_emplace({CGAL::to_double(vertex.point->x()), CGAL::to_double(vertex.point->y())}, v);
   for (auto v = result.arrangement.vertices_begin(); v != result.arrangement.vertices_end(); ++v)
     if (const auto found = vertex_at.find(v->point()); found != vertex_at.end())
       v->set_data(found->second);

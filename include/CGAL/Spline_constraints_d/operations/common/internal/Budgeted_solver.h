@@ -10,11 +10,12 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/undecided_solution.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <algorithm>
-#include <utility>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -22,15 +23,21 @@ namespace Spline_constraints {
 namespace internal {
 namespace Common {
 
-// The system with these unknowns, whether constraints use them or not.
-inline Constraint_system_d system_of(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
+inline std::vector<Constraint_system_d::Domain> domains_of(const std::vector<Unknown>& unknowns)
 {
-  std::vector<Constraint_system_d::Domain> domain;
+  std::vector<Constraint_system_d::Domain> result;
   for (const Unknown& unknown : unknowns)
-    domain.push_back(unknown.domain());
-  Constraint_system_d system(std::move(domain));
+    result.push_back(unknown.domain());
+  return result;
+}
+
+// The system with these unknowns, whether constraints use them or not; `check()` may end the work by an exception.
+inline Constraint_system_d system_of(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns,
+                                     const std::function<void()>& check = {})
+{
+  Constraint_system_d system(domains_of(unknowns));
   for (const Constraint& constraint : constraints)
-    system.add(constraint);
+    system.add(constraint, check);
   return system;
 }
 
@@ -45,13 +52,13 @@ public:
 
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
   {
-    return (*this)(make_system(constraints));
+    return solved(common_domains(constraints), [&] { return make_system(constraints, check()); });
   }
 
   // With these unknowns, whether constraints use them or not.
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
   {
-    return (*this)(system_of(constraints, unknowns));
+    return solved(domains_of(unknowns), [&] { return system_of(constraints, unknowns, check()); });
   }
 
   Solution_set_d<double> operator()(const Constraint_system_d& system)
@@ -83,9 +90,32 @@ public:
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_budget.has_reached_node_limit(); }
 
-  // Whether there is no time left or the visitor stops the run, so that systems need not be made; and why.
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
   bool must_stop() const { return m_budget.must_stop(); }
+
+  // Whether there are no nodes left, either; and why the run has ended, if it has.
+  bool has_ended() const { return m_budget.has_ended(); }
   Undecided_reason reason() const { return m_budget.reason(); }
+
+private:
+  std::function<void()> check() const
+  {
+    return [this] { m_budget.check(); };
+  }
+
+  // Of a system in a domain. Where the run ends before it is made, all of the domain is undecided.
+  template <class Make_system>
+  Solution_set_d<double> solved(const std::vector<Constraint_system_d::Domain>& domain, const Make_system& make)
+  {
+    try {
+      return (*this)(make());
+    } catch (const Run_stopped& stop) {
+      Summary summary;
+      summary.is_complete = false;
+      summary.why_not = stop.reason;
+      return Solution_set_d<double>({undecided_solution(domain, stop.reason)}, summary);
+    }
+  }
 };
 
 // Whether constraints without unknowns are satisfied.

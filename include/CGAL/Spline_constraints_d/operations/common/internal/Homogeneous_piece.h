@@ -73,16 +73,19 @@ struct Homogeneous_piece
     return Exact_rational((t - domain.first) / (domain.second - domain.first));
   }
 
-  // Whether the derivative is zero in an end.
-  bool stops_at(bool end) const
+  // The derivative in an end, up to a positive factor.
+  Exact_pair tangent_at(bool end) const
   {
     const std::array<Exact_rational, 1> t{Exact_rational(end)};
     const auto& [x, y, w] = coordinates;
-    const auto is_stationary = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
-      return f.derivative(0)(t) * w(t) == f(t) * w.derivative(0)(t);
+    const auto numerator = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
+      return Exact_rational(f.derivative(0)(t) * w(t) - f(t) * w.derivative(0)(t));
     };
-    return is_stationary(x) && is_stationary(y);
+    return {numerator(x), numerator(y)};
   }
+
+  // Whether the derivative is zero in an end.
+  bool stops_at(bool end) const { return tangent_at(end) == Exact_pair{Exact_rational(0), Exact_rational(0)}; }
 
   // The part within a range of the parameter.
   Homogeneous_piece within(const Parameter_range& range) const
@@ -154,12 +157,10 @@ std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Plan
     for (std::size_t k = 0; k < 3; ++k)
       piece.coordinates[k] = functions[k].restricted(0, breaks[i - 1], breaks[i]).bezier_pieces().front();
   }
-  const auto part = [&](const Homogeneous_piece& piece) {
-    return Differentiated_map(map.restricted(0, piece.domain.first, piece.domain.second), 1);
-  };
   for (std::size_t i = map.is_closed() ? 0 : 1; i < result.size(); ++i) {
     Homogeneous_piece& before = result[(i + result.size() - 1) % result.size()];
-    before.is_smooth_at_end = result[i].is_smooth_at_begin = have_common_tangent(part(before), part(result[i]));
+    before.is_smooth_at_end = result[i].is_smooth_at_begin =
+        are_codirectional(before.tangent_at(true), result[i].tangent_at(false));
   }
   return result;
 }

@@ -14,7 +14,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <memory>
 
 namespace CGAL {
@@ -38,23 +38,21 @@ public:
     m_options.check();
   }
 
-  // The options of the next system, with what is left of the limits, a little at least: zero would be no limit.
+  // The options of the next system, with what is left of the limits.
   Solver_options remaining() const
   {
-    Solver_options result = m_options;
-    if (m_options.time_limit > 0)
-      result.time_limit = (std::max)(m_options.time_limit - m_control->seconds(), 1e-9);
-    if (m_options.node_limit > 0)
-      result.node_limit = has_reached_node_limit() ? 1 : m_options.node_limit - m_total.nodes;
-    return result;
+    Summary work = m_total;
+    work.seconds = m_control->seconds();
+    return rest_of(m_options, work);
   }
 
   // The same for a part of the operation that begins when others have taken so many nodes.
   Operation_budget after(std::size_t nodes) const
   {
+    Summary work;
+    work.nodes = nodes;
     Operation_budget result(*this);
-    if (m_options.node_limit > 0)
-      result.m_options.node_limit = nodes < m_options.node_limit ? m_options.node_limit - nodes : 1;
+    result.m_options.node_limit = rest_of(m_options, work).node_limit;
     return result;
   }
 
@@ -71,9 +69,18 @@ public:
       m_options.node_limit = limit;
   }
 
-  // Whether there is no time left or the visitor stops the run, so that systems need not be made; and why.
+  // Whether there is no time left or the visitor stops the run, so that systems need not be made.
   bool must_stop() const { return m_control->must_stop(true); }
-  Undecided_reason reason() const { return m_control->reason(); }
+
+  // Whether there are no nodes left, either.
+  bool has_ended() const { return must_stop() || has_reached_node_limit(); }
+
+  // Why the run has ended, if it has.
+  Undecided_reason reason() const
+  {
+    return m_control->reason() == Undecided_reason::NONE && has_reached_node_limit() ? Undecided_reason::NODES
+                                                                                     : m_control->reason();
+  }
 
   // For work without an answer before it has ended: throws Run_stopped when the run ends here.
   void check() const { m_control->check(); }

@@ -12,7 +12,6 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -65,11 +64,11 @@ public:
   // Options for systems that are solved on the way, of which this is the visitor.
   Solver_options options_of_systems()
   {
-    Solver_options result = m_options;
+    Summary work;
+    work.nodes = m_steps;
+    Solver_options result = rest_of(m_options, work);
     result.time_limit = 0;
     result.visitor = *this;
-    if (m_options.node_limit > 0)
-      result.node_limit = m_steps < m_options.node_limit ? m_options.node_limit - m_steps : 1;
     return result;
   }
 
@@ -79,28 +78,8 @@ public:
   void on_progress(double) {}
   bool stop() { return m_control.must_stop(true) || is_stopped(); }
 
-  Summary summary(bool is_complete) const
-  {
-    Summary result;
-    result.nodes = m_steps;
-    result.seconds = m_control.seconds();
-    result.is_complete = is_complete;
-    if (!is_complete)   // what is not decided otherwise is too small for the numbers
-      result.why_not = is_stopped() ? reason() : Undecided_reason::TOLERANCE;
-    return result;
-  }
+  Summary summary(bool is_complete) const { return summary_of(m_control, m_steps, reason(), is_complete); }
 };
-
-// What is left of the limits after a part of an operation.
-inline Solver_options rest_of(const Solver_options& options, const Summary& work)
-{
-  Solver_options result = options;
-  if (options.time_limit > 0)
-    result.time_limit = (std::max)(options.time_limit - work.seconds, 1e-9);
-  if (options.node_limit > 0)
-    result.node_limit = work.nodes < options.node_limit ? options.node_limit - work.nodes : 1;
-  return result;
-}
 
 } // namespace Common
 } // namespace internal

@@ -233,10 +233,13 @@ private:
       return;
     }
     const Solution_set_d<double> solutions = m_solver(constraints);
-    for (const Solution& solution : solutions)
+    for (const Solution& solution : solutions) {
+      if (!goes_on())
+        return;
       if (const Box box = sites.with_fixed_parameters(clipped(solution.exact_box(), domain_of(*a, *b)));
           std::any_of(boxes->begin(), boxes->end(), [&](const Box& x) { return meet(x, box); }))
         add_solution(sites, constraints, solution);
+    }
   }
 
   void add_solution(const Pair_of_sites& sites, const std::vector<Constraint>& constraints, const Solution& solution)
@@ -269,8 +272,11 @@ private:
   {
     if (found.is_exact || m_solver.must_stop())
       return;
+    const std::optional<Rational_interval> bounds = range_on(found.sites, found.boxes);
+    if (!bounds)
+      return;
     Rational_interval& range = found.distance.squared_distance;
-    range = hull_of(found.boxes, [&](const Box& part) { return found.sites.range_on(part); });
+    range = *bounds;
     const Solution& solution = *found.distance.solution;
     if (range.lower == 0 && range.upper > 0 && is_crossing(found.sites, solution)) {
       range = Rational_interval(Exact_rational(0));
@@ -327,12 +333,16 @@ private:
     return result;
   }
 
-  template <class Range_on>
-  static Rational_interval hull_of(const std::vector<Box>& boxes, const Range_on& range_on)
+  // Of the squared distance; none if the run ends before it is known.
+  std::optional<Rational_interval> range_on(const Pair_of_sites& sites, const std::vector<Box>& boxes) const
   {
-    Rational_interval result = range_on(boxes.front());
-    for (std::size_t i = 1; i < boxes.size(); ++i)
-      result = hull(result, range_on(boxes[i]));
+    std::optional<Rational_interval> result;
+    for (const Box& box : boxes) {
+      if (m_solver.must_stop())
+        return std::nullopt;
+      const Rational_interval range = sites.range_on(box);
+      result = result ? hull(*result, range) : range;
+    }
     return result;
   }
 
@@ -356,7 +366,7 @@ private:
     };
     for (const Box& box : found.boxes)
       push(box);
-    for (int i = 0; i < refinements && !(parts.front().lower > m_upper); ++i) {
+    for (int i = 0; i < refinements && !(parts.front().lower > m_upper) && !m_solver.must_stop(); ++i) {
       std::pop_heap(parts.begin(), parts.end(), is_farther);
       Box box = std::move(parts.back().box);
       parts.pop_back();
@@ -425,9 +435,10 @@ private:
                                return x.distance.squared_distance.lower == 0;
                              });
     for (const Pair_of_sites& sites : m_pairs.pairs()) {
+      if (!may_be_zero || !goes_on())
+        return;
       const Site &a = *sites.a, &b = *sites.b;
-      if (!may_be_zero || sites.unknowns() != d ||
-          squared_norm(a.bounds() - b.bounds()).lower > 0)
+      if (sites.unknowns() != d || squared_norm(a.bounds() - b.bounds()).lower > 0)
         continue;
       const Solution_set_d<double> solutions = common_points(a, b, domain_of(a, b));
       if (solutions.count(Solution_kind::CERTIFIED) == 0)

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -52,11 +53,13 @@ public:
     std::vector<Common_point> result;
     for (const Spline_patch<d>& part : m_arcs.others())
       result.push_back(all_pairs_of(part));
-    for (const auto& [i, j] : pairs_that_may_meet()) {
-      if (m_solve.must_stop()) {
-        result.push_back(undecided_common_point({m_arcs[i].domain(0), m_arcs[j].domain(0)}, m_solve.reason()));
-        continue;
+    const std::vector<Index_pair> pairs = pairs_that_may_meet();
+    for (auto pair = pairs.begin(); pair != pairs.end(); ++pair) {
+      if (m_solve.has_ended()) {
+        append_rest({pair, pairs.end()}, result);
+        break;
       }
+      const auto& [i, j] = *pair;
       for (Common_point& point :
            Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
         if (!is_joint(point, i, j))
@@ -69,6 +72,20 @@ public:
   }
 
 private:
+  // What stands for pairs of arcs that are not looked at: one answer for all of those with the same lower one.
+  void append_rest(std::span<const Index_pair> rest, std::vector<Common_point>& result) const
+  {
+    while (!rest.empty()) {
+      const auto [i, first] = rest.front();
+      std::size_t last = first, count = 0;
+      for (; count < rest.size() && rest[count].first == i; ++count)
+        last = rest[count].second;
+      result.push_back(undecided_common_point(
+          {m_arcs[i].domain(0), {m_arcs[first].domain(0).first, m_arcs[last].domain(0).second}}, m_solve.reason()));
+      rest = rest.subspan(count);
+    }
+  }
+
   // The arcs that are not proved to be apart, the lower one first.
   std::vector<Index_pair> pairs_that_may_meet() const
   {
@@ -80,6 +97,7 @@ private:
     }
     std::vector<Index_pair> result = pairs_with_meeting_boxes(patches);
     std::erase_if(result, [&](const Index_pair& pair) {
+      m_solve.budget().check();
       const auto& [i, j] = pair;
       return m_arcs.are_apart(i, j) || are_separated<d>(patches[i], patches[j], chords[i], chords[j]);
     });

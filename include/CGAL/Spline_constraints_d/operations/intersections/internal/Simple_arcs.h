@@ -145,13 +145,15 @@ private:
   void cut_at_common_ends()
   {
     std::vector<std::vector<Exact_rational>> cuts(size());
-    for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t i = 0; i < size(); ++i) {
+      m_solve.budget().check();
       if (const auto other = next(i))
         if (const auto near = simple_neighbourhood(m_arcs[i].patch, m_arcs[*other].patch)) {
           m_arcs[i].is_apart_from_next = true;
           cuts[i].push_back((*near)[0]);
           cuts[*other].push_back((*near)[1]);
         }
+    }
     std::vector<Curve_arc<d>> result;
     for (std::size_t i = 0; i < size(); ++i)
       append_parts(result, m_arcs[i], std::move(cuts[i]));

@@ -29,6 +29,23 @@ namespace Spline_constraints {
 namespace internal {
 namespace Minkowski_sum {
 
+// A box around the sum, by the control points, and by where the operands are that are undecided.
+inline Interval_pair box_of_sum(const std::array<Sum_operand_2, 2>& operands)
+{
+  Interval_pair result{Interval(0), Interval(0)};
+  for (const Sum_operand_2& operand : operands) {
+    std::vector<Undecided_part::Range> box;
+    for (const Undecided_part& undecided : operand.undecided)
+      box = undecided.place;
+    for (const Boundary_loop_2& loop : operand.loops)
+      for (const Boundary_piece& piece : loop.pieces())
+        box = united_box(std::move(box), piece.box());
+    if (!box.empty())
+      result = result + Interval_pair{Interval(box[0].first, box[0].second), Interval(box[1].first, box[1].second)};
+  }
+  return result;
+}
+
 /*
 The Minkowski sum of two regions: what was computed, in the order in which each refers to those before. When the run
 ends earlier, what follows is not there.
@@ -74,7 +91,7 @@ public:
   std::vector<Undecided_part> undecided() const
   {
     if (!m_boundary)
-      return {Undecided_part{place(box_of_all()), {}, in_words(m_run.reason())}};
+      return {Undecided_part{place(box_of_sum(m_operands)), {}, in_words(m_run.reason())}};
     std::vector<Undecided_part> result;
     for (const auto& [box, part, reason] : m_boundary->doubts()) {
       result.push_back({place(box), {}, reason});
@@ -157,21 +174,6 @@ private:
     return result;
   }
 
-  // By the control points.
-  Interval_pair box_of_all() const
-  {
-    Interval_pair result{Interval(0), Interval(0)};
-    for (const Sum_operand_2& operand : m_operands) {
-      std::vector<Undecided_part::Range> box;
-      for (const Boundary_loop_2& loop : operand.loops)
-        for (const Boundary_piece& piece : loop.pieces())
-          box = united_box(std::move(box), piece.box());
-      if (!box.empty())
-        result = result + Interval_pair{Interval(box[0].first, box[0].second), Interval(box[1].first, box[1].second)};
-    }
-    return result;
-  }
-
   // A point of an arc, and a direction of its tangent there.
   struct Arc_point
   {
@@ -216,15 +218,35 @@ private:
   }
 };
 
+// Of operands of which one at least is undecided: nothing is known outside of a box around the sum.
+inline Sum_of_regions_2 undecided_sum(const std::array<Sum_operand_2, 2>& operands)
+{
+  Undecided_part part;
+  Undecided_reason reason = Undecided_reason::NONE;
+  for (const Interval& range : box_of_sum(operands))
+    part.place.emplace_back(range.inf(), range.sup());
+  for (const Sum_operand_2& operand : operands)
+    for (const Undecided_part& undecided : operand.undecided) {
+      part.parameters.insert(part.parameters.end(), undecided.parameters.begin(), undecided.parameters.end());
+      part.reason = undecided.reason;
+      reason = operand.reason;
+    }
+  return {nullptr, {}, {std::move(part)}, undecided_summary(reason)};
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE Sum_of_regions_2 sum_of_regions(const std::array<Sum_operand_2, 2>& operands,
                                                                const Solver_options& options)
 {
+  options.check();
   Exact_rational greatest(0);
   for (const Sum_operand_2& operand : operands)
     for (const Boundary_loop_2& loop : operand.loops)
       greatest = (std::max)(greatest, loop.greatest_coordinate());
   check_greatest_coordinate(greatest, "Minkowski_sum_2");
   const Upward_rounding_guard guard;
+  if (std::any_of(operands.begin(), operands.end(),
+                  [](const Sum_operand_2& operand) { return !operand.undecided.empty(); }))
+    return undecided_sum(operands);
   Sum_of_regions_2 result;
   result.model = std::make_shared<const Sum_model_2>(operands, options);
   result.boundaries = result.model->boundaries();

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/Minkowski_sum_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/undecided_region.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -32,12 +33,24 @@ namespace Minkowski_sum {
 Minkowski sums without a kernel, for all kernels; defined in Sum_model_2.h.
 */
 
-// The boundaries of a set, made of so many curves.
+// The boundaries of a set, made of so many curves; or why it is undecided what they are.
 struct Sum_operand_2
 {
   std::vector<Boundary_loop_2> loops;
   std::size_t number_of_curves;
+  std::vector<Undecided_part> undecided = {};
+  Undecided_reason reason = Undecided_reason::NONE;
 };
+
+// Curves are counted from a number on.
+template <class Region>
+Sum_operand_2 sum_operand(const Region& region, std::size_t first_curve)
+{
+  const std::size_t curves = region.curves().size();
+  if (!region.is_complete())
+    return {{}, curves, {undecided_region(region, first_curve)}, region.summary().why_not};
+  return {region.loops(), curves};
+}
 
 // A point of an arc, and the parameters of the points that it is the sum of.
 struct Sum_sample_2
@@ -50,7 +63,7 @@ class Sum_model_2;
 
 struct Sum_of_regions_2
 {
-  std::shared_ptr<const Sum_model_2> model;
+  std::shared_ptr<const Sum_model_2> model;   // none if an operand is undecided
   std::vector<Minkowski_sum_boundary_2> boundaries;
   std::vector<Undecided_part> undecided;
   Summary summary;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <mutex>
 
 namespace CGAL {
@@ -114,6 +115,30 @@ private:
     }
   }
 };
+
+// The summary of a run of so many nodes that was ended for a reason, or for none: what is undecided then is too small
+// for the numbers.
+inline Summary summary_of(const Run_control& run, std::size_t nodes, Undecided_reason reason, bool is_complete)
+{
+  Summary result;
+  result.nodes = nodes;
+  result.seconds = run.seconds();
+  result.is_complete = is_complete;
+  if (!is_complete)
+    result.why_not = reason == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : reason;
+  return result;
+}
+
+// What is left of the limits after some work, a little at least: zero would be no limit.
+inline Solver_options rest_of(const Solver_options& options, const Summary& work)
+{
+  Solver_options result = options;
+  if (options.time_limit > 0)
+    result.time_limit = (std::max)(options.time_limit - work.seconds, 1e-9);
+  if (options.node_limit > 0)
+    result.node_limit = work.nodes < options.node_limit ? options.node_limit - work.nodes : 1;
+  return result;
+}
 
 } // namespace internal
 } // namespace Spline_constraints

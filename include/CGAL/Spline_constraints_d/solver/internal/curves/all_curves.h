@@ -72,7 +72,12 @@ public:
     const Exact_ranges domain = domain_of(m_system);
     for (const auto& [lower, upper] : domain)
       m_widths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
-    const std::vector<Cell> cells = possible_cells();
+    std::vector<Cell> cells;
+    try {
+      cells = possible_cells();
+    } catch (const Run_stopped& stop) {
+      m_undecided.push_back({domain, {}, stop.reason});
+    }
     if (!cells.empty()) {
       const Vertex_indices vertices = vertices_on_boundary(domain);
       split_cells(domain, cells, vertices);
@@ -103,10 +108,10 @@ private:
   std::vector<Cell> possible_cells()
   {
     const System_layout layout(m_system);
-    const Exact_source source(m_system, layout);
+    const Exact_source source(m_system, layout, &m_control);
     m_breaks = source.breaks();
     std::vector<Cell> cells;
-    Cell_pyramid(m_system, m_breaks).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
+    Cell_pyramid(m_system, m_breaks, &m_control).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
     return cells;
   }
 

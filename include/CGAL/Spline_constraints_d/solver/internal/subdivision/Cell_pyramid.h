@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_position.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source.h>
 
 #include <CGAL/Interval_nt.h>
@@ -68,8 +69,13 @@ class Cell_pyramid
   std::vector<Sizes> m_sizes;   // of all groups, per level and unknown
   std::vector<Bounded_function> m_functions;
 
+  Run_control* m_control;   // null: none
+
 public:
-  Cell_pyramid(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks)
+  // With a control, the constructor throws Run_stopped when it says so: there may be a million cells.
+  Cell_pyramid(const Constraint_system_d& system, const std::vector<std::vector<Exact_rational>>& breaks,
+               Run_control* control = nullptr)
+    : m_control(control)
   {
     const Upward_rounding_guard guard;
     make_sizes(breaks);
@@ -141,7 +147,10 @@ private:
         pieces[j].push_back(cell_at(term.breaks[j], begin));
       }
     }
+    constexpr std::size_t many_cells = 256;   // between two questions whether to go on
     for_each_index(last_of(result.sizes), [&](const std::vector<int>& cell) {
+      if (m_control != nullptr && result.bounds.size() % many_cells == 0)
+        m_control->check();
       std::size_t piece = 0;
       for (std::size_t j = 0; j < dimension; ++j)
         piece = piece * term.cells(j) + pieces[j][cell[j]];

@@ -252,7 +252,9 @@ private:
     if (!source().has_breaks())
       return {Cell(m_layout.dimension, 0)};
     std::vector<Cell> cells;
-    Cell_pyramid(m_system, source().breaks()).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
+    Cell_pyramid(m_system, source().breaks(), &m_control).visit_possible_cells([&](const Cell& cell) {
+      cells.push_back(cell);
+    });
     std::sort(cells.begin(), cells.end());
     return cells;
   }

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_CURVE_DIAGRAM_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/internal/compiled_tags.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_cell_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_coincidence_2.h>
@@ -20,8 +21,6 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -52,8 +51,8 @@ struct Curve_diagram
 
   struct Vertex
   {
-    std::array<double, 2> point;
-    double radius;
+    std::optional<std::array<double, 2>> point;   // none at infinity
+    std::optional<double> radius;
     std::vector<std::size_t> edges;
     std::vector<Voronoi_footpoint_2> footpoints;
     bool is_at_infinity, is_resolved;
@@ -110,12 +109,7 @@ std::vector<std::size_t> nearest_sites(const Curve_diagram& diagram, const Exact
   EXTERN template Curve_diagram diagram_of_region<TAG>(const Region_operand&, const Solver_options&);                  \
   EXTERN template Bisecting_chains bisector_of_operands<TAG>(const Ordered_operands&, const Solver_options&);
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_DIAGRAMS(extern, CGAL::Sequential_tag)
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
-CGAL_SPLINE_CONSTRAINTS_DIAGRAMS(extern, CGAL::Parallel_tag)
-#endif
-#endif
+CGAL_SPLINE_CONSTRAINTS_DECLARE_COMPILED(CGAL_SPLINE_CONSTRAINTS_DIAGRAMS)
 
 } // namespace Voronoi
 } // namespace internal

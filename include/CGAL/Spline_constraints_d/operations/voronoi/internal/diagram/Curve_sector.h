@@ -10,14 +10,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_CURVE_SECTOR_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/internal/compiled_tags.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_parts_2.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -63,12 +62,7 @@ std::vector<Sector_sample> samples_of_arc(const Curve_sector& sector, std::size_
   EXTERN template Curve_sector sector_of_operands<TAG>(const Ordered_operands&, const Exact_rational&,                 \
                                                        const Solver_options&);
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_SECTORS(extern, CGAL::Sequential_tag)
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
-CGAL_SPLINE_CONSTRAINTS_SECTORS(extern, CGAL::Parallel_tag)
-#endif
-#endif
+CGAL_SPLINE_CONSTRAINTS_DECLARE_COMPILED(CGAL_SPLINE_CONSTRAINTS_SECTORS)
 
 } // namespace Voronoi
 } // namespace internal

@@ -185,7 +185,7 @@ private:
     if (other.footpoint.kind != Disk_footpoint::Kind::ARC && other.footpoint.kind != Disk_footpoint::Kind::VERTEX)
       return {Free_end::Kind::UNDECIDED, location};
     const Element_part<> part = m_curvature.part(element, location);
-    return {Free_end::Kind::CONTACT, location, other.footpoint,
+    return {Free_end::Kind::FOOTPOINT, location, other.footpoint,
             largest_curvature(*m_graph, m_curvature, part, other.located(is_end ? other.range.begin : other.range.end))
                 .range};
   }

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -158,9 +157,9 @@ private:
   static void put_at_vertex(const Curve_diagram::Vertex& vertex, double most_radius, Disk_sample& sample)
   {
     const auto width = [](const std::array<double, 2>& bounds) { return bounds[1] - bounds[0]; };
-    if (!vertex.is_at_infinity && vertex.radius <= most_radius &&
+    if (vertex.radius && *vertex.radius <= most_radius &&
         width(vertex.radius_bounds) < width(sample.radius_bounds))
-      sample = {vertex.point, vertex.radius, sample.parameters, vertex.radius_bounds};
+      sample = {*vertex.point, *vertex.radius, sample.parameters, vertex.radius_bounds};
   }
 
   static std::array<double, 2> ends(const Interval& x) { return {x.inf(), x.sup()}; }
@@ -208,20 +207,23 @@ private:
   // A vertex with what is proved of it, but for its edges.
   Curve_diagram::Vertex bounded(const Disk_diagram::Vertex& vertex) const
   {
-    const Part& part = m_diagram.halfedges()[vertex.outgoing.front()].parts.front();
-    const Disk_sample at = vertex.is_at_infinity
-        ? Disk_sample{{0, 0}, std::numeric_limits<double>::infinity(), {}, {}}
-        : edge_samples()(part, m_diagram.end_parameter(part, false));
     const Vertex_bounds<> bounds = vertex_bounds(*m_graph, m_diagram, vertex);
+    Curve_diagram::Vertex result{std::nullopt,
+                                 std::nullopt,
+                                 {},
+                                 {},
+                                 vertex.is_at_infinity,
+                                 vertex.is_resolved,
+                                 {ends(bounds.center[0]), ends(bounds.center[1])},
+                                 ends(bounds.radius)};
+    if (vertex.is_at_infinity)
+      return result;
+    const Part& part = m_diagram.halfedges()[vertex.outgoing.front()].parts.front();
+    const Disk_sample at = edge_samples()(part, m_diagram.end_parameter(part, false));
     const auto within = [](const Interval& x, double value) { return std::clamp(value, x.inf(), x.sup()); };
-    return {{within(bounds.center[0], at.center[0]), within(bounds.center[1], at.center[1])},
-            within(bounds.radius, at.radius),
-            {},
-            {},
-            vertex.is_at_infinity,
-            vertex.is_resolved,
-            {ends(bounds.center[0]), ends(bounds.center[1])},
-            ends(bounds.radius)};
+    result.point = {within(bounds.center[0], at.center[0]), within(bounds.center[1], at.center[1])};
+    result.radius = within(bounds.radius, at.radius);
+    return result;
   }
 
   Curve_diagram::Vertex with_edges(Curve_diagram::Vertex result, const Disk_diagram::Vertex& vertex) const

@@ -10,14 +10,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_CURVE_OFFSET_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/internal/compiled_tags.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Planar_operands.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_parts_2.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
-
-#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -70,12 +69,7 @@ std::vector<std::array<double, 2>> points_of_arc(const Curve_offset& offset, std
   EXTERN template Curve_offset offset_of_region<TAG>(const Region_operand&, const Exact_rational&,                     \
                                                      const Solver_options&);
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_OFFSETS(extern, CGAL::Sequential_tag)
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
-CGAL_SPLINE_CONSTRAINTS_OFFSETS(extern, CGAL::Parallel_tag)
-#endif
-#endif
+CGAL_SPLINE_CONSTRAINTS_DECLARE_COMPILED(CGAL_SPLINE_CONSTRAINTS_OFFSETS)
 
 } // namespace Voronoi
 } // namespace internal

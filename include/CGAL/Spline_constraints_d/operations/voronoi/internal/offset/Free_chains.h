@@ -143,7 +143,7 @@ private:
     switch (last.kind) {
     case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.element), last.kind);
     case Free_end::Kind::POINT: return piece_around_point(piece.element);
-    case Free_end::Kind::CONTACT: {
+    case Free_end::Kind::FOOTPOINT: {
       const std::size_t across = piece_across(piece, center(piece.element, last));
       return across != none ? across : piece_with_disk_of_footpoint(piece);
     }
@@ -198,7 +198,7 @@ private:
     const auto has_disk = [&](const Piece& piece, bool is_end) {
       const Free_end& e = end(piece, is_end);
       return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center
-                                           : is_footpoint_allowed && e.kind == Free_end::Kind::CONTACT &&
+                                           : is_footpoint_allowed && e.kind == Free_end::Kind::FOOTPOINT &&
               touches_elsewhere(disk, piece.element, e.location);
     };
     std::vector<std::size_t> first, opposite;
@@ -254,7 +254,7 @@ private:
     for (std::size_t i = m_first_piece_of[touched->element]; i < m_first_piece_of[touched->element + 1]; ++i)
       for (const bool is_end : {false, true})
         if (const Free_end& e = end(m_pieces[i], is_end);
-            e.kind == Free_end::Kind::CONTACT && e.location.meets(touched->range))
+            e.kind == Free_end::Kind::FOOTPOINT && e.location.meets(touched->range))
           ends.emplace_back(i, is_end);
     const bool is_certain = ends.size() == 1 && !ends[0].second &&
         is_footpoint_with(end(m_pieces[ends[0].first], false).footpoint, element(piece));

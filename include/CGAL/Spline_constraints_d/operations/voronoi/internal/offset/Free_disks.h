@@ -455,7 +455,7 @@ private:
     const Located_footpoint located = footpoint_at(zero);
     if (at_begin < 0)
       m_swept.append_free({begin, zero.begin});
-    m_swept.append_boundary({Free_end::Kind::CONTACT, zero, located.footpoint, located.range});
+    m_swept.append_boundary({Free_end::Kind::FOOTPOINT, zero, located.footpoint, located.range});
     if (at_end < 0)
       m_swept.append_free({zero.end, end});
     else

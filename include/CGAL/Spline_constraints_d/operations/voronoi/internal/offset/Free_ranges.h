@@ -39,7 +39,7 @@ struct Exact_disk : Rational_disk
 // the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
 struct Free_end
 {
-  enum class Kind { FRONT_END, POINT, CONTACT, TIE, UNDECIDED };
+  enum class Kind { FRONT_END, POINT, FOOTPOINT, TIE, UNDECIDED };
 
   Kind kind = Kind::FRONT_END;
   Range location{};             // holds the parameter

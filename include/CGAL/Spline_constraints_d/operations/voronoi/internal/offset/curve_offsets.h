@@ -12,8 +12,7 @@
 // What makes trimmed offsets: with the compiled library the declarations alone. It has what runs on all
 // cores where there was TBB.
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Curve_offset.h>
-#if !defined(CGAL_SPLINE_CONSTRAINTS_COMPILED) || \
-    (defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB))
+#ifdef CGAL_SPLINE_CONSTRAINTS_NEEDS_DEFINITIONS_OF_TAGS
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/traced_offsets.h>
 #endif
 

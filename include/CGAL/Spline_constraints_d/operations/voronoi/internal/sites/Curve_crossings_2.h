@@ -53,7 +53,7 @@ public:
   };
 
 private:
-  using Pairs_of_curves = std::vector<Pairwise_common_points<2>::Pair>;
+  using Pairs_of_curves = std::vector<Pair_with_common_points>;
 
   static constexpr int least_gap = 1 << 12;   // between cuts and breaks, in units of their widths
 
@@ -141,7 +141,7 @@ private:
   Pairs_of_curves intersecting_pairs() const
   {
     Search_control::Watch watch(m_control);
-    return Pairwise_common_points<2>(watch.options()).template among_and_within<Concurrency_tag>(m_curves);
+    return Pairwise_common_points<2>(watch.options()).template among_and_within<Concurrency_tag>(m_curves).pairs;
   }
 
   void add_overlaps(const Pairs_of_curves& pairs)
@@ -180,8 +180,9 @@ private:
   {
     const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
     Search_control::Watch watch(m_control);
-    for (const auto& pair :
-         Pairwise_common_points<2>(watch.options()).template between<Concurrency_tag>(patches, m_curves))
+    const Pairs_of_curves pairs =
+        Pairwise_common_points<2>(watch.options()).template between<Concurrency_tag>(patches, m_curves).pairs;
+    for (const auto& pair : pairs)
       for (const Common_point& intersection : pair.points)
         if (intersection.kind == Intersection_kind::TRANSVERSAL &&
             !is_redundant(pair.second, intersection.parameters[0]))   // that of the curve

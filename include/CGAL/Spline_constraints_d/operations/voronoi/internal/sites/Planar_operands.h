@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <algorithm>
 #include <array>
@@ -112,7 +113,8 @@ inline Ordered_operands exchanged(Ordered_operands operands)
   return operands;
 }
 
-// A region: its curves, and of each the arcs of its boundaries, in the direction of the curve.
+// A region: its curves, and of each the arcs of its boundaries, in the direction of the curve; or why they are not
+// known.
 struct Region_operand
 {
   struct Arc
@@ -123,6 +125,7 @@ struct Region_operand
 
   std::vector<Operand_curve_2> curves;
   std::vector<std::vector<Arc>> arcs;
+  Undecided_reason undecided = Undecided_reason::NONE;
 };
 
 template <class Region>
@@ -131,6 +134,10 @@ Region_operand region_operand(const Region& region)
   Region_operand result;
   for (const auto& curve : region.curves())
     result.curves.emplace_back(curve);
+  if (!region.is_complete()) {
+    result.undecided = region.summary().why_not;
+    return result;
+  }
   for (const auto& arcs : region.arcs_of_curves()) {
     result.arcs.emplace_back();
     for (const auto& arc : arcs)

@@ -80,16 +80,7 @@ public:
   void add_progress(double share) { m_run.add_progress(share); }
 
   // Of an answer.
-  Summary summary(bool is_complete) const
-  {
-    Summary result;
-    result.nodes = m_nodes;
-    result.seconds = m_run.seconds();
-    result.is_complete = is_complete;
-    if (!is_complete)
-      result.why_not = has_ended() ? reason() : Undecided_reason::TOLERANCE;
-    return result;
-  }
+  Summary summary(bool is_complete) const { return summary_of(m_run, m_nodes, reason(), is_complete); }
 
   // Options for solvers of systems: these end with the operation, and have no limits of their own.
   class Watch

@@ -30,6 +30,8 @@ namespace Voronoi {
 inline std::shared_ptr<const Site_graph_2<>> region_graph(const Region_operand& region,
                                                           Search_control* control = nullptr)
 {
+  if (region.undecided != Undecided_reason::NONE)
+    throw Run_stopped{region.undecided};
   const Upward_rounding_guard guard;
   Regular_check check(control, 1);
   auto graph = std::make_shared<Site_graph_2<>>();

@@ -179,6 +179,7 @@ Answer without_answer(const Operand_numbers& numbers, const Run_stopped& stopped
   for (const Undecided_part::Parameters& operand : numbers.all())
     result.undecided.push_back({{}, {operand}, in_words(stopped.reason)});
   result.summary = control.summary(false);
+  result.summary.why_not = stopped.reason;
   return result;
 }
 
