@@ -312,7 +312,7 @@ TEST(Read_minibex, files)
 TEST(Read_minibex, the_systems_of_the_examples)
 {
   const auto folder =
-      std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "examples" / "Spline_constraints_d" / "data";
+      std::filesystem::path(__FILE__).parent_path() / ".." / ".." / ".." / "examples" / "Spline_constraints_d" / "data";
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".bch")
