@@ -41,6 +41,25 @@ inline std::ostream& operator<<(std::ostream& out, Intersection_kind kind)
   return out << names[static_cast<int>(kind)];
 }
 
+/*!
+\ingroup PkgSplineConstraintsDIntersections
+
+How two planar curves pass through a common point where both go on, be it a corner of one of them or of both.
+*/
+enum class Passage {
+  CROSSES,              ///< each curve goes from one side of the other one to the other side
+  TOUCHES,              ///< each curve stays on one side of the other one
+  TOUCHES_OR_CROSSES    ///< it is not decided which of these
+};
+
+//! \ingroup PkgSplineConstraintsDIntersections
+//! writes `crosses`, `touches` or `touches or crosses`.
+inline std::ostream& operator<<(std::ostream& out, Passage passage)
+{
+  static const char* const names[] = {"crosses", "touches", "touches or crosses"};
+  return out << names[static_cast<int>(passage)];
+}
+
 } // namespace Spline_constraints
 } // namespace CGAL
 
