@@ -72,6 +72,9 @@ public:
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
     if (!m_solve.must_stop())
       settle_undecided_points(m_pair, result);
+    if constexpr (d == 2)
+      if (is_pair_of_curves())
+        settle_corners(m_pair, result, m_solve);
     drop_ends_of_overlaps(m_pair, result);
     if constexpr (d == 2)
       if (is_pair_of_curves())

@@ -87,7 +87,7 @@ public:
   {
     for (const std::size_t k : {0, 1})
       for (std::size_t i = 0; i < size(k); ++i)
-        if (piece(k, i).degree() == 0 ||
+        if (piece(k, i).is_point() ||
             (i > 0 && !are_same_point(piece(k, i - 1).end_point(true), piece(k, i).end_point(false))))
           return false;
     return true;

@@ -237,10 +237,10 @@ private:
           narrow(place.root, power_of_two(-64));
           place.root.settle_on_simplest_rational();
         }
-      std::optional<Common_point> point = point_at_breaks(at_breaks, m_pieces, places);
-      if (!point)
+      const std::optional<int> multiplicity = at_breaks.multiplicity(places);
+      if (!multiplicity)
         return false;
-      m_points.push_back(std::move(*point));
+      m_points.push_back(point_at_breaks(at_breaks, m_pieces, places, *multiplicity));
     }
     return true;
   }

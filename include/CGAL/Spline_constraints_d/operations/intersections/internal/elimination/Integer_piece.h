@@ -118,15 +118,59 @@ public:
     return Integer_piece<2>(std::array{m_coordinates[first], m_coordinates[second], m_coordinates[d]});
   }
 
+  // The derivative, times the square of the weight: x' w - x w'.
+  std::array<Integer_coefficients, d> tangent() const
+  {
+    const Integer_coefficients w_slope = derivative(weight());
+    std::array<Integer_coefficients, d> result;
+    for (std::size_t i = 0; i < d; ++i) {
+      add_signed_product(result[i], derivative(m_coordinates[i]), weight(), 1);
+      add_signed_product(result[i], m_coordinates[i], w_slope, -1);
+    }
+    return result;
+  }
+
+  bool is_point() const
+  {
+    const std::array<Integer_coefficients, d> all = tangent();
+    return std::all_of(all.begin(), all.end(), [](const Integer_coefficients& f) {
+      return std::all_of(f.begin(), f.end(), [](const Big_integer& x) { return x == 0; });
+    });
+  }
+
+  // The derivative in an end, times the square of the weight.
+  std::array<Big_integer, d> end_tangent(bool end) const
+  {
+    const std::array<Integer_coefficients, d> all = tangent();
+    std::array<Big_integer, d> result;
+    for (std::size_t i = 0; i < d; ++i)
+      result[i] = end_value(all[i], end);
+    return result;
+  }
+
   // The coordinates of an end, and the weight there, which is positive.
   std::array<Big_integer, d + 1> end_point(bool end) const
   {
     std::array<Big_integer, d + 1> result;
-    for (std::size_t i = 0; i <= d; ++i) {
-      result[i] = m_coordinates[i].front();
-      for (std::size_t k = 1; end && k < m_coordinates[i].size(); ++k)
-        result[i] += m_coordinates[i][k];
-    }
+    for (std::size_t i = 0; i <= d; ++i)
+      result[i] = end_value(m_coordinates[i], end);
+    return result;
+  }
+
+private:
+  static Big_integer end_value(const Integer_coefficients& f, bool end)
+  {
+    Big_integer result(0);
+    for (std::size_t k = 0; k < (end ? f.size() : (std::min)(f.size(), std::size_t(1))); ++k)
+      result += f[k];
+    return result;
+  }
+
+  static Integer_coefficients derivative(const Integer_coefficients& f)
+  {
+    Integer_coefficients result;
+    for (std::size_t k = 1; k < f.size(); ++k)
+      result.push_back(Big_integer(f[k] * k));
     return result;
   }
 };

@@ -129,7 +129,7 @@ class Planar_elimination
   std::function<void()> m_check;
 
 public:
-  // \pre The other piece is no point. `check` is called often, and may throw.
+  // If the other piece is a point, the polynomial is zero. `check` is called often, and may throw.
   Planar_elimination(const Integer_piece<2>& curve, const Integer_piece<2>& other, std::function<void()> check)
     : m_check(std::move(check))
   {
@@ -141,6 +141,8 @@ public:
       return sum;
     };
     const std::size_t n = c.size() - 1;
+    if (n == 0)
+      return;
     m_rows.resize(n);
     for (std::size_t i = 0; i < n * n; ++i)
       m_rows[i / n].push_back(product(vectors[i]));
@@ -274,7 +276,6 @@ class Piece_elimination
   std::size_t m_third = 2;
 
 public:
-  //! \pre The other piece is no point.
   Piece_elimination(const Integer_piece<d>& curve, const Integer_piece<d>& other, const std::function<void()>& check)
     : m_curve(curve), m_other(other), m_check(check)
   {
@@ -362,15 +363,9 @@ private:
   // Whether the derivative of the curve is zero.
   bool is_singular(Exact_root& root) const
   {
-    const Integer_polynomial w(m_curve.weight()), slope = w.derivative();
-    for (std::size_t i = 0; i < d; ++i) {
-      const Integer_polynomial x(m_curve[i]);
-      Integer_coefficients determinant;
-      add_signed_product(determinant, x.derivative().coefficients(), w.coefficients(), 1);
-      add_signed_product(determinant, x.coefficients(), slope.coefficients(), -1);
-      if (root.sign_of_value(Integer_polynomial(std::move(determinant))) != CGAL::ZERO)
+    for (Integer_coefficients coordinate : m_curve.tangent())
+      if (root.sign_of_value(Integer_polynomial(std::move(coordinate))) != CGAL::ZERO)
         return false;
-    }
     return true;
   }
 

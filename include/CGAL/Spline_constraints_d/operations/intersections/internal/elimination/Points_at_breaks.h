@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Curve_parts.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elimination/Curve_pieces.h>
@@ -21,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -135,19 +137,34 @@ private:
     return std::nullopt;
   }
 
-  // Of a curve with a break in a point of a smooth piece of the other one that passes through it once: by the sign of
-  // the equation of this piece on both sides of the break.
+  // Of a curve with a break in a point of a smooth piece of the other one. Where the tangents are different, they tell;
+  // else the sign of the equation of this piece on both sides of the break, if it passes through the point once.
   std::optional<bool> change_sides(std::size_t k, const Places& places)
   {
-    std::array<CGAL::Sign, 2> signs{};
+    std::array<CGAL::Sign, 2> sides{}, slopes{};
+    bool are_sides_known = true;
     for (const Half_branch& branch : m_pieces.half_branches(k, places[k])) {
       Piece_elimination<d>& elimination = m_pieces.elimination(k, branch.piece, places[1 - k].piece);
-      Exact_root end = root_at(places[k], branch);
-      if (elimination.is_zero() || !elimination.partner(end))
-        return std::nullopt;
-      signs[branch.is_end] = sign_next_to(elimination.polynomial(), branch);
+      Exact_root end = root_at(places[k], branch), root = places[1 - k].root;
+      slopes[branch.is_end] = root.sign_of_value(slope_along(
+          m_pieces.piece(1 - k, places[1 - k].piece), m_pieces.piece(k, branch.piece).end_tangent(branch.is_end)));
+      are_sides_known = are_sides_known && !elimination.is_zero() && elimination.partner(end);
+      if (are_sides_known)
+        sides[branch.is_end] = sign_next_to(elimination.polynomial(), branch);
     }
-    return signs[0] != signs[1];
+    if (slopes[0] != CGAL::ZERO && slopes[1] != CGAL::ZERO)
+      return slopes[0] == slopes[1];
+    return are_sides_known ? std::optional(sides[0] != sides[1]) : std::nullopt;
+  }
+
+  // The sign of the turn from the derivative of a piece to a direction, as a polynomial of its parameter.
+  static Integer_polynomial slope_along(const Integer_piece<2>& piece, const std::array<Big_integer, 2>& direction)
+  {
+    const std::array<Integer_coefficients, 2> tangent = piece.tangent();
+    Integer_coefficients result;
+    add_multiple(result, tangent[0], direction[1]);
+    add_multiple(result, tangent[1], Big_integer(-direction[0]));
+    return Integer_polynomial(std::move(result));
   }
 
   // Of a polynomial on a piece, next to an end. \pre It is not zero everywhere.
@@ -175,6 +192,8 @@ private:
     }
     for (const std::size_t k : {0, 1})
       for (const Half_branch& branch : m_pieces.half_branches(k, places[k])) {
+        if (m_pieces.piece(k, branch.piece).is_point())
+          return std::nullopt;
         const Exact_arc_2 arc = arc_of(k, branch.piece);
         rays.push_back({k, outgoing_direction(arc, branch.is_end), Arc_germ(arc, branch.is_end, order + 1)});
       }
@@ -211,15 +230,12 @@ private:
   }
 };
 
-// A common point at breaks; nothing if it is not known whether it counts once.
+// A common point at breaks that counts so often, by Points_at_breaks.
 template <int d>
-std::optional<Common_point> point_at_breaks(Points_at_breaks<d>& at_breaks, const Curve_pieces<d>& pieces,
-                                            Places& places)
+Common_point point_at_breaks(Points_at_breaks<d>& at_breaks, const Curve_pieces<d>& pieces, const Places& places,
+                             int multiplicity)
 {
-  const std::optional<int> multiplicity = at_breaks.multiplicity(places);
-  if (!multiplicity)
-    return std::nullopt;
-  Common_point result{Intersection_kind::TANGENT, {}, {}, std::nullopt, false, *multiplicity};
+  Common_point result{Intersection_kind::TANGENT, {}, {}, std::nullopt, false, multiplicity};
   for (const std::size_t k : {0, 1}) {
     result.parameters.push_back(pieces.range(k, places[k]));
     result.is_at_end.push_back(places[k].is_break() &&
@@ -228,10 +244,10 @@ std::optional<Common_point> point_at_breaks(Points_at_breaks<d>& at_breaks, cons
   const bool is_end = at_breaks.is_end(places);
   if constexpr (d == 2)
     result.passage = at_breaks.passage(places);
-  if (result.passage && *multiplicity != 0 &&
-      *result.passage != (*multiplicity % 2 != 0 ? Passage::CROSSES : Passage::TOUCHES))
-    result.multiplicity = 0; // the two sides count, but not together
-  if (result.multiplicity == 1 || (is_end && *multiplicity == 1))
+  if (result.passage && multiplicity != 0 &&
+      *result.passage != (multiplicity % 2 != 0 ? Passage::CROSSES : Passage::TOUCHES))
+    result.multiplicity = 0; // both sides count, but not together
+  if (result.multiplicity == 1 || (is_end && multiplicity == 1))
     result.kind =
         result.is_at_end[0] || result.is_at_end[1] ? Intersection_kind::END_POINT : Intersection_kind::TRANSVERSAL;
   return result;
@@ -285,6 +301,84 @@ private:
     return point.is_at_end[curve] && !m_pair[curve].is_closed(0);
   }
 };
+
+/*
+Corners of both curves that the solver found to be common points, but not how often they count, and some of them several
+times: where a box holds no other common point, its corner takes its place, once; on a seam, with the lower parameter.
+*/
+class Corners
+{
+  const Patch_pair<2>& m_pair;
+  Curve_pieces<2> m_pieces;
+  Points_at_breaks<2> m_at_breaks{m_pieces};
+  Curve_parts<2> m_parts;
+
+public:
+  // `check` is called often, and may throw.
+  Corners(const Patch_pair<2>& pair, const std::vector<Common_point>& points, std::function<void()> check)
+    : m_pair(pair), m_pieces(pair, std::move(check)), m_parts(pair, points)
+  {}
+
+  static bool may_be_one(const Common_point& point)
+  {
+    return point.kind == Intersection_kind::TANGENT && multiplicity_of(point) < 2;
+  }
+
+  std::optional<Common_point> operator()(const Common_point& point)
+  {
+    const std::vector<Exact_parameters> corners = m_parts.common_breaks(point.parameters);
+    if (corners.size() != 1 || is_of_next_part(0, corners[0][0]) || is_of_next_part(1, corners[0][1]) ||
+        !m_parts.holds_only(point.parameters, corners))
+      return std::nullopt;
+    Places places{place(0, corners[0][0]), place(1, corners[0][1])};
+    Common_point result = point_at_breaks(m_at_breaks, m_pieces, places, m_at_breaks.multiplicity(places).value_or(0));
+    result.solution = point.solution;
+    return result;
+  }
+
+private:
+  // Whether a parameter is the end of an arc that belongs to another one.
+  bool is_of_next_part(std::size_t curve, const Exact_rational& value) const
+  {
+    return value == m_pieces.breaks(curve).back() && m_pair.is_repeated_at_end(curve) && !m_pair[curve].is_closed(0);
+  }
+
+  Place_on_curve place(std::size_t curve, const Exact_rational& value) const
+  {
+    const std::vector<Exact_rational>& breaks = m_pieces.breaks(curve);
+    const std::size_t index =
+        static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), value) - breaks.begin());
+    return m_pieces.place_at_break(curve,
+                                   index == m_pieces.size(curve) && m_pair.is_repeated_at_end(curve) ? 0 : index);
+  }
+};
+
+// When the run is stopped, those that are left stay as they are.
+inline void settle_corners(const Patch_pair<2>& pair, std::vector<Common_point>& points, Budgeted_solver& solve)
+{
+  if (std::none_of(points.begin(), points.end(), Corners::may_be_one))
+    return;
+  try {
+    Corners corner_at(pair, points, [&] { solve.budget().check(); });
+    std::vector<Common_point> others, corners;
+    for (Common_point& point : points) {
+      std::optional<Common_point> corner = Corners::may_be_one(point) ? corner_at(point) : std::nullopt;
+      const auto is_same = [&](const Common_point& known) { return known.parameters == corner->parameters; };
+      if (!corner)
+        others.push_back(point);
+      else if (std::none_of(corners.begin(), corners.end(), is_same))
+        corners.push_back(std::move(*corner));
+    }
+    std::erase_if(corners, [&](const Common_point& corner) {
+      return std::any_of(others.begin(), others.end(), [&](const Common_point& other) {
+        return other.kind == Intersection_kind::END_POINT && other.parameters == corner.parameters;
+      });
+    });
+    points = std::move(others);
+    std::move(corners.begin(), corners.end(), std::back_inserter(points));
+  } catch (const Run_stopped&) {
+  }
+}
 
 // When the run is stopped, those that are left are not decided.
 inline void decide_passages(const Patch_pair<2>& pair, std::vector<Common_point>& points, Budgeted_solver& solve)
