@@ -171,7 +171,7 @@ public:
   //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or
   //! those of one operand, if the points of the other one are affine in its parameters: a point, a segment, a
   //! parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what
-  //! the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of
+  //! the solver did not: of curves that nearly coincide, at breaks of planar curves, at contacts on common edges of
   //! surfaces or of ruled ones.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 

@@ -24,7 +24,7 @@ enum class Intersection_kind {
   /// surface, a point lies on a curve or surface
   TRANSVERSAL,
   /// a common point that counts several times: the operands touch, or one of them is singular there; or one on a knot
-  /// that is not proved to count once
+  /// that is not proved to count once, as a corner where planar curves touch. A multiplicity of one is that of a knot
   TANGENT,
   /// one common point that counts once, at an end of a curve, on an edge of a surface, on the seam of a closed operand,
   /// or at the pole of a surface

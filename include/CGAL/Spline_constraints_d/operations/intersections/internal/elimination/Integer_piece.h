@@ -86,8 +86,7 @@ public:
     for (Integer_coefficients& coordinate : m_coordinates) {
       for (Big_integer& c : coordinate)
         c /= content;
-      while (coordinate.size() > 1 && coordinate.back() == 0)
-        coordinate.pop_back();
+      remove_zeros(coordinate);
     }
   }
 
@@ -112,10 +111,17 @@ public:
     return result;
   }
 
-  // In a coordinate plane.
-  Integer_piece<2> projected(std::size_t first, std::size_t second) const
+  // With two linear forms of the coordinates.
+  Integer_piece<2> projected(const std::array<std::array<int, d>, 2>& forms) const
   {
-    return Integer_piece<2>(std::array{m_coordinates[first], m_coordinates[second], m_coordinates[d]});
+    std::array<Integer_coefficients, 3> result;
+    for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t i = 0; i < d; ++i)
+        add_multiple(result[k], m_coordinates[i], Big_integer(forms[k][i]));
+    result[2] = weight();
+    for (Integer_coefficients& coordinate : result)
+      remove_zeros(coordinate);
+    return Integer_piece<2>(std::move(result));
   }
 
   // The derivative, times the square of the weight: x' w - x w'.
@@ -158,6 +164,12 @@ public:
   }
 
 private:
+  static void remove_zeros(Integer_coefficients& f)
+  {
+    while (f.size() > 1 && f.back() == 0)
+      f.pop_back();
+  }
+
   static Big_integer end_value(const Integer_coefficients& f, bool end)
   {
     Big_integer result(0);

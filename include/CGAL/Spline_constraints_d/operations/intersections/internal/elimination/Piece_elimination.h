@@ -262,18 +262,33 @@ struct Eliminated_root
 };
 
 /*
-The same for pieces of curves in the plane or in space. There, they are projected to a coordinate plane: their common
-points are those of the projections at which the third coordinates are equal, too, and the difference of these is a
-polynomial of t by the powers of s.
+The same for pieces of curves in the plane or in space. There, they are projected to a plane: their common points are
+those of the projections at which a third coordinate is equal, too, and the difference of these is a polynomial of t by
+the powers of s.
 */
 template <int d>
 class Piece_elimination
 {
+  // Linear forms that are zero along a direction, and a coordinate that is not.
+  struct Projection
+  {
+    std::array<std::array<int, 3>, 2> forms;
+    std::size_t third;
+  };
+
+  // Along the axes, and along directions of which any three are linearly independent.
+  static constexpr std::array<Projection, 6> m_projections{{{{{{1, 0, 0}, {0, 1, 0}}}, 2},
+                                                            {{{{0, 1, 0}, {0, 0, 1}}}, 0},
+                                                            {{{{0, 0, 1}, {1, 0, 0}}}, 1},
+                                                            {{{{1, -1, 0}, {0, 1, -1}}}, 0},
+                                                            {{{{2, -1, 0}, {0, 1, 2}}}, 0},
+                                                            {{{{1, 2, 0}, {0, 1, 1}}}, 0}}};
+
   Integer_piece<d> m_curve, m_other;
   std::function<void()> m_check;
   std::vector<Planar_elimination> m_planes;                   // the one that is solved first
   std::array<std::optional<Integer_polynomial>, 2> m_offsets; // by the quotients of this one
-  std::size_t m_third = 2;
+  std::size_t m_next_projection = 0, m_third = 0;
 
 public:
   Piece_elimination(const Integer_piece<d>& curve, const Integer_piece<d>& other, const std::function<void()>& check)
@@ -282,9 +297,9 @@ public:
     if constexpr (d == 2)
       m_planes.emplace_back(curve, other, check);
     else
-      for (std::size_t third : {2, 0, 1}) {
-        m_third = third;
-        if (plane(third) && !m_planes.back().polynomial().is_zero())
+      while (add_plane()) {
+        m_third = m_projections[m_next_projection - 1].third;
+        if (!m_planes.back().polynomial().is_zero())
           return;
         m_planes.clear();
       }
@@ -336,8 +351,8 @@ public:
   /*
   How often a root, or an end, counts as a common point, if it has one partner; 0: several times, but it is not known
   how often; nothing: not known. Smooth curves in space that touch have a contact of the same order in all projections
-  but those along the tangent, or in a plane with it and the leading difference, and one coordinate axis at least is no
-  such direction.
+  but those along directions in the plane of the tangent and of the leading difference; the least one of three
+  projections along independent directions is that order.
   */
   std::optional<int> multiplicity(Exact_root& root)
   {
@@ -346,14 +361,14 @@ public:
       if (result > 1) {
         if (is_singular(root))
           return 0;
-        if (m_planes.size() == 1)
-          for (const std::size_t third : {0, 1, 2})
-            if (third != m_third && !plane(third))
-              return std::nullopt;
-        for (Planar_elimination& plane : m_planes) {
-          if (plane.polynomial().is_zero() || !plane.partner(root))
+        for (std::size_t i = 0, known = 0; known < 3; ++i) {
+          if (i == m_planes.size() && !add_plane())
             return std::nullopt;
+          Planar_elimination& plane = m_planes[i];
+          if (plane.polynomial().is_zero() || !plane.partner(root))
+            continue;
           result = (std::min)(result, order_at(plane.polynomial(), root));
+          ++known;
         }
       }
     return result;
@@ -369,15 +384,18 @@ private:
     return true;
   }
 
-  // Adds the projection without a coordinate, unless it has another degree.
-  bool plane(std::size_t third) requires(d == 3)
+  // Adds the next projection in which the other piece has the degree that it has in space, if there is one.
+  bool add_plane() requires(d == 3)
   {
-    const std::size_t first = (third + 1) % 3, second = (third + 2) % 3;
-    const Integer_piece<2> other = m_other.projected(first, second);
-    if (other.degree() != m_other.degree())
-      return false;
-    m_planes.emplace_back(m_curve.projected(first, second), other, m_check);
-    return true;
+    while (m_next_projection < m_projections.size()) {
+      const auto& forms = m_projections[m_next_projection++].forms;
+      const Integer_piece<2> other = m_other.projected(forms);
+      if (other.degree() != m_other.degree())
+        continue;
+      m_planes.emplace_back(m_curve.projected(forms), other, m_check);
+      return true;
+    }
+    return false;
   }
 
   // Z w - W z, by the powers of the partner.
