@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many
-// pieces, and of splines and polylines with themselves; curves that nearly coincide; curves of solutions; intersection curves of surfaces;
-// bisectors, alpha-sectors and envelopes.
+// pieces, of splines and polylines with themselves, and of curves that nearly coincide; curves of solutions;
+// intersection curves of surfaces; bisectors, alpha-sectors and envelopes.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>

@@ -200,11 +200,13 @@ inline std::optional<std::vector<Big_integer>> modular_common_divisor(const std:
       continue;
     std::vector<std::pair<Big_integer, Big_integer>> fractions;
     Big_integer denominator(1);
-    for (const Big_integer& residue : residues)
-      if (auto fraction = fraction_of_residue(residue, modulus)) {
-        denominator = lcm(denominator, fraction->second);
-        fractions.push_back(std::move(*fraction));
-      }
+    for (const Big_integer& residue : residues) { // most have the denominator of those before them
+      const auto fraction = fraction_of_residue(Big_integer(residue * denominator % modulus), modulus);
+      if (!fraction)
+        break;
+      denominator *= fraction->second;
+      fractions.emplace_back(fraction->first, denominator);
+    }
     if (fractions.size() < residues.size())
       continue;
     std::vector<Big_integer> candidate;
