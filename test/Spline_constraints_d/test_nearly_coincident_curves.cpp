@@ -280,6 +280,52 @@ TEST(Nearly_coincident_curves, OutlinesOfManyPieces)
   }
 }
 
+// Of the pieces of an outline, some are those of another one, and some nearly: the overlaps of neighbouring pieces are
+// one, and their ends are no other answers.
+TEST(Nearly_coincident_curves, SomePiecesOverlap)
+{
+  const std::vector<Exact_rational> knots{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 5};
+  const std::vector<K::Point_2> points{{0, 0},   {2, 5},  {4, 4},  {8, 8},   {9, 3}, {14, 2},
+                                       {12, -3}, {8, -7}, {3, -6}, {-2, -4}, {0, 0}};
+  for (const int exponent : {-3, -6, -12, -20, -100}) {
+    std::vector<K::Point_2> moved = points;
+    moved[5] = moved[5] + K::Vector_2(power_of_ten(exponent), 0); // of the piece from 2 to 3
+    moved[9] = moved[9] + K::Vector_2(0, power_of_ten(exponent)); // and from 4 to 5
+    const auto found = SC::intersections(Curve_2(2, knots, points), Curve_2(2, knots, moved));
+    ASSERT_TRUE(found.is_complete()) << exponent << ' ' << found.summary();
+    EXPECT_LE(found.summary().nodes, 5000u) << exponent;
+    ASSERT_EQ(found.size(), 3u) << exponent;
+    EXPECT_EQ(found.count(Intersection_kind::OVERLAP), 2u);
+    EXPECT_EQ(found[2].kind(), Intersection_kind::TRANSVERSAL); // near where the last piece goes upwards
+    EXPECT_NEAR(found[2].parameter(0), 4.714, 1e-3);
+    for (const std::size_t k : {0, 1}) {
+      EXPECT_EQ(found[0].parameter_range(k), Range(0, 2));
+      EXPECT_EQ(found[1].parameter_range(k), Range(3, 4));
+    }
+  }
+}
+
+// y = x^2, z = x^4 touches a curve on the planes through its points and the direction (0, 1, 2) where x^2 = 2.
+TEST(Nearly_coincident_curves, CurvesInSpaceThatTouchAtIrrationalParameters)
+{
+  const std::vector<Coefficients> identity{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  const Coefficients x{0, 1}, square{0, 0, 1}, quartic{0, 0, 0, 0, 1}, contact{4, 0, -4, 0, 1}; // (x^2 - 2)^2
+  for (const int exponent : {0, -10}) {
+    Coefficients y = square, z = quartic;
+    add_multiple(y, contact, power_of_ten(exponent));
+    add_multiple(z, contact, 2 * power_of_ten(exponent));
+    const auto found = SC::intersections(image<3>({x, square, quartic}, identity, 4, {-2, 2}),
+                                         image<3>({x, y, z}, identity, 4, {-2, 2}));
+    EXPECT_TRUE(found.is_complete());
+    ASSERT_EQ(found.size(), 2u);
+    for (const auto& point : found) {
+      EXPECT_EQ(point.kind(), Intersection_kind::TANGENT);
+      EXPECT_EQ(point.multiplicity(), 2);
+      EXPECT_NEAR(point.parameter(0) * point.parameter(0), 2, 1e-12);
+    }
+  }
+}
+
 // All points by elimination, where the solver finds them, too: curves with loops through the point at which the other
 // one crosses itself included, straight ones, with breaks and with corners.
 template <int d>

@@ -55,10 +55,10 @@ not decided two curves within 500 nodes, and 100 for each two pieces whose contr
 parameter is eliminated exactly for each two pieces (Sederberg, Anderson, Goldman 1984), if one of them has degree six
 at most and the product of their degrees is at most 36: all roots of one polynomial are isolated, and the kernel of the
 Bezout matrix tells the other parameter. This gives all common points, with their kinds and multiplicities, those of
-curves in space that touch at irrational parameters included; they have no `solution()`. Where pieces lie on one
-algebraic curve, or both curves cross themselves in one common point, the solver goes on. What it leaves undecided of
-planar curves of degree four at most is then looked at box by box: a point so found at a break is a `TANGENT` point
-without a multiplicity.
+curves in space that touch at irrational parameters included; they have no `solution()`. Two pieces on one algebraic
+curve are left to the solver alone, and overlaps that go on over breaks are joined. Where degrees are higher, or both
+curves cross themselves in one common point, the solver goes on. What it leaves undecided of planar curves of degree
+four at most is then looked at box by box: a point so found at a break is a `TANGENT` point without a multiplicity.
 
 Of planar curves, `Intersection::passage()` tells whether they cross or touch, at corners too: by the tangents on both
 sides, or where two of these have one direction, by the curvatures and higher derivatives. A corner that both have

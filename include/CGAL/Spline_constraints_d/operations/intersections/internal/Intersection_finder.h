@@ -121,7 +121,11 @@ private:
   std::optional<std::vector<Common_point>> eliminated_points()
   {
     try {
-      return Eliminated_points<d>(m_pair, [this] { m_solve.budget().check(); })();
+      const auto check = [this] { m_solve.budget().check(); };
+      const auto solve_part = [this](const Parameter_box& box) {
+        return Intersection_finder(m_pair.part(box), m_solve).with_seams();
+      };
+      return Eliminated_points<d>(m_pair, check, solve_part)();
     } catch (const Run_stopped&) {
       return std::nullopt;
     }

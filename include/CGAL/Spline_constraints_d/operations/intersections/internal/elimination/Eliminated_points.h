@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,8 +36,11 @@ The common points of two curves by elimination: for each two pieces whose boxes 
 parameter of one of them, and for each break the parameters of its point on the other curve. The work does not depend on
 how near the curves are to each other, but for the lengths of numbers.
 
-It finds all or nothing: nothing where curves overlap or are seen as one in all coordinate planes, where degrees are
-high, or where both have several parameters for one common point.
+Two pieces on one algebraic curve have a zero polynomial: they overlap, or meet in their ends or in double points. These
+are left to the solver, two pieces at a time, and overlaps that go on over a break are joined.
+
+It finds all or nothing: nothing where the solver does not decide such pieces, where degrees are high, or where both
+curves have several parameters for one common point.
 */
 template <int d>
 class Eliminated_points
@@ -51,14 +55,20 @@ class Eliminated_points
     int multiplicity;
   };
 
+public:
+  // The common points in a box of parameters, by the solver.
+  using Solve_part = std::function<std::vector<Common_point>(const Parameter_box&)>;
+
+private:
   const Patch_pair<d>& m_pair;
   Curve_pieces<d> m_pieces;
-  std::vector<Common_point> m_points;
+  Solve_part m_solve_part;
+  std::vector<Common_point> m_points, m_overlaps;
 
 public:
   //! \pre the operands are curves. `check` is called often, and may throw.
-  Eliminated_points(const Patch_pair<d>& pair, std::function<void()> check)
-    : m_pair(pair), m_pieces(pair, std::move(check))
+  Eliminated_points(const Patch_pair<d>& pair, std::function<void()> check, Solve_part solve_part = {})
+    : m_pair(pair), m_pieces(pair, std::move(check)), m_solve_part(std::move(solve_part))
   {}
 
   std::optional<std::vector<Common_point>> operator()()
@@ -68,7 +78,11 @@ public:
     for (const auto& [i, j] : pairs_with_meeting_boxes(patches(0), patches(1)))
       if (!have_low_degrees(i, j) || !add_inner_points({i, j}))
         return std::nullopt;
-    return add_points_at_breaks() ? std::optional(std::move(m_points)) : std::nullopt;
+    join_overlaps();
+    if (!add_points_at_breaks())
+      return std::nullopt;
+    std::move(m_overlaps.begin(), m_overlaps.end(), std::back_inserter(m_points));
+    return std::move(m_points);
   }
 
 private:
@@ -92,11 +106,59 @@ private:
   {
     // the matrix has fewer rows
     const std::size_t k = m_pieces.piece(0, pieces[0]).degree() >= m_pieces.piece(1, pieces[1]).degree() ? 0 : 1;
+    if (m_pieces.elimination(k, pieces[k], pieces[1 - k]).is_zero())
+      return add_points_on_one_curve(pieces);
     std::vector<Exact_root> others;
     std::optional<std::vector<Inner_point>> points = points_by_roots(k, pieces, others);
     if (!points || (!others.empty() && !add_points_by_other_roots(k, pieces, others, *points)))
       return false;
     return std::all_of(points->begin(), points->end(), [&](Inner_point& point) { return add(point); });
+  }
+
+  // Of two pieces on one algebraic curve. What the solver finds at breaks is found there.
+  bool add_points_on_one_curve(const std::array<std::size_t, 2>& pieces)
+  {
+    if (!m_solve_part)
+      return false;
+    Parameter_box cells;
+    for (const std::size_t k : {0, 1})
+      cells.push_back(m_pieces.range(k, pieces[k], {Exact_rational(0), Exact_rational(1)}));
+    for (Common_point& point : m_solve_part(cells)) {
+      const auto is_inside = [&](std::size_t k) {
+        return cells[k].first < point.parameters[k].first && point.parameters[k].second < cells[k].second;
+      };
+      if (point.kind == Intersection_kind::OVERLAP)
+        m_overlaps.push_back(std::move(point));
+      else if (point.kind != Intersection_kind::UNDECIDED && is_inside(0) && is_inside(1))
+        m_points.push_back(std::move(point));
+      else if (!point.is_at_end[0] && !point.is_at_end[1])
+        return false;
+    }
+    return true;
+  }
+
+  // Those of neighbouring pieces with a common end.
+  void join_overlaps()
+  {
+    for (std::size_t i = 0; i < m_overlaps.size(); ++i)
+      for (std::size_t j = 0; j < m_overlaps.size(); ++j)
+        if (i != j && go_on(m_overlaps[i].parameters, m_overlaps[j].parameters)) {
+          for (const std::size_t k : {0, 1}) {
+            Parameter_range& range = m_overlaps[i].parameters[k];
+            const Parameter_range& next = m_overlaps[j].parameters[k];
+            range = {(std::min)(range.first, next.first), (std::max)(range.second, next.second)};
+          }
+          m_overlaps[i].solution.reset();
+          m_overlaps.erase(m_overlaps.begin() + static_cast<std::ptrdiff_t>(j));
+          return join_overlaps();
+        }
+  }
+
+  bool go_on(const Parameter_box& a, const Parameter_box& b) const
+  {
+    const Exact_rational &t = a[0].second, &s = a[1].second == b[1].first ? a[1].second : a[1].first;
+    return t == b[0].first && (a[1].second == b[1].first || a[1].first == b[1].second) &&
+        m_pair[0](std::array{t}) == m_pair[1](std::array{s});
   }
 
   // By those of one parameter. Others have several partners, or it is not known how many.
@@ -237,12 +299,22 @@ private:
           narrow(place.root, power_of_two(-64));
           place.root.settle_on_simplest_rational();
         }
-      const std::optional<int> multiplicity = at_breaks.multiplicity(places);
+      if (is_on_overlap({m_pieces.range(0, places[0]), m_pieces.range(1, places[1])}))
+        continue;
+      std::optional<int> multiplicity = at_breaks.multiplicity(places);
+      if (!multiplicity && !at_breaks.is_end(places) && !m_overlaps.empty())
+        multiplicity = 0; // some of the pieces are on one curve, but do not overlap
       if (!multiplicity)
         return false;
       m_points.push_back(point_at_breaks(at_breaks, m_pieces, places, *multiplicity));
     }
     return true;
+  }
+
+  bool is_on_overlap(const Parameter_box& point) const
+  {
+    return std::any_of(m_overlaps.begin(), m_overlaps.end(),
+                       [&](const Common_point& overlap) { return is_part_of(point, overlap.parameters); });
   }
 };
 
