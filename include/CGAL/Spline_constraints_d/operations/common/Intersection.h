@@ -207,6 +207,8 @@ public:
     : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
+    if (m_summary.is_complete)
+      m_summary.why_not = Undecided_reason::NONE;
   }
 
   //! no answers, and nothing is undecided.

@@ -75,6 +75,9 @@ public:
   bool must_stop() const { return m_control->must_stop(true); }
   Undecided_reason reason() const { return m_control->reason(); }
 
+  // Since the operation began.
+  double seconds() const { return m_control->seconds(); }
+
   // For work without an answer before it has ended: throws Run_stopped when the run ends here.
   void check() const { m_control->check(); }
 };

@@ -120,15 +120,20 @@ private:
 
   std::optional<std::vector<Common_point>> eliminated_points()
   {
+    const double begin = m_solve.budget().seconds(), solved = m_solve.total().seconds;
+    std::optional<std::vector<Common_point>> result;
     try {
       const auto check = [this] { m_solve.budget().check(); };
       const auto solve_part = [this](const Parameter_box& box) {
         return Intersection_finder(m_pair.part(box), m_solve).with_seams();
       };
-      return Eliminated_points<d>(m_pair, check, solve_part)();
-    } catch (const Run_stopped&) {
-      return std::nullopt;
+      result = Eliminated_points<d>(m_pair, check, solve_part)();
+    } catch (const Run_stopped&) { // what the solver has found is left
     }
+    Summary work;
+    work.seconds = m_solve.budget().seconds() - begin - (m_solve.total().seconds - solved);
+    m_solve.budget().add(work);
+    return result;
   }
 
   bool is_pair_of_curves() const { return m_pair.number_of_parameters() == 2 && m_pair.first_parameter(1) == 1; }
