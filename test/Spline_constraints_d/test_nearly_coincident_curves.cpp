@@ -305,6 +305,53 @@ TEST(Nearly_coincident_curves, SomePiecesOverlap)
   }
 }
 
+// Splines with corners, with or without weights, closed or cut, beside copies with some control points moved by little:
+// what they have in common does not depend on how little it is.
+TEST(Nearly_coincident_curves, RandomSplines)
+{
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::optional<std::array<std::size_t, 3>> expected;
+    for (const int exponent : {-6, -12, -40}) {
+      std::mt19937 random(seed);
+      const auto integer = [&](int lower, int upper) {
+        return lower + static_cast<int>(random() % static_cast<unsigned>(upper - lower + 1));
+      };
+      const int degree = integer(2, 3), pieces = integer(1, 5);
+      std::vector<Exact_rational> knots(static_cast<std::size_t>(degree) + 1, Exact_rational(0)), weights;
+      for (int i = 1; i < pieces; ++i)
+        knots.insert(knots.end(), static_cast<std::size_t>(integer(1, degree)), Exact_rational(i));
+      knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, Exact_rational(pieces));
+      std::vector<K::Point_2> points;
+      const bool is_rational = integer(0, 2) == 0;
+      while (points.size() + static_cast<std::size_t>(degree) + 1 < knots.size()) {
+        points.emplace_back(static_cast<int>(points.size()) * 10 + integer(0, 12), integer(0, 40));
+        if (is_rational)
+          weights.push_back(Exact_rational(integer(1, 3)));
+      }
+      if (integer(0, 3) == 0)
+        points.back() = points.front();
+      std::vector<K::Point_2> moved = points;
+      for (int i = integer(1, 3); i > 0; --i) {
+        K::Point_2& point = moved[static_cast<std::size_t>(integer(0, static_cast<int>(moved.size()) - 1))];
+        const int x = integer(-3, 3), y = integer(-3, 3);
+        point = point + power_of_ten(exponent) * K::Vector_2(x, y);
+      }
+      Curve_2 near(degree, knots, moved, weights);
+      if (integer(0, 2) == 0) {
+        const int begin = integer(1, 4), end = integer(5, 8);
+        near = near.restricted(Exact_rational(begin * pieces, 9), Exact_rational(end * pieces, 9));
+      }
+      const auto found = SC::intersections(Curve_2(degree, knots, points, weights), near);
+      EXPECT_TRUE(found.is_complete()) << seed << ' ' << exponent;
+      EXPECT_LE(found.summary().nodes, 20000u) << seed << ' ' << exponent;
+      const std::array counts{found.size(), found.count(Intersection_kind::OVERLAP),
+                              found.count(Intersection_kind::TRANSVERSAL)};
+      EXPECT_EQ(counts, expected.value_or(counts)) << seed << ' ' << exponent;
+      expected = counts;
+    }
+  }
+}
+
 // y = x^2, z = x^4 touches a curve on the planes through its points and the direction (0, 1, 2) where x^2 = 2.
 TEST(Nearly_coincident_curves, CurvesInSpaceThatTouchAtIrrationalParameters)
 {
