@@ -321,7 +321,7 @@ public:
 
   static bool may_be_one(const Common_point& point)
   {
-    return point.kind == Intersection_kind::TANGENT && multiplicity_of(point) < 2;
+    return point.kind == Intersection_kind::TANGENT && !point.multiplicity && multiplicity_of(point) < 2;
   }
 
   std::optional<Common_point> operator()(const Common_point& point)
