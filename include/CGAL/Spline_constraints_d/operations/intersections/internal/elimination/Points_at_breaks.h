@@ -276,12 +276,18 @@ public:
   // `check` is called often, and may throw.
   Passages(const Patch_pair<2>& pair, std::function<void()> check) : m_pair(pair), m_pieces(pair, std::move(check)) {}
 
-  std::optional<Passage> operator()(const Common_point& point)
+  // Whether both curves go on at a point that is not told to be a crossing.
+  static bool is_passed(const Patch_pair<2>& pair, const Common_point& point)
+  {
+    const auto ends = [&](std::size_t k) { return point.is_at_end[k] && !pair[k].is_closed(0); };
+    return (point.kind == Intersection_kind::TANGENT || point.kind == Intersection_kind::END_POINT) && !ends(0) &&
+        !ends(1);
+  }
+
+  // \pre Both curves go on there.
+  Passage operator()(const Common_point& point)
   {
     const bool is_at_end = point.is_at_end[0] || point.is_at_end[1];
-    if ((point.kind != Intersection_kind::TANGENT && !(point.kind == Intersection_kind::END_POINT && is_at_end)) ||
-        ends(0, point) || ends(1, point))
-      return std::nullopt;
     const Parameter_box& box = point.parameters;
     if (!is_at_end && !holds_inner_break(m_pair[0], 0, box[0]) && !holds_inner_break(m_pair[1], 0, box[1])) {
       const int count = multiplicity_of(point);
@@ -291,14 +297,8 @@ public:
     std::erase_if(places, [&](const Places& x) {
       return !have_common_part(box, {m_pieces.range(0, x[0]), m_pieces.range(1, x[1])});
     });
-    const std::optional<Passage> passage = places.size() == 1 ? m_at_breaks.passage(places[0]) : std::nullopt;
-    return passage ? passage : Passage::TOUCHES_OR_CROSSES;
-  }
-
-private:
-  bool ends(std::size_t curve, const Common_point& point) const
-  {
-    return point.is_at_end[curve] && !m_pair[curve].is_closed(0);
+    return places.size() == 1 ? m_at_breaks.passage(places[0]).value_or(Passage::TOUCHES_OR_CROSSES)
+                              : Passage::TOUCHES_OR_CROSSES;
   }
 };
 
@@ -385,7 +385,7 @@ inline void decide_passages(const Patch_pair<2>& pair, std::vector<Common_point>
 {
   std::optional<Passages> passage_at;
   for (Common_point& point : points)
-    if (!point.passage && (point.kind == Intersection_kind::TANGENT || point.kind == Intersection_kind::END_POINT)) {
+    if (!point.passage && Passages::is_passed(pair, point)) {
       if (!passage_at)
         passage_at.emplace(pair, [&] { solve.budget().check(); });
       try {
