@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many
-// pieces, and of splines and polylines with themselves; curves of solutions; intersection curves of surfaces;
-// bisectors, alpha-sectors and envelopes.
+// pieces, of splines and polylines with themselves, and of curves that nearly coincide; curves of solutions;
+// intersection curves of surfaces; bisectors, alpha-sectors and envelopes.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
@@ -25,7 +25,9 @@
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
+using SC::Exact_rational;
 using K = CGAL::Simple_cartesian<double>;
+using Exact_kernel = CGAL::Simple_cartesian<Exact_rational>;
 using Curve = SC::Bspline_curve_2<K>;
 
 namespace {
@@ -81,6 +83,28 @@ void spline_with_spline(benchmark::State& state)
   for (auto _ : state)
     points = SC::intersections(first, second).size();
   state.counters["intersections"] = static_cast<double>(points);
+}
+
+// A Bezier curve and a part of it, with its second control point moved by a power of ten.
+template <class Exact_curve>
+void nearly_coincident_curves(benchmark::State& state, const Exact_curve& curve)
+{
+  const Exact_curve part = curve.restricted(Exact_rational(1, 4), Exact_rational(5, 8));
+  std::vector<Exact_rational> shift(part.size(), Exact_rational(0));
+  shift[1] = 1;
+  for (int i = 0; i < state.range(0); ++i)
+    shift[1] /= 10;
+  auto moved = part.homogeneous_coordinates();
+  moved[1] = moved[1] + SC::Bspline_function<Exact_rational>({part.degree()}, {part.knots()}, shift);
+  const Exact_curve other = Exact_curve::from_homogeneous_coordinates(moved, part.weight());
+  std::size_t nodes = 0, size = 0;
+  for (auto _ : state) {
+    const auto result = SC::intersections(curve, other);
+    nodes = result.summary().nodes;
+    size = result.is_complete() ? result.size() : 0;
+  }
+  state.counters["intersections"] = static_cast<double>(size);
+  state.counters["nodes"] = static_cast<double>(nodes);
 }
 
 void count_self_intersections(benchmark::State& state, const Curve& curve)
@@ -213,6 +237,39 @@ const K::Aff_transformation_3 turn(1, 0, 0, 0, 0, 0.6, -0.8, 0, 0, 0.8, 0.6, 0);
 
 BENCHMARK(segments_with_segments)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(spline_with_spline)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+const std::vector<Exact_rational> knots_of_cubic{0, 0, 0, 0, 1, 1, 1, 1}, weights_of_cubic{1, 2, 1, 3};
+const std::vector<Exact_kernel::Point_2> points_of_cubic{{48, 84}, {100, 187}, {130, 99}, {166, 37}};
+BENCHMARK_CAPTURE(nearly_coincident_curves, quadratic,
+                  SC::bezier_curve(std::vector<Exact_kernel::Point_2>{{48, 84}, {100, 187}, {166, 37}}))
+    ->DenseRange(3, 15, 3)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(nearly_coincident_curves, conic,
+                  SC::Bspline_curve_2<Exact_kernel>(2, {0, 0, 0, 1, 1, 1}, {{48, 84}, {100, 187}, {166, 37}},
+                                                    {1, 2, 3}))
+    ->DenseRange(3, 15, 3)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(nearly_coincident_curves, cubic, SC::bezier_curve(points_of_cubic))
+    ->DenseRange(3, 15, 3)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(nearly_coincident_curves, rational_cubic,
+                  SC::Bspline_curve_2<Exact_kernel>(3, knots_of_cubic, points_of_cubic, weights_of_cubic))
+    ->DenseRange(3, 15, 3)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(nearly_coincident_curves, cubic_in_space,
+                  SC::bezier_curve(std::vector<Exact_kernel::Point_3>{
+                      {48, 84, 0}, {100, 187, 50}, {130, 99, 10}, {166, 37, 90}}))
+    ->DenseRange(3, 15, 3)
+    ->Arg(100)
+    ->Arg(300)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(nodal_cubic_with_itself)->Unit(benchmark::kMillisecond);
 BENCHMARK(spline_with_itself)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(polyline_with_itself)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);

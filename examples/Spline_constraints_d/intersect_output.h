@@ -216,9 +216,12 @@ private:
   {
     ++m_count[static_cast<std::size_t>(x.kind())];
     std::cout << x.kind();
-    if constexpr (requires { x.multiplicity(); })
-      if (x.kind() == Kind::TANGENT && x.multiplicity() > 0)
+    if constexpr (requires { x.multiplicity(); })   // one is that of a corner
+      if (x.kind() == Kind::TANGENT && x.multiplicity() > 1)
         std::cout << " of multiplicity " << x.multiplicity();
+    if constexpr (requires { x.passage(); })
+      if (x.passage() && x.kind() != Kind::TRANSVERSAL)
+        std::cout << ", " << *x.passage();
     print_parameters<First::number_of_parameters>(first, x, 0);
     print_parameters<Second::number_of_parameters>(second, x, 1);
     print_place(x.point());

@@ -43,7 +43,34 @@ struct Common_point
   std::optional<Solution_d<double>> solution;
   // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
   bool is_repeated;
+  // how often it counts, where that is not in the solution; 0: this is not known
+  std::optional<int> multiplicity = std::nullopt;
+  // of two planar curves that go on
+  std::optional<Passage> passage = std::nullopt;
 };
+
+// How often a common point counts; 0 where that is not known.
+inline int multiplicity_of(const Common_point& point)
+{
+  return point.multiplicity                          ? *point.multiplicity
+      : point.solution                               ? point.solution->multiplicity()
+      : point.kind == Intersection_kind::TRANSVERSAL ? 1
+                                                     : 0;
+}
+
+// The width of the widest range of an operand, as a part of its domain; zero where it has no parameters.
+template <int d>
+Exact_rational widest_part(const Patch_pair<d>& operands, const Parameter_box& ranges, std::size_t operand)
+{
+  Exact_rational result(0);
+  for (int axis = 0; axis < operands[operand].number_of_parameters(); ++axis) {
+    const auto& [lower, upper] = ranges[operands.first_parameter(operand) + static_cast<std::size_t>(axis)];
+    const auto [begin, end] = operands[operand].domain(axis);
+    if (lower < upper)
+      result = (std::max)(result, Exact_rational((upper - lower) / (end - begin)));
+  }
+  return result;
+}
 
 // What stands for all common points with parameters in a box, where none were looked for.
 inline Common_point undecided_common_point(const Parameter_box& box, Undecided_reason reason)
@@ -77,7 +104,7 @@ public:
 
 private:
   internal::Common::Common_point m_common;
-  std::size_t m_split;   // parameters of the first operand
+  std::size_t m_split; // parameters of the first operand
   Point m_point;
 
 public:
@@ -85,10 +112,15 @@ public:
   Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands)
     : m_common(std::move(common)), m_split(operands.first_parameter(1))
   {
-    internal::Common::Parameter_box ranges =
-        internal::Common::clipped(internal::Common::with_short_ends(m_common.parameters), operands.domain());
-    ranges.resize(m_split);
-    m_point = internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(ranges)));
+    using namespace internal::Common;
+    const Parameter_box ranges = clipped(with_short_ends(m_common.parameters), operands.domain());
+    const std::size_t operand = m_common.kind != Intersection_kind::OVERLAP &&
+            widest_part(operands, ranges, 1) < widest_part(operands, ranges, 0)
+        ? 1
+        : 0;
+    const auto split = ranges.begin() + static_cast<std::ptrdiff_t>(m_split);
+    const Parameter_box own = operand == 0 ? Parameter_box(ranges.begin(), split) : Parameter_box(split, ranges.end());
+    m_point = internal::kernel_object<Kernel, Point>(operands[operand](internal::middle_of(own)));
   }
 
   //! what is proved.
@@ -107,9 +139,9 @@ public:
     return to_nearest_double(internal::Common::middle_of(parameter_range(operand, axis)));
   }
 
-  //! the point of the first operand in the middle of its ranges; where these are narrower than 256 binary digits tell,
-  //! next to it. Where they are one number each, as for a point, and the kernel is exact, it is the common point
-  //! itself.
+  //! the point of an operand in the middle of its ranges: of the one whose ranges are narrower, as parts of its domain,
+  //! or else of the first one, and so for an overlap; where they are narrower than 256 binary digits tell, next to it.
+  //! Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
   const Point& point() const { return m_point; }
 
   //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or
@@ -125,17 +157,21 @@ public:
   }
 
   //! how often the common point counts; 1 when the operands cross, 0 when not known, as at a pole.
-  int multiplicity() const
+  int multiplicity() const { return internal::Common::multiplicity_of(m_common); }
+
+  //! how two curves in the plane pass through a common point that is `TRANSVERSAL`, `TANGENT`, or an `END_POINT` on a
+  //! seam: whether they cross or touch there, decided exactly, also at corners of one or both. Nothing for other
+  //! operands and kinds, and where one of the curves ends.
+  std::optional<Passage> passage() const
   {
-    return m_common.solution                              ? m_common.solution->multiplicity()
-        : m_common.kind == Intersection_kind::TRANSVERSAL ? 1
-                                                          : 0;
+    const bool are_planar_curves = d == 2 && m_split == 1 && m_common.parameters.size() == 2;
+    return are_planar_curves && m_common.kind == Intersection_kind::TRANSVERSAL ? Passage::CROSSES : m_common.passage;
   }
 
   //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or
   //! those of one operand, if the points of the other one are affine in its parameters: a point, a segment, a
   //! parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what
-  //! the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of
+  //! the solver did not: of curves that nearly coincide, at breaks of planar curves, at contacts on common edges of
   //! surfaces or of ruled ones.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
@@ -171,6 +207,8 @@ public:
     : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
+    if (m_summary.is_complete)
+      m_summary.why_not = Undecided_reason::NONE;
   }
 
   //! no answers, and nothing is undecided.

@@ -50,13 +50,20 @@ they are enclosures, those of a surface on a sphere its domain. Other curves in 
 `UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not
 reported again, unless the operands touch there and are in space or of degree higher than four.
 
-Planar curves that are nearly the same, between common points at their breaks, are told apart by elimination: where the
-pieces have degree four at most, the determinant of a Bezout matrix is a polynomial in one parameter (Sederberg,
-Anderson, Goldman 1984), whose Bernstein coefficients prove that boxes the solver left undecided hold no common point,
-or only one at breaks of both curves, or at a break of one and an irrational parameter of the other, of which the range
-is an enclosure. This is a `TANGENT` point without a multiplicity and without a `solution()`. Where the polynomial has a
-simple zero, the kernel of the matrix tells the other parameter: in such a box, this is a crossing, at an angle as small
-as it may be, or no common point. It is `TRANSVERSAL`, without a `solution()`.
+Curves that nearly coincide take no more work the nearer they are, but for the lengths of numbers. Where the solver has
+not decided two curves within 500 nodes, and 100 for each two pieces whose control polygons have meeting boxes, one
+parameter is eliminated exactly for each two pieces (Sederberg, Anderson, Goldman 1984), if one of them has degree six
+at most and the product of their degrees is at most 36: all roots of one polynomial are isolated, and the kernel of the
+Bezout matrix tells the other parameter. This gives all common points, with their kinds and multiplicities, those of
+curves in space that touch at irrational parameters included; they have no `solution()`. Two pieces on one algebraic
+curve are left to the solver alone, and overlaps that go on over breaks are joined. Where degrees are higher, or both
+curves cross themselves in one common point, the solver goes on. What it leaves undecided of planar curves of degree
+four at most is then looked at box by box: a point so found at a break is a `TANGENT` point without a multiplicity.
+
+Of planar curves, `Intersection::passage()` tells whether they cross or touch, at corners too: by the tangents on both
+sides, or where two of these have one direction, by the curvatures and higher derivatives. A corner that both have
+counts once, and is `TRANSVERSAL`, where each two pieces meet there with multiplicity one and the curves cross, and a
+`TANGENT` point without a multiplicity where they touch.
 
 A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray
 stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$, that of a line for \f$p
@@ -76,7 +83,9 @@ undecided.
 one sign, or an option makes no sense.
 
 Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one
-with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.
+with an unknown less for each solution at an end. For two pieces of curves of degrees \f$m\f$ and \f$n \le m\f$,
+elimination takes \f$n 2^n\f$ products of polynomials in one parameter, and isolates the roots of one of degree
+\f$mn\f$. Source: \cgalCite{ek-gcs-01}, section 2.
 */
 template <class A, class B>
   requires internal::Common::Intersection_operands<A, B>

@@ -82,6 +82,9 @@ public:
                                                                                      : m_control->reason();
   }
 
+  // Since the operation began.
+  double seconds() const { return m_control->seconds(); }
+
   // For work without an answer before it has ended: throws Run_stopped when the run ends here.
   void check() const { m_control->check(); }
 };

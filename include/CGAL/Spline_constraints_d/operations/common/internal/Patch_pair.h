@@ -168,6 +168,14 @@ inline bool has_extent(const Parameter_box& box)
   return std::any_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.first < range.second; });
 }
 
+inline bool have_common_part(const Parameter_box& a, const Parameter_box& b)
+{
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].second < b[j].first || b[j].second < a[j].first)
+      return false;
+  return true;
+}
+
 // A box of parameters, without the upper ends of some of its ranges.
 struct Parameter_region
 {

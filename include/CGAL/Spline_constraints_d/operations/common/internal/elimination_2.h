@@ -66,13 +66,34 @@ inline Exact_function determinant(const Function_matrix& rows)
 }
 
 /*
-Of a piece C of a planar curve and a piece D of another one, of degree four at most, both without breaks: a matrix of
-functions on C that is singular where C has a point on D. None for other degrees.
+For a point (X : Y : W) and a planar curve D(s) = (x : y : w), given by its coefficients in powers of s: the vectors
+whose inner products with (X, Y, W) are the entries of the Bezout matrix of D at the point, in rows one after the other.
 
-Let C(t) = (X : Y : W) and D(s) = (x : y : w). Where C(t) = D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y
-have the zero s in common, and so their Bezout matrix is singular, and (1, s, s^2, ...) in its kernel. With the factor W
-taken out, its entries are the sums of the determinants of (X, Y, W) and two coefficients of D.
+Where the point is D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y have the zero s in common, and so their
+Bezout matrix is singular, and (1, s, s^2, ...) in its kernel. With the factor W taken out, its entries are the sums of
+the determinants of (X, Y, W) and two coefficients of D.
 */
+template <class Number>
+std::vector<std::array<Number, 3>> bezout_vectors(const std::vector<std::array<Number, 3>>& c)
+{
+  const std::size_t n = c.size() - 1;
+  std::vector<std::array<Number, 3>> result;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      std::array<Number, 3>& sum = result.emplace_back(std::array{Number(0), Number(0), Number(0)});
+      for (std::size_t k = i + j + 1 < n ? 0 : i + j + 1 - n; k <= (std::min)(i, j); ++k) {
+        const auto &a = c[i + j + 1 - k], &b = c[k];
+        for (std::size_t m = 0; m < 3; ++m) {
+          const std::size_t next = (m + 1) % 3, last = (m + 2) % 3;
+          sum[m] += Number(a[next] * b[last] - a[last] * b[next]);
+        }
+      }
+    }
+  return result;
+}
+
+// Of a piece C of a planar curve and a piece D of another one, of degree four at most, both without breaks: a matrix of
+// functions on C that is singular where C has a point on D, the Bezout matrix of D at C(t). None for other degrees.
 inline Function_matrix bezout_matrix(const Spline_patch<2>& curve, const Spline_patch<2>& other)
 {
   constexpr std::size_t most = 4;
@@ -80,18 +101,12 @@ inline Function_matrix bezout_matrix(const Spline_patch<2>& curve, const Spline_
   const std::size_t n = c.size() - 1;
   if (n > most)
     return {};
+  const std::vector<std::array<Exact_rational, 3>> vectors = bezout_vectors(c);
   Function_matrix rows(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
-      std::array<Exact_rational, 3> sum{Exact_rational(0), Exact_rational(0), Exact_rational(0)};
-      for (std::size_t k = i + j + 1 < n ? 0 : i + j + 1 - n; k <= (std::min)(i, j); ++k) {
-        const auto &a = c[i + j + 1 - k], &b = c[k];
-        for (std::size_t m = 0; m < 3; ++m) {
-          const std::size_t next = (m + 1) % 3, last = (m + 2) % 3;
-          sum[m] += Exact_rational(a[next] * b[last] - a[last] * b[next]);
-        }
-      }
-      rows[i].push_back(curve.numerators()[0] * sum[0] + curve.numerators()[1] * sum[1] + curve.weight() * sum[2]);
+      const std::array<Exact_rational, 3>& v = vectors[i * n + j];
+      rows[i].push_back(curve.numerators()[0] * v[0] + curve.numerators()[1] * v[1] + curve.weight() * v[2]);
     }
   return rows;
 }

@@ -43,6 +43,8 @@ inline Integer_polynomial integer_polynomial(const Bernstein_tensor<Exact_ration
 
 inline void narrow(Exact_root& root, const Exact_rational& width)
 {
+  if (root.width() > width * power_of_two(64))
+    root.narrow(width);
   while (root.width() > width)
     root.halve();
 }

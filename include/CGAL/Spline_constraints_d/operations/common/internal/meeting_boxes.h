@@ -17,6 +17,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -45,6 +46,44 @@ std::vector<Indexed_box<d>> boxes_of(const std::vector<Spline_patch<d>>& patches
     }
     result.emplace_back(lower, upper, result.size());
   }
+  return result;
+}
+
+// About how many pieces of two curves have control points with meeting boxes, to judge how much work they are.
+template <int d>
+std::size_t number_of_meeting_pieces(const Spline_patch<d>& first, const Spline_patch<d>& second)
+{
+  using Box = std::array<std::pair<double, double>, d>;
+  const auto boxes = [](const Spline_patch<d>& curve) {
+    std::vector<Box> result;
+    for (std::size_t i = 0; i < d; ++i) {
+      const Exact_function& f = curve.numerators()[i];
+      std::vector<double> points;
+      for (std::size_t k = 0; k < f.coefficients().size(); ++k) {
+        const double w = curve.is_rational() && k < curve.weight().coefficients().size()
+            ? CGAL::to_double(curve.weight().coefficients()[k])
+            : 1;
+        points.push_back(CGAL::to_double(f.coefficients()[k]) / w);
+      }
+      const std::size_t degree = static_cast<std::size_t>(f.degree(0));
+      result.resize((std::max)(result.size(), points.size() - degree));
+      for (std::size_t k = 0; k + degree < points.size(); ++k) {
+        const auto begin = points.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto [least, greatest] = std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(degree) + 1);
+        result[k][i] = {*least, *greatest};
+      }
+    }
+    return result;
+  };
+  const std::vector<Box> a = boxes(first), b = boxes(second);
+  std::size_t result = 0;
+  for (const Box& p : a)
+    for (const Box& q : b) {
+      bool do_meet = true;
+      for (std::size_t i = 0; i < d; ++i)
+        do_meet = do_meet && p[i].first <= q[i].second && q[i].first <= p[i].second;
+      result += do_meet;
+    }
   return result;
 }
 

@@ -11,8 +11,10 @@
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlap_ends.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elimination/Eliminated_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/settle_undecided_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -47,7 +49,7 @@ class Intersection_finder
   // A solution with its parameters, and a region where it is the only one.
   struct Answer
   {
-    std::optional<Solution> solution;   // none without unknowns
+    std::optional<Solution> solution; // none without unknowns
     Parameter_box parameters, region;
   };
 
@@ -66,18 +68,78 @@ public:
   // Each common point once: on the seam of a closed operand, with the lower parameter.
   std::vector<Common_point> operator()()
   {
-    std::vector<Common_point> result = with_seams();
+    std::vector<Common_point> result = found();
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
     if (!m_solve.must_stop())
       settle_undecided_points(m_pair, result);
+    if constexpr (d == 2)
+      if (is_pair_of_curves())
+        settle_corners(m_pair, result, m_solve);
     drop_ends_of_overlaps(m_pair, result);
+    if constexpr (d == 2)
+      if (is_pair_of_curves())
+        decide_passages(m_pair, result, m_solve);
     std::sort(result.begin(), result.end(),
               [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;
   }
 
 private:
-  // With those on both sides of a seam.
+  /*
+  With those on both sides of a seam. Near curves that nearly coincide the solver takes as many boxes as they are long
+  against their distance: where these multiply without being decided, the parameters of curves are eliminated.
+  */
+  std::vector<Common_point> found()
+  {
+    if (!is_pair_of_curves())
+      return with_seams();
+    const Budgeted_solver whole = m_solve;
+    m_solve = whole.limited(many_nodes());
+    std::vector<Common_point> result = with_seams();
+    const Budgeted_solver limited = std::exchange(m_solve, whole);
+    m_solve.add_work_of(limited);
+    if (std::none_of(result.begin(), result.end(), is_undecided) || m_solve.must_stop())
+      return result;
+    if (std::optional<std::vector<Common_point>> others = eliminated_points())
+      return std::move(*others);
+    return limited.has_reached_node_limit() && !m_solve.has_reached_node_limit() && !m_solve.must_stop() ? with_seams()
+                                                                                                         : result;
+  }
+
+  // Several times as many as curves with so many pieces next to each other need that do not nearly coincide.
+  std::size_t many_nodes() const
+  {
+    constexpr std::size_t first_pair = 500, next_pair = 100;
+    const auto is_one_piece = [&](std::size_t k) {
+      const Exact_function& x = m_pair[k].numerators()[0];
+      return x.coefficients().size() == static_cast<std::size_t>(x.degree(0)) + 1;
+    };
+    return is_one_piece(0) && is_one_piece(1) ? first_pair
+                                              : first_pair + next_pair * number_of_meeting_pieces(m_pair[0], m_pair[1]);
+  }
+
+  std::optional<std::vector<Common_point>> eliminated_points()
+  {
+    const double begin = m_solve.budget().seconds(), solved = m_solve.total().seconds;
+    std::optional<std::vector<Common_point>> result;
+    try {
+      const auto check = [this] { m_solve.budget().check(); };
+      const auto solve_part = [this](const Parameter_box& box) {
+        return Intersection_finder(m_pair.part(box), m_solve).with_seams();
+      };
+      result = Eliminated_points<d>(m_pair, check, solve_part)();
+    } catch (const Run_stopped&) { // what the solver has found is left
+    }
+    Summary work;
+    work.seconds = m_solve.budget().seconds() - begin - (m_solve.total().seconds - solved);
+    m_solve.budget().add(work);
+    return result;
+  }
+
+  bool is_pair_of_curves() const { return m_pair.number_of_parameters() == 2 && m_pair.first_parameter(1) == 1; }
+
+  static bool is_undecided(const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; }
+
   std::vector<Common_point> with_seams()
   {
     const Coincidence<d> equations(m_pair);
@@ -143,6 +205,9 @@ private:
   {
     Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution,
                         is_repeated_at_end(answer.parameters)};
+    if (result.kind == Intersection_kind::TANGENT && answer.solution->multiplicity() == 1 &&
+        !holds_inner_breaks(answer.parameters))
+      result.kind = Intersection_kind::TRANSVERSAL; // it was hard to see, but is regular
     const std::optional<std::size_t> surface =
         result.kind == Intersection_kind::OVERLAP ? set_pole(result) : std::nullopt;
     if (!surface && !is_one_point(answer.solution))
@@ -159,6 +224,15 @@ private:
     return result;
   }
 
+  // Whether derivatives may jump in a box.
+  bool holds_inner_breaks(const Parameter_box& box) const
+  {
+    for (std::size_t j = 0; j < box.size(); ++j)
+      if (holds_inner_break(m_pair[m_pair.operand_of(j)], m_pair.axis_of(j), box[j]))
+        return true;
+    return false;
+  }
+
   void set_end(Common_point& point, const Parameter_end& end, const Parameter_box& region)
   {
     if (point.kind != Intersection_kind::TANGENT)
@@ -172,8 +246,8 @@ private:
   bool is_alone(const Common_point& point, const Parameter_box& region)
   {
     return point.kind == Intersection_kind::END_POINT ||
-           (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box()))) ||
-           has_one_point_at_breaks(region);
+        (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box()))) ||
+        has_one_point_at_breaks(region);
   }
 
   // Whether a region that reaches over breaks has one common point only: in the parts between them, the point is a
@@ -230,10 +304,14 @@ private:
     if (!solution)
       return Intersection_kind::TRANSVERSAL;
     switch (solution->kind()) {
-    case Solution_kind::CERTIFIED: return Intersection_kind::TRANSVERSAL;
-    case Solution_kind::CLUSTER: return Intersection_kind::TANGENT;
-    case Solution_kind::CONTINUUM: return Intersection_kind::OVERLAP;
-    case Solution_kind::UNDECIDED: break;
+    case Solution_kind::CERTIFIED:
+      return Intersection_kind::TRANSVERSAL;
+    case Solution_kind::CLUSTER:
+      return Intersection_kind::TANGENT;
+    case Solution_kind::CONTINUUM:
+      return Intersection_kind::OVERLAP;
+    case Solution_kind::UNDECIDED:
+      break;
     }
     return Intersection_kind::UNDECIDED;
   }

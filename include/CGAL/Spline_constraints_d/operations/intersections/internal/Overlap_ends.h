@@ -62,6 +62,9 @@ public:
 
   bool hold(const Common_point& point)
   {
+    const bool is_inside_of_pieces = point.multiplicity && has_interior(point.parameters);   // found by elimination
+    if (is_inside_of_pieces)
+      return false;
     const auto is_end = [&](const End& end) {
       if (!has_extent(point.parameters))
         return is_same_point(point.parameters, end);

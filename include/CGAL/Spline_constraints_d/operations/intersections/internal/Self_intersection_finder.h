@@ -192,7 +192,10 @@ template <int d>
 std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budgeted_solver& solve)
 {
   try {
-    return Self_intersection_finder<d>(curve, solve)();
+    std::vector<Common_point> result = Self_intersection_finder<d>(curve, solve)();
+    if constexpr (d == 2)
+      decide_passages(Patch_pair<2>(curve, curve), result, solve);
+    return result;
   } catch (const Run_stopped& stop) { // before there were arcs
     return {undecided_common_point({curve.domain(0), curve.domain(0)}, stop.reason)};
   }

@@ -39,14 +39,6 @@ std::optional<Common_point> point_at_break(const Patch_pair<d>& pair, const Para
   return result;
 }
 
-inline bool have_common_part(const Parameter_box& a, const Parameter_box& b)
-{
-  for (std::size_t j = 0; j < a.size(); ++j)
-    if (a[j].second < b[j].first || b[j].second < a[j].first)
-      return false;
-  return true;
-}
-
 /*
 Boxes of parameters of two planar curves that the solver could not decide, but elimination does: curves that are nearly
 the same between breaks, touch each other there, end next to each other, or cross at a very small angle. Those without

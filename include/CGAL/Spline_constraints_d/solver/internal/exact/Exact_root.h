@@ -53,7 +53,7 @@ class Exact_root
 {
   std::shared_ptr<const Integer_polynomial> m_polynomial;
   Exact_rational m_lower, m_upper;
-  CGAL::Sign m_lower_sign = CGAL::ZERO;   // of the polynomial between the lower end and the root
+  CGAL::Sign m_lower_sign = CGAL::ZERO; // of the polynomial between the lower end and the root
 
 public:
   Exact_root(std::shared_ptr<const Integer_polynomial> polynomial, Exact_rational lower, Exact_rational upper,
@@ -85,6 +85,20 @@ public:
       cut((m_lower + m_upper) / Exact_rational(2));
   }
 
+  /*
+  Until the interval is not wider than that: a part of 2^-2^j of it where the secant is zero is mostly the one with the
+  root, and then j grows by one; if it is not, j falls, and at its lowest the interval is halved (Abbott 2006).
+  */
+  void narrow(const Exact_rational& width)
+  {
+    for (int j = 0; m_upper - m_lower > width;)
+      if (j == 0) {
+        halve();
+        ++j;
+      } else
+        j = keeps_part_at_secant(1L << j) ? j + 1 : j - 1;
+  }
+
   // Becomes the simplest rational of the interval, if that is the root.
   void settle_on_simplest_rational()
   {
@@ -109,7 +123,7 @@ public:
     if (other.is_zero() || is_point())
       return other.sign_at(m_lower);
     bool is_compared = false;
-    while (!is_point()) {
+    for (long step = 0; !is_point(); ++step) {
       const std::vector<Big_integer> values = bernstein_on_dyadic_hull(other);
       if (std::all_of(values.begin(), values.end(),
                       [&](const Big_integer& v) { return v.sign() * values.front().sign() > 0; }))
@@ -117,12 +131,39 @@ public:
       if (!is_compared && vanishes_with(other))
         return CGAL::ZERO;
       is_compared = true;
-      halve();
+      constexpr long few = 8;
+      if (step < few)
+        halve();
+      else // the value may be very small
+        narrow(width() * power_of_two(-(1L << (std::min)(step, 30L) / 2)));
     }
     return other.sign_at(m_lower);
   }
 
 private:
+  // Whether the root is in one part of 2^bits, or is an end of it, which becomes the interval. If not, parts without it
+  // are cut off.
+  bool keeps_part_at_secant(long bits)
+  {
+    const Exact_rational part = (m_upper - m_lower) * power_of_two(-bits);
+    const auto value = [&](const Exact_rational& x) { // of a dyadic number
+      const long bits_of_denominator = bit_length(denominator_of(x)) - 1;
+      return scaled_rational(m_polynomial->numerator_at(x), -m_polynomial->degree() * bits_of_denominator);
+    };
+    const Exact_rational at_lower = value(m_lower), slope(at_lower - value(m_upper));
+    if (slope == 0)
+      return false;
+    const Exact_rational position = at_lower / slope * power_of_two(bits);
+    Big_integer index;
+    mpz_fdiv_q(index.backend().data(), numerator_of(position).backend().data(),
+               denominator_of(position).backend().data());
+    const Exact_rational lower = m_lower + part * scaled_rational(index, 0), upper = lower + part;
+    for (const Exact_rational& x : {lower, upper})
+      if (m_lower < x && x < m_upper)
+        cut(x);
+    return m_upper - m_lower <= part;
+  }
+
   // Of an interval that is hardly larger.
   std::vector<Big_integer> bernstein_on_dyadic_hull(const Integer_polynomial& polynomial) const
   {

@@ -11,9 +11,9 @@
 
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/modular_common_divisor.h>
 
 #include <CGAL/Polynomial.h>
-#include <CGAL/Polynomial_traits_d.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -36,9 +36,9 @@ class Integer_polynomial
 {
   using Polynomial = CGAL::Polynomial<Exact_integer>;
 
-  std::vector<Big_integer> m_coefficients;   // in power form; the last one is not zero
-  std::vector<Big_integer> m_weights;        // lcm_i C(d,i) / C(d,k)
-  Big_integer m_denominator = 1;             // lcm_i C(d,i)
+  std::vector<Big_integer> m_coefficients; // in power form; the last one is not zero
+  std::vector<Big_integer> m_weights;      // lcm_i C(d,i) / C(d,k)
+  Big_integer m_denominator = 1;           // lcm_i C(d,i)
 
 public:
   // The zero polynomial.
@@ -61,6 +61,9 @@ public:
 
   // -1 for the zero polynomial.
   int degree() const { return static_cast<int>(m_coefficients.size()) - 1; }
+
+  // In powers of the unknown, the constant one first; none of zero.
+  const std::vector<Big_integer>& coefficients() const { return m_coefficients; }
 
   // \pre not zero
   const Big_integer& leading_coefficient() const { return m_coefficients.back(); }
@@ -134,10 +137,13 @@ public:
     return sign_of(at(x, value).value);
   }
 
-  CGAL::Sign sign_at(const Exact_rational& x) const
+  CGAL::Sign sign_at(const Exact_rational& x) const { return sign_of(numerator_at(x)); }
+
+  // The value at p/q, times q^d.
+  Big_integer numerator_at(const Exact_rational& x) const
   {
     if (is_zero())
-      return CGAL::ZERO;
+      return Big_integer(0);
     const Big_integer numerator = numerator_of(x), denominator = denominator_of(x);
     Big_integer sum = m_coefficients.back(), power(1);
     for (int k = degree() - 1; k >= 0; --k) {
@@ -145,7 +151,7 @@ public:
       sum *= numerator;
       add_product(sum, m_coefficients[k], power);
     }
-    return sign_of(sum);
+    return sum;
   }
 
   // Divides by the greatest power of x - root, up to a positive constant factor; returns its exponent. \pre not zero
@@ -182,15 +188,15 @@ public:
     const int d = degree();
     for (int k = 0; k < d; ++k)
       shift_left(a[k], static_cast<unsigned long>(-exponent) * (d - k));
-    for (int r = 0; r < d; ++r)   // x = begin + width t: Taylor's shift,
+    for (int r = 0; r < d; ++r) // x = begin + width t: Taylor's shift,
       for (int k = d - 1; k >= r; --k)
         add_product(a[k], begin, a[k + 1]);
     Big_integer power(1);
-    for (int k = 0; k <= d; ++k) {   // powers of the width, and binomial weights,
+    for (int k = 0; k <= d; ++k) { // powers of the width, and binomial weights,
       a[k] *= m_weights[k] * power;
       power *= width;
     }
-    for (int r = 1; r <= d; ++r)   // and their sums
+    for (int r = 1; r <= d; ++r) // and their sums
       for (int k = d; k >= r; --k)
         a[k] += a[k - 1];
     return {std::move(a), exponent * d};
@@ -204,23 +210,44 @@ public:
   {
     if (a.is_zero() || b.is_zero())
       return a.is_zero() ? b : a;
-    return from_cgal(CGAL::gcd(a.to_cgal(), b.to_cgal()));
+    if (auto divisor = modular_common_divisor(a.m_coefficients, b.m_coefficients))
+      return Integer_polynomial(std::move(*divisor));
+    return Integer_polynomial(primitive_part(from_cgal(CGAL::gcd(a.to_cgal(), b.to_cgal())).m_coefficients));
   }
 
   // Coprime polynomials without multiple roots, each with an exponent: their product with these exponents is this one,
   // up to a constant factor (Yun 1976). \pre not zero
   std::vector<std::pair<Integer_polynomial, int>> square_free_factors() const
   {
-    using Factorize = CGAL::Polynomial_traits_d<Polynomial>::Square_free_factorize_up_to_constant_factor;
-    std::vector<std::pair<Polynomial, int>> factors;
-    Factorize()(to_cgal(), std::back_inserter(factors));
     std::vector<std::pair<Integer_polynomial, int>> result;
-    for (const auto& [factor, exponent] : factors)
-      result.emplace_back(from_cgal(factor), exponent);
+    const Integer_polynomial divisor = common_divisor(*this, derivative());
+    Integer_polynomial rest = quotient_by(divisor), slope = derivative().quotient_by(divisor) - rest.derivative();
+    for (int exponent = 1; rest.degree() > 0; ++exponent) {
+      const Integer_polynomial factor = common_divisor(rest, slope);
+      rest = rest.quotient_by(factor);
+      slope = slope.quotient_by(factor) - rest.derivative();
+      if (factor.degree() > 0)
+        result.emplace_back(factor, exponent);
+    }
     return result;
   }
 
 private:
+  friend Integer_polynomial operator-(const Integer_polynomial& a, const Integer_polynomial& b)
+  {
+    std::vector<Big_integer> result = a.m_coefficients;
+    result.resize((std::max)(result.size(), b.m_coefficients.size()), Big_integer(0));
+    for (std::size_t k = 0; k < b.m_coefficients.size(); ++k)
+      result[k] -= b.m_coefficients[k];
+    return Integer_polynomial(std::move(result));
+  }
+
+  // \pre A primitive divisor: the quotient has integer coefficients (Gauss).
+  Integer_polynomial quotient_by(const Integer_polynomial& divisor) const
+  {
+    return Integer_polynomial(exact_quotient(m_coefficients, divisor.m_coefficients).value());
+  }
+
   Polynomial to_cgal() const
   {
     std::vector<Exact_integer> coefficients;
