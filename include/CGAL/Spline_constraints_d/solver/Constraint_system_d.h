@@ -98,6 +98,7 @@ public:
   /*!
   adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a
   formula is divided by is no solution of it.
+  \param constraint the formula and its relation to zero.
   \param check as of `Constraint::spline_function()`.
   \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger
   domain in the system than its range in the formula, which proofs about divisors rely on.
