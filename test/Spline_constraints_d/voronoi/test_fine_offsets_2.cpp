@@ -3,6 +3,7 @@
 
 // The level above doubles of trimmed offsets: curves that are nearly twice the distance apart, or nearly parallel at
 // it. What differs is far below the rounding errors of doubles; the ends of arcs are known in closed form.
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
