@@ -7,6 +7,7 @@
 #undef CGAL_DO_NOT_USE_BOOST_MP
 #undef CGAL_DISABLE_GMP
 #define CGAL_DISABLE_GMP 1
+#define CMAKE_OVERRIDDEN_DEFAULT_ENT_BACKEND 3   // of CGAL 6: its BOOST_BACKEND, also with Boost before 1.80
 
 #if defined(__GNUC__) && !defined(__clang__)
 // g++ 12 takes a branch of Boost's small-integer storage for uninitialized.
