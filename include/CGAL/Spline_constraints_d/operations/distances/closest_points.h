@@ -19,6 +19,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>
 #endif
 
 #include <array>
@@ -221,16 +222,23 @@ Complexity: that of a system in as many unknowns as the operands have parameters
 smaller ones for their edges and corners; pairs that are too far apart are not looked at.
 */
 template <class A, class B>
-  requires internal::Common::Spline_operands<A, B>
+requires internal::Common::Spline_operands<A, B>
 auto closest_points(const A& a, const B& b, const Solver_options& options = {})
 {
   using Operand = internal::Common::Spline_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  auto found =
-      internal::Distances::nearest_points_of<d>(Operand::map(a), internal::Common::Spline_operand<B>::map(b), options);
-  return Closest_points<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
-                                   std::move(found.undecided), found.summary, std::move(found.squared_distance));
+  const auto with_points = [](internal::Distances::Found_distances<d> found) {
+    return Closest_points<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
+                                     std::move(found.undecided), found.summary, std::move(found.squared_distance));
+  };
+  options.check();
+  if constexpr (internal::Distances::Has_coordinates<A> && internal::Distances::Has_coordinates<B>)
+    if (auto found = internal::Distances::nearest_points_in_doubles(
+            internal::Distances::Distance_operand_of<A>::get(a), internal::Distances::Distance_operand_of<B>::get(b)))
+      return with_points(std::move(*found));
+  return with_points(
+      internal::Distances::nearest_points_of<d>(Operand::map(a), internal::Common::Spline_operand<B>::map(b), options));
 }
 
 /*!
@@ -239,8 +247,8 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
 two doubles between which the distance of two operands lies: `closest_points(a, b, options).distance_range()`.
 */
 template <class A, class B>
-  requires internal::Common::Spline_operands<A, B>
-std::pair<double, double> distance_range(const A& a, const B& b, const Solver_options& options = {})
+requires internal::Common::Spline_operands<A, B> std::pair<double, double>
+distance_range(const A& a, const B& b, const Solver_options& options = {})
 {
   return closest_points(a, b, options).distance_range();
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Distance_operand.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,15 @@ template <int d>
 Found_distances<d> nearest_points_of(const Exact_map<d>& first, const Exact_map<d>& second,
                                      const Solver_options& options);
 
+// The same where doubles decide; defined in doubles/nearest_points_in_doubles.h.
+template <class NT, int d>
+std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_operand<NT, d>& first,
+                                                            const Distance_operand<NT, d>& second);
+
+#define CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(EXTERN, NT, d)                                               \
+  EXTERN template std::optional<Found_distances<d>> nearest_points_in_doubles<NT, d>(const Distance_operand<NT, d>&,   \
+                                                                                     const Distance_operand<NT, d>&);
+
 // The Hausdorff distance of two curves, or that of the first one from the second one.
 template <int d>
 struct Found_hausdorff_distance
@@ -76,6 +87,10 @@ extern template Found_distances<2> nearest_points_of<2>(const Exact_map<2>&, con
                                                         const Solver_options&);
 extern template Found_distances<3> nearest_points_of<3>(const Exact_map<3>&, const Exact_map<3>&,
                                                         const Solver_options&);
+CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(extern, double, 2)
+CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(extern, double, 3)
+CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(extern, Exact_rational, 2)
+CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(extern, Exact_rational, 3)
 extern template Found_hausdorff_distance<2> hausdorff_distance_of<2>(const Exact_map<2>&, const Exact_map<2>&, double,
                                                                      bool, const Solver_options&);
 extern template Found_hausdorff_distance<3> hausdorff_distance_of<3>(const Exact_map<3>&, const Exact_map<3>&, double,

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Distance_operand.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Nearest_search.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Spline_jet.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Distances {
+
+// What is asked of an operand.
+template <class NT, int d>
+class Located_operand
+{
+  const Distance_operand<NT, d>& m_operand;
+
+public:
+  explicit Located_operand(const Distance_operand<NT, d>& operand) : m_operand(operand) {}
+
+  int number_of_axes() const { return m_operand.spline == nullptr ? 0 : m_operand.spline->dimension(); }
+
+  bool is_finite() const
+  {
+    return m_operand.spline != nullptr || std::all_of(m_operand.point.begin(), m_operand.point.end(), [](const NT& x) {
+             return std::isfinite(nearest_double(x));
+           });
+  }
+
+  // Calls a function with it in a form that can be searched.
+  template <class Function>
+  void visit_prepared(const Function& function) const
+  {
+    if (m_operand.spline == nullptr)
+      function(Point_operand<d>(m_operand.point));
+    else if (m_operand.rounded != nullptr)
+      function(*m_operand.rounded);
+    else
+      function(Rounded_spline<d>(*m_operand.spline));
+  }
+
+  // The parameter at a place in a cell.
+  Exact_rational parameter(int axis, int cell, const Exact_rational& place) const
+  {
+    const std::vector<NT>& knots = m_operand.spline->functions()[0].knots(axis);
+    const std::size_t span = span_of_cell(knots, m_operand.spline->functions()[0].degree(axis), cell);
+    if (knots[span] == NT(0) && knots[span + 1] == NT(1))
+      return place;
+    const auto begin = converted_number<Exact_rational>(knots[span]);
+    return Exact_rational(begin + place * (converted_number<Exact_rational>(knots[span + 1]) - begin));
+  }
+
+  // At a fraction of a cell along each axis.
+  template <class Field>
+  Spline_jet<Field, d> jet(const std::array<int, 2>& cells, const std::array<Fraction, 2>& at) const
+  {
+    return m_operand.spline == nullptr ? Spline_jet<Field, d>(m_operand.point)
+                                       : Spline_jet<Field, d>(*m_operand.spline, cells, at);
+  }
+};
+
+/*
+The answers of a `Nearest_search`, in exact numbers. Those whose parameters are ends of pieces or small fractions, by
+proof, have exact points and distances, as have answers of the solver.
+*/
+template <class NT, int d>
+class Exact_candidates
+{
+  using Candidate = Nearest_candidate<d>;
+  using Fractions = std::array<Fraction, 2>; // of all parameters, or of those of one operand
+  template <class Field>
+  using Jets = std::array<Spline_jet<Field, d>, 2>;
+
+  static constexpr double greatest_denominator = 0x1p26;
+
+  const std::array<Located_operand<NT, d>, 2>& m_operands;
+  std::array<int, 2> m_axes;
+
+public:
+  explicit Exact_candidates(const std::array<Located_operand<NT, d>, 2>& operands)
+    : m_operands(operands), m_axes{operands[0].number_of_axes(), operands[1].number_of_axes()}
+  {}
+
+  Located_distance<d> operator()(const Candidate& candidate) const
+  {
+    if (const std::optional<Fractions> fractions = fractions_of(candidate);
+        fractions && may_be_critical(candidate, *fractions)) {
+      const Jets<Exact_rational> jets = jets_of<Exact_rational>(candidate, *fractions);
+      if (is_critical(candidate, jets))
+        return exact(candidate, *fractions, jets);
+    }
+    return enclosed(candidate);
+  }
+
+private:
+  int number_of_parameters() const { return m_axes[0] + m_axes[1]; }
+
+  std::size_t parameter_of(std::size_t operand, int axis) const
+  {
+    return static_cast<std::size_t>(operand == 0 ? axis : m_axes[0] + axis);
+  }
+
+  static Located_distance<d> certified() { return {{Solution_kind::CERTIFIED, {}, {}, {}, std::nullopt}, {}}; }
+
+  Located_distance<d> exact(const Candidate& candidate, const Fractions& fractions,
+                            const Jets<Exact_rational>& jets) const
+  {
+    Located_distance<d> result = certified();
+    for (const std::size_t operand : {0, 1}) {
+      for (int i = 0; i < d; ++i)
+        result.points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
+      for (int axis = 0; axis < m_axes[operand]; ++axis) {
+        const Fraction& x = fractions[parameter_of(operand, axis)];
+        const Exact_rational parameter = m_operands[operand].parameter(
+            axis, candidate.cells[operand][axis], Exact_rational(x.numerator) / Exact_rational(x.denominator));
+        result.distance.ranges[operand].emplace_back(parameter, parameter);
+        result.distance.sample[operand].push_back(parameter);
+      }
+    }
+    Exact_rational square(0);
+    for (int i = 0; i < d; ++i) {
+      const Exact_rational difference = result.points[0][i] - result.points[1][i];
+      square += difference * difference;
+    }
+    result.distance.squared_distance = Rational_interval(square);
+    return result;
+  }
+
+  Located_distance<d> enclosed(const Candidate& candidate) const
+  {
+    Located_distance<d> result = certified();
+    for (const std::size_t operand : {0, 1}) {
+      for (int i = 0; i < d; ++i) {
+        const Interval& x = candidate.points[operand][i];
+        result.points[operand][i] = to_rational(x.inf() / 2 + x.sup() / 2);
+      }
+      for (int axis = 0; axis < m_axes[operand]; ++axis) {
+        const std::size_t k = parameter_of(operand, axis);
+        const auto parameter = [&](double x) {
+          return m_operands[operand].parameter(axis, candidate.cells[operand][axis], to_rational(x));
+        };
+        result.distance.ranges[operand].emplace_back(parameter(candidate.ranges[k].lower),
+                                                     parameter(candidate.ranges[k].upper));
+        result.distance.sample[operand].push_back(parameter(candidate.parameters[k]));
+      }
+    }
+    result.distance.squared_distance =
+        Rational_interval(to_rational(candidate.squared_distance.inf()), to_rational(candidate.squared_distance.sup()));
+    return result;
+  }
+
+  std::optional<Fractions> fractions_of(const Candidate& candidate) const
+  {
+    Fractions result;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(number_of_parameters()); ++k)
+      if (candidate.sides[k] >= 0)
+        result[k] = {candidate.sides[k], 1};
+      else if (const auto fraction = fraction_in(candidate.ranges[k], candidate.parameters[k]))
+        result[k] = *fraction;
+      else
+        return std::nullopt;
+    return result;
+  }
+
+  // The fraction with the least denominator that may be the parameter: a convergent of its continued fraction.
+  static std::optional<Fraction> fraction_in(const Double_range& range, double x)
+  {
+    const double tolerance = (range.upper - range.lower) + 4 * unit;
+    double p = 1, q = 0, last_p = 0, last_q = 1, rest = x;
+    for (int i = 0; i < 40; ++i) {
+      const double whole = std::floor(rest);
+      last_p = std::exchange(p, whole * p + last_p);
+      last_q = std::exchange(q, whole * q + last_q);
+      if (!(q <= greatest_denominator))
+        return std::nullopt;
+      if (std::abs(p - x * q) <= tolerance * q)
+        return Fraction{static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
+      rest = 1 / (rest - whole);
+    }
+    return std::nullopt;
+  }
+
+  template <class Field>
+  Jets<Field> jets_of(const Candidate& candidate, const Fractions& fractions) const
+  {
+    const Fractions of_second = m_axes[0] == 0 ? fractions : Fractions{fractions[1], {}};
+    return {m_operands[0].template jet<Field>(candidate.cells[0], fractions),
+            m_operands[1].template jet<Field>(candidate.cells[1], of_second)};
+  }
+
+  // The same for doubles modulo a prime, which is quick.
+  bool may_be_critical(const Candidate& candidate, const Fractions& fractions) const
+  {
+    const auto is_inside = [](int side) { return side < 0; };
+    if (std::none_of(candidate.sides.begin(), candidate.sides.begin() + number_of_parameters(), is_inside))
+      return true;
+    if constexpr (std::is_same_v<NT, double>)
+      return is_critical(candidate, jets_of<Residue>(candidate, fractions));
+    else
+      return true;
+  }
+
+  // Whether the derivatives by the parameters inside of pieces are zero: that of |x/w - y/v|^2 by a parameter of x/w is
+  // a multiple of (x v - y w) (x' w - x w').
+  template <class Field>
+  bool is_critical(const Candidate& candidate, const Jets<Field>& jets) const
+  {
+    const Field zero(std::int64_t(0));
+    for (const std::size_t operand : {0, 1})
+      for (int axis = 0; axis < m_axes[operand]; ++axis) {
+        if (candidate.sides[parameter_of(operand, axis)] >= 0)
+          continue;
+        const auto &own = jets[operand].value, &slope = jets[operand].derivatives[axis];
+        Field product = zero;
+        for (int i = 0; i < d; ++i)
+          product = product +
+              (jets[0].value[i] * jets[1].value[d] - jets[1].value[i] * jets[0].value[d]) *
+                  (slope[i] * own[d] - own[i] * slope[d]);
+        if (!(product == zero))
+          return false;
+      }
+    return true;
+  }
+};
+
+} // namespace Distances
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
