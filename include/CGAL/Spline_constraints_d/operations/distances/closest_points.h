@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -55,8 +56,12 @@ private:
 public:
   //! a pair of points that an operation has found.
   explicit Point_pair(internal::Distances::Located_distance<d> found)
-    : m_distance(std::move(found.distance)), m_points{internal::kernel_object<Kernel, Point>(found.points[0]),
-                                                      internal::kernel_object<Kernel, Point>(found.points[1])}
+    : m_distance(std::move(found.distance)), m_points(std::visit(
+                                                 [](const auto& points) {
+                                                   return std::array{internal::kernel_object<Kernel, Point>(points[0]),
+                                                                     internal::kernel_object<Kernel, Point>(points[1])};
+                                                 },
+                                                 found.points))
   {}
 
   //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the

@@ -52,12 +52,12 @@ class Critical_distances
   using Solution = Solution_d<double>;
   using Box = Solution::Exact_box;
 
-  static constexpr int refinements = 128;   // of a solution that is not certified
+  static constexpr int refinements = 128; // of a solution that is not certified
 
   struct Found
   {
     Pair_of_sites sites;
-    std::vector<Box> boxes;   // of their parameters, which together hold it
+    std::vector<Box> boxes; // of their parameters, which together hold it
     bool is_exact;
     Critical_distance distance;
   };
@@ -458,7 +458,7 @@ Found_distances<d> located(const std::vector<Critical_distance>& answers, const 
 {
   Found_distances<d> result{{}, search.least_squared_distance(), search.undecided(answers), search.summary(answers)};
   for (const Critical_distance& answer : answers)
-    result.pairs.push_back({answer, {first(answer.sample[0]), second(answer.sample[1])}});
+    result.pairs.push_back({answer, std::array{first(answer.sample[0]), second(answer.sample[1])}});
   return result;
 }
 

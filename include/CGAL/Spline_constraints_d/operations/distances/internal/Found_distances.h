@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -30,12 +31,15 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// Points of two operands with their distance.
+// Points of two operands with their distance; doubles next to them where they are not known exactly.
 template <int d>
 struct Located_distance
 {
+  using Exact_points = std::array<std::array<Exact_rational, d>, 2>;
+  using Double_points = std::array<std::array<double, d>, 2>;
+
   Critical_distance distance;
-  std::array<std::array<Exact_rational, d>, 2> points;
+  std::variant<Exact_points, Double_points> points;
 };
 
 template <int d>

@@ -93,7 +93,8 @@ class Exact_candidates
   template <class Field>
   using Jets = std::array<Spline_jet<Field, d>, 2>;
 
-  static constexpr double greatest_denominator = 0x1p26;
+  // An irrational number hardly ever has a smaller one within its range.
+  static constexpr double greatest_denominator = 0x1p22;
 
   const std::array<Located_operand<NT, d>, 2>& m_operands;
   std::array<int, 2> m_axes;
@@ -128,9 +129,10 @@ private:
                             const Jets<Exact_rational>& jets) const
   {
     Located_distance<d> result = certified();
+    std::array<std::array<Exact_rational, d>, 2> points;
     for (const std::size_t operand : {0, 1}) {
       for (int i = 0; i < d; ++i)
-        result.points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
+        points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         const Fraction& x = fractions[parameter_of(operand, axis)];
         const Exact_rational parameter = m_operands[operand].parameter(
@@ -141,20 +143,22 @@ private:
     }
     Exact_rational square(0);
     for (int i = 0; i < d; ++i) {
-      const Exact_rational difference = result.points[0][i] - result.points[1][i];
+      const Exact_rational difference = points[0][i] - points[1][i];
       square += difference * difference;
     }
     result.distance.squared_distance = Rational_interval(square);
+    result.points = std::move(points);
     return result;
   }
 
   Located_distance<d> enclosed(const Candidate& candidate) const
   {
     Located_distance<d> result = certified();
+    std::array<std::array<double, d>, 2> points;
     for (const std::size_t operand : {0, 1}) {
       for (int i = 0; i < d; ++i) {
         const Interval& x = candidate.points[operand][i];
-        result.points[operand][i] = to_rational(x.inf() / 2 + x.sup() / 2);
+        points[operand][i] = x.inf() / 2 + x.sup() / 2;
       }
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         const std::size_t k = parameter_of(operand, axis);

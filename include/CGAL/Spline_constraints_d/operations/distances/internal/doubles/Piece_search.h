@@ -229,6 +229,7 @@ private:
       width[axis] = part.end[axis] - part.begin[axis];
       x[axis] = part.begin[axis] + place[axis] * width[axis];
     }
+    const std::array<double, 2> first_x = x;
     Distance_jet<d> at(*m_a, *m_b, x);
     // One more step with a gradient that has all digits.
     std::array<double, 2> gradient;
@@ -236,13 +237,16 @@ private:
       gradient[axis] =
           part.sides[axis] >= 0 ? 0 : (at.half_gradient[axis].inf() + at.half_gradient[axis].sup()) * width[axis];
     const std::array<double, 2> step = newton_step(part, jet, gradient);
-    std::array<double, 2> better = x;
-    for (const int axis : {0, 1})
-      better[axis] += part.sides[axis] >= 0 ? 0 : step[axis] * width[axis];
-    if (better != x) {
-      x = better;
-      at = Distance_jet<d>(*m_a, *m_b, x);
+    bool is_better = false;
+    for (const int axis : {0, 1}) {
+      const double distance = part.sides[axis] >= 0 ? 0 : step[axis] * width[axis];
+      x[axis] += distance;
+      is_better = is_better || std::abs(distance) > unit;
     }
+    if (is_better)
+      at = Distance_jet<d>(*m_a, *m_b, x);
+    else
+      x = first_x;
     Interval square(0);
     for (const int axis : {0, 1})
       if (part.sides[axis] < 0)

@@ -13,6 +13,8 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -121,6 +123,7 @@ template <class Field, int d>
 class Spline_jet
 {
   using Coordinates = std::array<Field, d + 1>;
+  using Fields = boost::container::small_vector<Field, 16>;
 
   static Coordinates zero() { return filled(std::make_index_sequence<d + 1>()); }
   template <std::size_t... i>
@@ -159,19 +162,18 @@ public:
     const int axes = spline.dimension(), rows = functions[0].degree(0),
               columns = axes == 2 ? functions[0].degree(1) : 0;
     const std::size_t stride = axes == 2 ? functions[0].size(1) : 1;
-    const std::vector<Field> weights = blend_weights(functions[0].knots(0), rows, spans[0], at[0]),
-                             other_weights = axes == 2 ? blend_weights(functions[0].knots(1), columns, spans[1], at[1])
-                                                       : std::vector<Field>();
+    const Fields weights = blend_weights(functions[0].knots(0), rows, spans[0], at[0]),
+                 other_weights = axes == 2 ? blend_weights(functions[0].knots(1), columns, spans[1], at[1]) : Fields();
     for (int k = 0; k <= d; ++k) {
       if (k == d && !spline.is_rational()) {
         value[d] = Field(std::int64_t(1));
         return;
       }
-      std::vector<Field> values, slopes;
+      Fields values, slopes;
       for (int i = 0; i <= rows; ++i) {
         const NT* row = functions[k].coefficients().data() + (spans[0] - static_cast<std::size_t>(rows - i)) * stride +
             (axes == 2 ? spans[1] - static_cast<std::size_t>(columns) : 0);
-        std::vector<Field> line;
+        Fields line;
         for (int j = 0; j <= columns; ++j)
           line.push_back(field_element<Field>(row[j]));
         const auto [at_row, slope] = blended(line, other_weights, columns);
@@ -203,13 +205,12 @@ private:
 
   // The weights of de Boor's algorithm in the order in which they are used.
   template <class NT>
-  static std::vector<Field> blend_weights(const std::vector<NT>& knots, int degree, std::size_t span,
-                                          const Fraction& at)
+  static Fields blend_weights(const std::vector<NT>& knots, int degree, std::size_t span, const Fraction& at)
   {
     const auto knot = [&](std::size_t k) { return field_element<Field>(knots[k]); };
     const Field x = knot(span) + Field(at.numerator) / Field(at.denominator) * (knot(span + 1) - knot(span));
     const auto n = static_cast<std::size_t>(degree);
-    std::vector<Field> result;
+    Fields result;
     for (std::size_t r = 1; r <= n; ++r)
       for (std::size_t j = n; j >= r; --j) {
         const std::size_t low = span - n + j, high = span + j + 1 - r;
@@ -221,7 +222,7 @@ private:
   }
 
   // The value, and a multiple of the derivative that is not zero unless that is.
-  static std::pair<Field, Field> blended(std::vector<Field> control, const std::vector<Field>& weights, int degree)
+  static std::pair<Field, Field> blended(Fields& control, const Fields& weights, int degree)
   {
     Field slope(std::int64_t(0));
     const auto n = static_cast<std::size_t>(degree);

@@ -252,7 +252,14 @@ Second_jet<Number> jet_at(const Degrees& degrees, const Coefficient& coefficient
 {
   using Buffer = boost::container::small_vector<Number, 16>;
   const std::size_t columns = static_cast<std::size_t>(degrees[1] + 1), rows = static_cast<std::size_t>(degrees[0] + 1);
-  Buffer row(columns), value(rows), first(rows), second(rows);
+  Buffer value(rows);
+  if (columns == 1) {
+    for (std::size_t i = 0; i < rows; ++i)
+      value[i] = coefficient(i);
+    const auto jet = univariate_jet(value.data(), degrees[0], x[0]);
+    return {jet[0], {jet[1], Number(0)}, {jet[2], Number(0)}, Number(0)};
+  }
+  Buffer row(columns), first(rows), second(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j)
       row[j] = coefficient(i * columns + j);
