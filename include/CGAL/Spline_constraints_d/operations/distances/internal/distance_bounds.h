@@ -33,18 +33,28 @@ inline double near_root(const Exact_rational& x)
   return std::sqrt(to_nearest_double(x));
 }
 
+// The closest doubles below and above the roots of the ends of a range. Outside of 2^-900 to 2^900, squares of roots
+// would have other errors; there the range is larger.
+inline std::pair<double, double> root_range(const std::pair<double, double>& squares)
+{
+  const auto& [low, high] = squares;
+  const double lower_root = std::sqrt(low), upper_root = std::sqrt(high);
+  const bool is_lower_exact = low > 0x1p-900, is_upper_exact = high == 0 || (high > 0x1p-900 && high < 0x1p900);
+  return {!is_lower_exact                                  ? 0
+              : std::fma(lower_root, lower_root, -low) > 0 ? std::nextafter(lower_root, 0.0)
+                                                           : lower_root,
+          is_upper_exact && std::fma(upper_root, upper_root, -high) >= 0
+              ? upper_root
+              : std::nextafter(upper_root, std::numeric_limits<double>::infinity())};
+}
+
 // The doubles below and above the roots of the ends of a range, the closest ones or those beside them; \pre they are not
 // negative.
 inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
 {
   const double low = to_double_interval(squares.first).first, high = to_double_interval(squares.second).second;
-  if (low > 0x1p-900 && high < 0x1p900) { // products of roots have no other errors
-    const double lower_root = std::sqrt(low), upper_root = std::sqrt(high);
-    return {std::fma(lower_root, lower_root, -low) > 0 ? std::nextafter(lower_root, 0.0) : lower_root,
-            std::fma(upper_root, upper_root, -high) < 0
-                ? std::nextafter(upper_root, std::numeric_limits<double>::infinity())
-                : upper_root};
-  }
+  if (low > 0x1p-900 && high < 0x1p900)
+    return root_range(std::pair(low, high));
   const auto square = [](double x) { return Exact_rational(to_rational(x) * to_rational(x)); };
   double lower = near_root(squares.first), upper = near_root(squares.second);
   while (std::isinf(lower) || (lower > 0 && square(lower) > squares.first))

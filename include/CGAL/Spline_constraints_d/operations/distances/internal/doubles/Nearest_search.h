@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -65,7 +66,11 @@ public:
     : Point_operand(rounded(point), error_of(point, rounded(point)))
   {}
 
-  bool is_usable() const { return true; }
+  bool is_usable() const
+  {
+    return std::all_of(m_point.coordinates().begin(), m_point.coordinates().end(),
+                       [](double x) { return std::isfinite(x); });
+  }
   int number_of_axes() const { return 0; }
   int number_of_cells(int) const { return 1; }
   Closedness closedness(int) const { return Closedness::OPEN; }

@@ -81,7 +81,7 @@ public:
 
 private:
   int m_axes;
-  std::array<int, 2> m_cells{1, 1};
+  std::array<std::vector<double>, 2> m_breaks{std::vector<double>{0, 1}, std::vector<double>{0, 1}};
   std::array<Closedness, 2> m_closedness{Closedness::OPEN, Closedness::OPEN};
   bool m_is_usable = true;
   std::vector<double> m_nets, m_forms;
@@ -103,7 +103,8 @@ public:
   bool is_usable() const { return m_is_usable; }
 
   int number_of_axes() const { return m_axes; }
-  int number_of_cells(int axis) const { return m_cells[axis]; }
+  int number_of_cells(int axis) const { return static_cast<int>(m_breaks[axis].size()) - 1; }
+  const std::vector<double>& breaks(int axis) const { return m_breaks[axis]; }
 
   // Whether both ends of an axis are the same points.
   Closedness closedness(int axis) const { return m_closedness[axis]; }
@@ -130,7 +131,9 @@ private:
       const std::vector<NT>& knots = functions[0].knots(axis);
       rows.emplace_back(degrees[axis], nearest_doubles(knots));
       m_is_usable = m_is_usable && std::equal(knots.begin(), knots.end(), rows[axis].knots().begin(), is_double<NT>);
-      m_cells[axis] = static_cast<int>(rows[axis].spans().size());
+      m_breaks[axis].assign(1, rows[axis].knots()[rows[axis].spans().front()]);
+      for (const std::size_t span : rows[axis].spans())
+        m_breaks[axis].push_back(rows[axis].knots()[span + 1]);
     }
     if (!m_is_usable)
       return;
