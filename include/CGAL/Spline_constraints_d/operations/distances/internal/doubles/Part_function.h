@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_PART_FUNCTION_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_PART_FUNCTION_H
 
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Part_stack.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/bernstein_doubles.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -26,26 +27,17 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// A part of a pair of pieces: ranges of its parameters. The error of its coefficients is at least eight units of them.
-struct Distance_part
-{
-  Degrees degrees;
-  std::array<double, 2> begin, end;
-  std::array<int, 2> sides; // -1, or the end of the piece at which a parameter is fixed
-  double error, weight_error;
-};
-
 /*
 The squared distance f = |c|^2 + q/w on a part, by its Bernstein coefficients; derivatives are those by the place in the
 part, from 0 to 1. Rounding has to be upward.
 */
 class Part_function
 {
-  const Distance_part& m_part;
+  const Bernstein_part& m_part;
   const double *m_values, *m_weights; // no weights: they are 1
 
 public:
-  Part_function(const Distance_part& part, const double* values, const double* weights)
+  Part_function(const Bernstein_part& part, const double* values, const double* weights)
     : m_part(part), m_values(values), m_weights(weights)
   {}
 
@@ -61,9 +53,8 @@ public:
   {
     const std::size_t width = static_cast<std::size_t>(m_part.degrees[1] + 1), size = size_of(m_part.degrees),
                       k = (i == 0 ? 0 : size - width) + (j == 0 ? 0 : width - 1);
-    const Interval value = Interval(m_values[k]) + Interval(-m_part.error, m_part.error);
-    return is_rational() ? value / (Interval(m_weights[k]) + Interval(-m_part.weight_error, m_part.weight_error))
-                         : value;
+    const Interval value = Interval(m_values[k]) + Interval(-m_part.errors[0], m_part.errors[0]);
+    return is_rational() ? value / (Interval(m_weights[k]) + Interval(-m_part.errors[1], m_part.errors[1])) : value;
   }
 
   // The axis along which f is least linear, nearly.
@@ -84,7 +75,8 @@ public:
     if (!is_rational()) {
       for (std::size_t k = 1; k < size; ++k)
         range.add(q[k]);
-      return Interval(range.lower) + Interval(-m_part.error, m_part.error) + Interval(0, range.upper - range.lower);
+      return Interval(range.lower) + Interval(-m_part.errors[0], m_part.errors[0]) +
+          Interval(0, range.upper - range.lower);
     }
     double least_weight = w[0], quotient = q[0] / w[0];
     range = {quotient, quotient};
@@ -92,47 +84,43 @@ public:
       range.add(q[k] / w[k]);
       least_weight = (std::min)(least_weight, w[k]);
     }
-    if (!(least_weight > 2 * m_part.weight_error))
+    if (!(least_weight > 2 * m_part.errors[1]))
       return Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
     // With errors e and e' of q and w: |(q + e)/(w + e') - q/w| <= (|e| + |e' q/w|) / (w - |e'|).
     const double greatest = (std::max)(std::abs(range.lower), std::abs(range.upper)),
-                 error = 2 * (m_part.error + m_part.weight_error * greatest) / least_weight + 2 * unit * greatest;
+                 error = 2 * (m_part.errors[0] + m_part.errors[1] * greatest) / least_weight + 2 * unit * greatest;
     return Interval(range.lower) + Interval(-error, error) + Interval(0, range.upper - range.lower);
   }
 
   // A lower bound of the eigenvalues of the second derivative by the place in the part, 0 or less if it may not be
-  // positive definite. From f = q/w: w f' = q' - f w', w f'' = q'' - f w'' - 2 f' w'.
-  double least_eigenvalue(const Interval& value, const std::array<Interval, 2>& slopes) const
+  // positive definite. With bounds of the value and the weighted slopes.
+  double least_eigenvalue(const Interval& value, const std::array<Interval, 2>& weighted_slopes) const
   {
-    const Coefficient_ranges of_q = ranges_of_values(), of_w = ranges_of_weights();
-    std::array<Interval, 2> second{Interval(0), Interval(0)}, weight_slope = second, slope = second;
-    Interval mixed(0), weight(1);
-    if (is_rational()) {
-      const double* w = m_weights;
-      const auto [least, greatest] = std::minmax_element(w, w + size_of(m_part.degrees));
-      weight = Interval(*least) + Interval(0, *greatest - *least) + Interval(-m_part.weight_error, m_part.weight_error);
-    }
-    for (const int axis : {0, 1}) {
-      if (m_part.sides[axis] >= 0)
-        continue;
-      second[axis] = of_q.second(axis);
-      if (is_rational()) {
-        weight_slope[axis] = of_w.first(axis);
-        slope[axis] = slopes[axis] / weight;
-        second[axis] =
-            (second[axis] - value * of_w.second(axis) - Interval(2) * slope[axis] * weight_slope[axis]) / weight;
-      }
-      if (!(second[axis].inf() > 0))
+    const Slopes slopes = slopes_of(weighted_slopes);
+    std::array<Interval, 2> second;
+    for (const int axis : {0, 1})
+      if (m_part.sides[axis] < 0 && !((second[axis] = second_derivative(axis, value, slopes)).inf() > 0))
         return 0;
-    }
     if (m_part.sides[0] >= 0 || m_part.sides[1] >= 0)
       return second[m_part.sides[0] >= 0 ? 1 : 0].inf();
-    mixed = of_q.mixed();
-    if (is_rational())
-      mixed = (mixed - value * of_w.mixed() - slope[0] * weight_slope[1] - slope[1] * weight_slope[0]) / weight;
     // The least eigenvalue is the determinant by the other one, which is less than the trace.
-    const Interval a(second[0].inf()), c(second[1].inf()), b((std::max)(-mixed.inf(), mixed.sup()));
+    const Interval mixed = mixed_derivative(value, slopes), a(second[0].inf()), c(second[1].inf()),
+                   b((std::max)(-mixed.inf(), mixed.sup()));
     return ((a * c - CGAL::square(b)) / (a + c)).inf();
+  }
+
+  // Bounds of the second derivatives; of a parameter that is fixed, they are zero.
+  Second_jet<Interval> second_derivatives(const Interval& value, const std::array<Interval, 2>& weighted_slopes) const
+  {
+    const Slopes slopes = slopes_of(weighted_slopes);
+    const Interval zero(0);
+    Second_jet<Interval> result{value, {zero, zero}, {zero, zero}, zero};
+    for (const int axis : {0, 1})
+      if (m_part.sides[axis] < 0)
+        result.second[axis] = second_derivative(axis, value, slopes);
+    if (m_part.sides[0] < 0 && m_part.sides[1] < 0)
+      result.mixed = mixed_derivative(value, slopes);
+    return result;
   }
 
   // The values of f - |c|^2 and its derivatives at a place: nearly, or in intervals.
@@ -147,11 +135,11 @@ public:
         return Interval(x) + Interval(-error, error);
     };
     Second_jet<Number> f = jet_at<Number>(
-        m_part.degrees, [&](std::size_t k) { return number(q[k], m_part.error); }, place);
+        m_part.degrees, [&](std::size_t k) { return number(q[k], m_part.errors[0]); }, place);
     if (!is_rational())
       return f;
     const Second_jet<Number> g = jet_at<Number>(
-        m_part.degrees, [&](std::size_t k) { return number(w[k], m_part.weight_error); }, place);
+        m_part.degrees, [&](std::size_t k) { return number(w[k], m_part.errors[1]); }, place);
     f.value /= g.value;
     for (const int axis : {0, 1})
       f.first[axis] = (f.first[axis] - f.value * g.first[axis]) / g.value;
@@ -163,9 +151,51 @@ public:
   }
 
 private:
+  // Bounds of f' and w', and of w.
+  struct Slopes
+  {
+    std::array<Interval, 2> of_function{Interval(0), Interval(0)}, of_weight{Interval(0), Interval(0)};
+    Interval weight{1};
+  };
+
   bool is_rational() const { return m_weights != nullptr; }
-  Coefficient_ranges ranges_of_values() const { return {m_part.degrees, m_values, m_part.error}; }
-  Coefficient_ranges ranges_of_weights() const { return {m_part.degrees, m_weights, m_part.weight_error}; }
+
+  Slopes slopes_of(const std::array<Interval, 2>& weighted_slopes) const
+  {
+    Slopes result;
+    if (!is_rational())
+      return result; // they are not needed
+    const auto [least, greatest] = std::minmax_element(m_weights, m_weights + size_of(m_part.degrees));
+    result.weight = Interval(*least) + Interval(0, *greatest - *least) + Interval(-m_part.errors[1], m_part.errors[1]);
+    for (const int axis : {0, 1})
+      if (m_part.sides[axis] < 0) {
+        result.of_function[axis] = weighted_slopes[axis] / result.weight;
+        result.of_weight[axis] = ranges_of_weights().first(axis);
+      }
+    return result;
+  }
+
+  // From f = q/w: w f' = q' - f w', w f'' = q'' - f w'' - 2 f' w'.
+  Interval second_derivative(int axis, const Interval& value, const Slopes& slopes) const
+  {
+    const Interval second = ranges_of_values().second(axis);
+    return is_rational() ? (second - value * ranges_of_weights().second(axis) -
+                            Interval(2) * slopes.of_function[axis] * slopes.of_weight[axis]) /
+            slopes.weight
+                         : second;
+  }
+
+  Interval mixed_derivative(const Interval& value, const Slopes& slopes) const
+  {
+    const Interval mixed = ranges_of_values().mixed();
+    return is_rational() ? (mixed - value * ranges_of_weights().mixed() - slopes.of_function[0] * slopes.of_weight[1] -
+                            slopes.of_function[1] * slopes.of_weight[0]) /
+            slopes.weight
+                         : mixed;
+  }
+
+  Coefficient_ranges ranges_of_values() const { return {m_part.degrees, m_values, m_part.errors[0]}; }
+  Coefficient_ranges ranges_of_weights() const { return {m_part.degrees, m_weights, m_part.errors[1]}; }
 };
 
 } // namespace Distances

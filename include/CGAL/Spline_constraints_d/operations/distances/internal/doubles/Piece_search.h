@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Distance_form.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Part_function.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Piece_point.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/newton_steps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,19 +52,14 @@ On a part where the second derivatives show f to be strongly convex, it has one 
 of the eigenvalues of the second derivative, x a point that Newton's method finds, and r = |grad f(x)| / m. On the
 sphere of radius 2r around x, f is not less than at x; if it is inside of the part, so is the minimum. It is at most r
 away from x, and f is less there by m r^2 / 2 at most. That is a candidate, and nothing else of the part is one.
-
-Parts are not halved: nearest points of symmetric operands are at halves.
 */
 template <int d>
 class Piece_search
 {
   using Candidate = Nearest_candidate<d>;
-  using Part = Distance_part;
+  using Part = Bernstein_part;
 
-  static constexpr double cut = 0.46875;    // of a part
-  static constexpr double margin = 0x1p-16; // of a part, inside of its edges
-  static constexpr double least_width = 0x1p-24;
-  static constexpr std::size_t most_slots = 64, most_parts = 400;
+  static constexpr std::size_t most_parts = 400;
 
   enum class Edge
   {
@@ -87,12 +84,9 @@ class Piece_search
 
   const Rounded_piece<d>*m_a = nullptr, *m_b = nullptr;
   std::array<std::array<int, 2>, 2> m_cells{};
-  std::vector<double> m_storage;
-  std::vector<Part> m_parts;
-  std::size_t m_size = 0; // of a tensor
-  bool m_is_rational = false;
+  Part_stack m_parts;
+  bool m_is_rational = false, m_is_finite = true;
   Interval m_constant;
-  double m_greatest = 0, m_greatest_weight = 0;
 
 public:
   // Forgets everything but its storage.
@@ -120,31 +114,25 @@ public:
     m_a = &a;
     m_b = &b;
     m_cells = cells;
-    m_size = size_of(a.form_degrees) * size_of(b.form_degrees);
-    m_storage.resize((std::max)(m_storage.size(), 2 * m_size * most_slots));
-    const Distance_form<d> form(a, b, m_storage.data(), m_size);
+    const std::size_t size = size_of(a.form_degrees) * size_of(b.form_degrees);
+    const Distance_form<d> form(a, b, m_parts.begin(size), size);
     m_is_rational = form.is_rational;
     m_constant = form.constant;
-    m_greatest = form.greatest;
-    m_greatest_weight = form.greatest_weight;
-    m_parts.clear();
-    m_parts.reserve(most_slots);
-    m_parts.push_back({form.degrees, {0, 0}, {1, 1}, {-1, -1}, form.error, form.weight_error});
-    for (const int axis : {0, 1})
-      if (axis >= a.axes + b.axes)
-        m_parts[0].sides[axis] = 0;
+    m_is_finite = std::isfinite(form.greatest);
+    m_parts.push(form.degrees, a.axes + b.axes, m_is_rational ? 2 : 1, {form.error, form.weight_error},
+                 {form.greatest, form.greatest_weight});
     while (!m_parts.empty()) {
       ++m_number_of_parts;
-      look_at(m_parts.back());
+      look_at(m_parts.top());
     }
   }
 
 private:
-  double* values() { return m_storage.data() + 2 * m_size * (m_parts.size() - 1); }
-  double* weights() { return values() + m_size; }
-
   // \pre The part is the last one.
-  Part_function function_on(const Part& part) { return {part, values(), m_is_rational ? weights() : nullptr}; }
+  Part_function function_on(const Part& part)
+  {
+    return {part, m_parts.coefficients(), m_is_rational ? m_parts.coefficients(1) : nullptr};
+  }
 
   // Leaves the last part out, makes it a candidate, or divides it.
   void look_at(Part& part)
@@ -156,7 +144,7 @@ private:
       lower = (m_constant + bounds.value).inf();
       edge = lower > m_upper ? Edge::MISSED : restrict_to_edge(part, bounds);
       if (edge == Edge::MISSED) {
-        m_parts.pop_back();
+        m_parts.pop();
         return;
       }
       look_at_corners(part);
@@ -165,13 +153,12 @@ private:
       add_corner(part);
     else if (const double least = function_on(part).least_eigenvalue(bounds.value, bounds.slopes);
              least > 0 && add_minimum(part, least)) {
-    } else if (m_number_of_parts <= most_parts && m_parts.size() < most_slots && !is_tiny(part) &&
-               std::isfinite(m_greatest)) {
-      divide(part);
+    } else if (m_number_of_parts <= most_parts && m_parts.is_divisible() && m_is_finite) {
+      m_parts.divide(function_on(part).most_curved_axis());
       return;
     } else
       m_undecided = std::isfinite(lower) ? (std::min)(m_undecided, lower) : -std::numeric_limits<double>::infinity();
-    m_parts.pop_back();
+    m_parts.pop();
   }
 
   // They are values of f.
@@ -199,20 +186,8 @@ private:
       if (part.sides[axis] >= 0)
         continue;
       slope = function_on(part).weighted_slope(axis, bounds.value);
-      const int side = certain_sign(slope) > 0 ? 0 : 1;
-      if (certain_sign(slope) == 0)
-        continue;
-      if ((side == 0 ? part.begin[axis] : part.end[axis]) != side)
-        return Edge::MISSED;
-      Degrees degrees = part.degrees;
-      if (m_is_rational)
-        restrict_to_face(degrees, axis, side, weights());
-      degrees = part.degrees;
-      restrict_to_face(degrees, axis, side, values());
-      part.degrees = degrees;
-      part.sides[axis] = side;
-      part.begin[axis] = part.end[axis] = side;
-      return Edge::REACHED;
+      if (const int sign = certain_sign(slope); sign != 0)
+        return m_parts.restrict_to_edge(axis, sign > 0 ? 0 : 1) ? Edge::REACHED : Edge::MISSED;
     }
     return Edge::NONE;
   }
@@ -220,121 +195,40 @@ private:
   // The minimum of a convex part, if it is inside for certain.
   bool add_minimum(const Part& part, double least_eigenvalue)
   {
-    std::array<double, 2> place;
-    Second_jet<double> jet;
-    if (!find_minimum(part, place, jet))
+    const std::optional<Stationary_point<d>> point = stationary_point(function_on(part), part, *m_a, *m_b);
+    if (!point)
       return false;
-    std::array<double, 2> x, width;
-    for (const int axis : {0, 1}) {
-      width[axis] = part.end[axis] - part.begin[axis];
-      x[axis] = part.begin[axis] + place[axis] * width[axis];
-    }
-    const std::array<double, 2> first_x = x;
-    Distance_jet<d> at(*m_a, *m_b, x);
-    // One more step with a gradient that has all digits.
-    std::array<double, 2> gradient;
-    for (const int axis : {0, 1})
-      gradient[axis] =
-          part.sides[axis] >= 0 ? 0 : (at.half_gradient[axis].inf() + at.half_gradient[axis].sup()) * width[axis];
-    const std::array<double, 2> step = newton_step(part, jet, gradient);
-    bool is_better = false;
-    for (const int axis : {0, 1}) {
-      const double distance = part.sides[axis] >= 0 ? 0 : step[axis] * width[axis];
-      x[axis] += distance;
-      is_better = is_better || std::abs(distance) > unit;
-    }
-    if (is_better)
-      at = Distance_jet<d>(*m_a, *m_b, x);
-    else
-      x = first_x;
-    Interval square(0);
-    for (const int axis : {0, 1})
-      if (part.sides[axis] < 0)
-        square += CGAL::square(Interval(2 * width[axis]) * at.half_gradient[axis]);
+    const std::array<Interval, 2> gradient = point->gradient(part);
+    const Interval square = CGAL::square(gradient[0]) + CGAL::square(gradient[1]);
     const double radius = (CGAL::sqrt(square) / Interval(least_eigenvalue)).sup();
-    Candidate candidate{m_cells, part.sides, x, {}, at.squared_distance, at.points};
+    Candidate candidate{
+        m_cells, part.sides, point->parameters, {}, point->distance.squared_distance, point->distance.points};
     for (const int axis : {0, 1}) {
-      candidate.ranges[axis] = {x[axis], x[axis]};
-      if (part.sides[axis] >= 0)
-        continue;
-      const double place_in_part = (x[axis] - part.begin[axis]) / width[axis];
-      if (!(place_in_part - 2 * radius > margin && place_in_part + 2 * radius < 1 - margin))
+      const double x = point->parameters[axis], error = radius * part.width(axis) * (1 + 4 * unit);
+      candidate.ranges[axis] = part.sides[axis] < 0 ? Double_range{-(error - x), x + error} : Double_range{x, x};
+      const double place = (x - part.begin[axis]) / part.width(axis);
+      if (part.sides[axis] < 0 && !(place - 2 * radius > part_margin && place + 2 * radius < 1 - part_margin))
         return false;
-      const double error = radius * width[axis] * (1 + 4 * unit);
-      candidate.ranges[axis] = {-(error - x[axis]), x[axis] + error};
     }
-    contract(part, at, width, candidate);
-    const double lower = (at.squared_distance - square / Interval(2 * least_eigenvalue)).inf();
-    candidate.squared_distance = Interval((std::max)(lower, 0.0), at.squared_distance.sup());
+    contract(part, *point, candidate);
+    const double lower = (candidate.squared_distance - square / Interval(2 * least_eigenvalue)).inf();
+    candidate.squared_distance = Interval((std::max)(lower, 0.0), candidate.squared_distance.sup());
     add(candidate);
     return true;
   }
 
-  // A step of Newton's method in intervals, with the second derivatives on the ranges that are known: these have a
-  // smaller least eigenvalue than the whole part.
-  void contract(const Part& part, const Distance_jet<d>& at, const std::array<double, 2>& width, Candidate& candidate)
+  // With the second derivatives on the ranges that are known, whose least eigenvalue is better than that on the part.
+  void contract(const Part& part, const Stationary_point<d>& point, Candidate& candidate)
   {
-    std::array<Interval, 2> place{Interval(0), Interval(0)}, gradient = place, step = place;
+    const Second_jet<Interval> jet = function_on(part).jet(place_of(candidate.ranges, part));
+    const std::array<Double_range, 2> better = newton_ranges(point, part, jet);
     for (const int axis : {0, 1})
       if (part.sides[axis] < 0) {
-        const Double_range& range = candidate.ranges[axis];
-        place[axis] = (Interval(range.lower, range.upper) - Interval(part.begin[axis])) / Interval(width[axis]);
-        gradient[axis] = Interval(2 * width[axis]) * at.half_gradient[axis];
-      }
-    const Second_jet<Interval> jet = function_on(part).jet(place);
-    if (part.sides[0] < 0 && part.sides[1] < 0) {
-      const Interval determinant = jet.second[0] * jet.second[1] - CGAL::square(jet.mixed);
-      step = {(jet.mixed * gradient[1] - jet.second[1] * gradient[0]) / determinant,
-              (jet.mixed * gradient[0] - jet.second[0] * gradient[1]) / determinant};
-    } else
-      for (const int axis : {0, 1})
-        step[axis] = part.sides[axis] < 0 ? -gradient[axis] / jet.second[axis] : Interval(0);
-    for (const int axis : {0, 1})
-      if (part.sides[axis] < 0) {
-        const Interval better = Interval(candidate.parameters[axis]) + step[axis] * Interval(width[axis]);
         Double_range& range = candidate.ranges[axis];
-        range = {better.inf() > range.lower ? better.inf() : range.lower,
-                 better.sup() < range.upper ? better.sup() : range.upper};
+        range = {better[axis].lower > range.lower ? better[axis].lower : range.lower,
+                 better[axis].upper < range.upper ? better[axis].upper : range.upper};
         candidate.parameters[axis] = (std::min)((std::max)(candidate.parameters[axis], range.lower), range.upper);
       }
-  }
-
-  static std::array<double, 2> newton_step(const Part& part, const Second_jet<double>& f,
-                                           const std::array<double, 2>& gradient)
-  {
-    if (part.sides[0] >= 0)
-      return {0, -gradient[1] / f.second[1]};
-    if (part.sides[1] >= 0)
-      return {-gradient[0] / f.second[0], 0};
-    const double determinant = f.second[0] * f.second[1] - f.mixed * f.mixed;
-    return {(f.mixed * gradient[1] - f.second[1] * gradient[0]) / determinant,
-            (f.mixed * gradient[0] - f.second[0] * gradient[1]) / determinant};
-  }
-
-  // By Newton's method; false if it goes to an edge of the part.
-  bool find_minimum(const Part& part, std::array<double, 2>& place, Second_jet<double>& jet)
-  {
-    place = {part.sides[0] >= 0 ? 0 : 0.5, part.sides[1] >= 0 ? 0 : 0.5};
-    for (int i = 0; i < 8; ++i) {
-      jet = function_on(part).jet(place);
-      const std::array<double, 2> step = newton_step(part, jet, {jet.first[0], jet.first[1]});
-      double length = 0;
-      for (const int axis : {0, 1}) {
-        if (part.sides[axis] >= 0)
-          continue;
-        length = (std::max)(length, std::abs(step[axis]));
-        place[axis] += step[axis];
-        if (!(place[axis] > -0.5 && place[axis] < 1.5))
-          return false;
-        place[axis] = (std::min)((std::max)(place[axis], 0.0), 1.0);
-      }
-      if (length < 0x1p-20)
-        break;
-    }
-    for (const int axis : {0, 1})
-      if (part.sides[axis] < 0 && !(place[axis] > margin && place[axis] < 1 - margin))
-        return false;
-    return true;
   }
 
   void add_corner(const Part& part)
@@ -361,34 +255,6 @@ private:
         m_best_value = upper;
       }
     }
-  }
-
-  bool is_tiny(const Part& part) const
-  {
-    for (const int axis : {0, 1})
-      if (part.sides[axis] < 0 && part.end[axis] - part.begin[axis] > least_width)
-        return false;
-    return true;
-  }
-
-  // Across the axis along which f is least linear. The half that may be nearer is last.
-  void divide(Part& part)
-  {
-    const int axis = function_on(part).most_curved_axis();
-    const std::size_t size = size_of(part.degrees);
-    double *lower = values(), *upper = lower + 2 * m_size;
-    split(part.degrees, axis, cut, lower, upper);
-    if (m_is_rational)
-      split(part.degrees, axis, cut, lower + m_size, upper + m_size);
-    part.error += split_error(part.degrees, axis) * m_greatest;
-    part.weight_error += split_error(part.degrees, axis) * m_greatest_weight;
-    Part other = part;
-    part.end[axis] = other.begin[axis] = part.begin[axis] + cut * (part.end[axis] - part.begin[axis]);
-    if (*std::min_element(lower, lower + size) < *std::min_element(upper, upper + size)) {
-      std::swap(part, other);
-      std::swap_ranges(lower, lower + 2 * m_size, upper);
-    }
-    m_parts.push_back(other);
   }
 };
 
