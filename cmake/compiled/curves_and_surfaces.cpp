@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/prepared_splines.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
@@ -66,6 +67,10 @@ CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, double, 2)
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, double, 3)
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, Exact_rational, 2)
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, Exact_rational, 3)
+CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(, double, 2)
+CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(, double, 3)
+CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(, Exact_rational, 2)
+CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(, Exact_rational, 3)
 template Found_hausdorff_distance<2> hausdorff_distance_of<2>(const Exact_map<2>&, const Exact_map<2>&, double, bool,
                                                               const Solver_options&);
 template Found_hausdorff_distance<3> hausdorff_distance_of<3>(const Exact_map<3>&, const Exact_map<3>&, double, bool,

@@ -158,6 +158,28 @@ void compare(const A& a, const B& b, Counts& counts, const std::string& what)
   }
 }
 
+// The same of all feet of perpendiculars.
+template <int d, class A>
+void compare_feet(const Point<d>& p, const A& a, Counts& counts, const std::string& what)
+{
+  ++counts.inputs;
+  const auto found = projections_in_doubles(Distance_operand_of<Point<d>>::get(p), Distance_operand_of<A>::get(a));
+  if (!found)
+    return;
+  ++counts.decided;
+  using namespace SC::internal::Common;
+  const auto exact = projections_of<d>(Spline_operand<Point<d>>::map(p), Spline_operand<A>::map(a), {});
+  if (!exact.summary.is_complete)
+    return;
+  ASSERT_EQ(found->pairs.size(), exact.pairs.size()) << what;
+  for (const auto& pair : exact.pairs)
+    EXPECT_TRUE(std::any_of(found->pairs.begin(), found->pairs.end(), [&](const auto& x) {
+      return is_same<d>(x.distance, pair.distance) &&
+          x.distance.squared_distance.lower <= pair.distance.squared_distance.upper &&
+          pair.distance.squared_distance.lower <= x.distance.squared_distance.upper;
+    })) << what;
+}
+
 template <int d>
 void compare_all(Inputs inputs, int rounds, Counts& counts)
 {
@@ -187,6 +209,32 @@ TEST(Nearest_points_in_doubles, AreThoseOfTheExactWay)
   // Many curves in the plane cross, which is for exact numbers to decide.
   EXPECT_GT(plane.decided, plane.inputs / 2);
   EXPECT_GT(space.decided, space.inputs * 9 / 10);
+}
+
+template <int d>
+void compare_all_feet(Inputs inputs, int rounds, Counts& counts)
+{
+  for (int round = 0; round < rounds; ++round) {
+    const std::string what = "round " + std::to_string(round);
+    const bool is_rational = round % 3 == 1;
+    compare_feet<d>(inputs.point<d>(), inputs.curve<d>(inputs.integer(1, 5), inputs.integer(1, 3), is_rational), counts,
+                    what);
+    if constexpr (d == 3)
+      if (round % 2 == 0)
+        compare_feet<d>(inputs.point<d>(), inputs.surface(inputs.integer(1, 2), inputs.integer(1, 2), is_rational),
+                        counts, what);
+  }
+}
+
+TEST(Nearest_points_in_doubles, FeetAreThoseOfTheExactWay)
+{
+  Counts plane, space;
+  compare_all_feet<2>(Inputs(9, true), 60, plane);
+  compare_all_feet<2>(Inputs(10, false), 40, plane);
+  compare_all_feet<3>(Inputs(11, true), 20, space);
+  compare_all_feet<3>(Inputs(12, false), 30, space);
+  EXPECT_GT(plane.decided, plane.inputs * 7 / 10);
+  EXPECT_GT(space.decided, space.inputs * 7 / 10);
 }
 
 TEST(Nearest_points_in_doubles, FarFromTheOriginAndSmall)

@@ -152,6 +152,7 @@ template <SplineKernel Kernel, int d>
 std::vector<Point_pair<Kernel, d>> point_pairs(std::vector<Located_distance<d>> found)
 {
   std::vector<Point_pair<Kernel, d>> result;
+  result.reserve(found.size());
   for (Located_distance<d>& pair : found)
     result.emplace_back(std::move(pair));
   return result;
@@ -190,10 +191,18 @@ requires internal::Common::Spline_operands<Point, Object> &&
   using Operand = internal::Common::Spline_operand<Object>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  auto found = internal::Distances::projections_of<d>(internal::Common::Spline_operand<Point>::map(point),
-                                                      Operand::map(object), options);
-  return Projections<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
-                                std::move(found.undecided), found.summary);
+  const auto with_feet = [](internal::Distances::Found_distances<d> found) {
+    return Projections<Kernel, d>(internal::Distances::point_pairs<Kernel, d>(std::move(found.pairs)),
+                                  std::move(found.undecided), found.summary);
+  };
+  options.check();
+  if constexpr (internal::Distances::Has_coordinates<Object>)
+    if (auto found =
+            internal::Distances::projections_in_doubles(internal::Distances::Distance_operand_of<Point>::get(point),
+                                                        internal::Distances::Distance_operand_of<Object>::get(object)))
+      return with_feet(std::move(*found));
+  return with_feet(internal::Distances::projections_of<d>(internal::Common::Spline_operand<Point>::map(point),
+                                                          Operand::map(object), options));
 }
 
 /*!

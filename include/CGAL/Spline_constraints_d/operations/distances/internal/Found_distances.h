@@ -63,9 +63,15 @@ template <class NT, int d>
 std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_operand<NT, d>& first,
                                                             const Distance_operand<NT, d>& second);
 
+template <class NT, int d>
+std::optional<Found_distances<d>> projections_in_doubles(const Distance_operand<NT, d>& point,
+                                                         const Distance_operand<NT, d>& object);
+
 #define CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(EXTERN, NT, d)                                               \
   EXTERN template std::optional<Found_distances<d>> nearest_points_in_doubles<NT, d>(const Distance_operand<NT, d>&,   \
-                                                                                     const Distance_operand<NT, d>&);
+                                                                                     const Distance_operand<NT, d>&);  \
+  EXTERN template std::optional<Found_distances<d>> projections_in_doubles<NT, d>(const Distance_operand<NT, d>&,      \
+                                                                                  const Distance_operand<NT, d>&);
 
 // The Hausdorff distance of two curves, or that of the first one from the second one.
 template <int d>

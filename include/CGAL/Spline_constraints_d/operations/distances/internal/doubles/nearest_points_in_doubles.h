@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Exact_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Foot_search.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -23,23 +24,48 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// Whether all nearest points of two operands with two parameters at most are candidates of a search in doubles.
-template <class NT, int d>
-bool find_nearest(const std::array<Located_operand<NT, d>, 2>& operands, Nearest_search<d>& search)
+// Calls a function with both operands in a form that can be searched; returns whether there is one.
+template <class NT, int d, class Function>
+bool visit_prepared(const std::array<Located_operand<NT, d>, 2>& operands, const Function& function)
 {
   if (operands[0].number_of_axes() + operands[1].number_of_axes() > 2 || !operands[0].is_finite() ||
       !operands[1].is_finite())
     return false;
   const Upward_rounding_guard rounding;
-  bool is_usable = false;
+  bool result = false;
   operands[0].visit_prepared([&](const auto& a) {
     operands[1].visit_prepared([&](const auto& b) {
-      is_usable = a.is_usable() && b.is_usable();
-      if (is_usable)
-        search.find(a, b);
+      result = a.is_usable() && b.is_usable();
+      if (result)
+        function(a, b);
     });
   });
-  return is_usable && search.is_decided();
+  return result;
+}
+
+// The candidates of a search, by increasing distance; nothing if the points of one may be the same.
+template <class NT, int d, class Search>
+std::optional<Found_distances<d>> found_distances(const std::array<Located_operand<NT, d>, 2>& operands,
+                                                  const Search& search)
+{
+  Found_distances<d> result;
+  result.pairs.reserve(search.candidates().size());
+  auto& [least, upper] = result.squared_distance;
+  for (const Nearest_candidate<d>& candidate : search.candidates()) {
+    result.pairs.push_back(Exact_candidates<NT, d>(operands)(candidate));
+    const Rational_interval& range = result.pairs.back().distance.squared_distance;
+    if (range.lower <= 0 && range.upper > 0)
+      return std::nullopt;
+    if (result.pairs.size() == 1 || range.upper < upper)
+      upper = range.upper;
+  }
+  std::stable_sort(result.pairs.begin(), result.pairs.end(), [&](const auto& x, const auto& y) {
+    return x.distance.squared_distance.lower < y.distance.squared_distance.lower;
+  });
+  if (!result.pairs.empty())
+    least = result.pairs.front().distance.squared_distance.lower;
+  result.summary.nodes = search.number_of_parts();
+  return result;
 }
 
 // The nearest points of two operands, or nothing where doubles do not decide.
@@ -49,25 +75,30 @@ std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_opera
 {
   thread_local Nearest_search<d> search; // for its storage
   const std::array operands{Located_operand<NT, d>(first), Located_operand<NT, d>(second)};
-  if (!find_nearest(operands, search))
+  if (!visit_prepared(operands, [&](const auto& a, const auto& b) { search.find(a, b); }) || !search.is_decided())
     return std::nullopt;
-  Found_distances<d> result;
-  auto& [least, upper] = result.squared_distance;
-  for (const Nearest_candidate<d>& candidate : search.candidates()) {
-    result.pairs.push_back(Exact_candidates<NT, d>(operands)(candidate));
-    const Rational_interval& range = result.pairs.back().distance.squared_distance;
-    if (range.lower <= 0 && range.upper > 0)
-      return std::nullopt; // they may meet there
-    if (result.pairs.size() == 1 || range.upper < upper)
-      upper = range.upper;
-  }
-  const auto lower_of = [](const Located_distance<d>& pair) { return pair.distance.squared_distance.lower; };
-  std::erase_if(result.pairs, [&](const auto& pair) { return lower_of(pair) > upper; });
-  std::stable_sort(result.pairs.begin(), result.pairs.end(),
-                   [&](const auto& x, const auto& y) { return lower_of(x) < lower_of(y); });
-  least = lower_of(result.pairs.front());
-  result.summary.nodes = search.number_of_parts();
+  std::optional<Found_distances<d>> result = found_distances(operands, search);
+  if (result)
+    std::erase_if(result->pairs, [&](const Located_distance<d>& pair) {
+      return pair.distance.squared_distance.lower > result->squared_distance.second;
+    });
   return result;
+}
+
+// The feet of all perpendiculars from a point, or nothing where doubles do not decide.
+template <class NT, int d>
+std::optional<Found_distances<d>> projections_in_doubles(const Distance_operand<NT, d>& point,
+                                                         const Distance_operand<NT, d>& object)
+{
+  thread_local Foot_search<d> search; // for its storage
+  const std::array operands{Located_operand<NT, d>(point), Located_operand<NT, d>(object)};
+  const auto find = [&](const auto& p, const auto& spline) {
+    if constexpr (requires { search.find(p, spline); })
+      search.find(p, spline);
+  };
+  if (operands[1].number_of_axes() == 0 || !visit_prepared(operands, find) || !search.is_decided())
+    return std::nullopt;
+  return found_distances(operands, search);
 }
 
 } // namespace Distances
