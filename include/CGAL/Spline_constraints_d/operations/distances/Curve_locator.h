@@ -11,10 +11,13 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Located_hit.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Located_point.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Spline_locator.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -59,6 +62,19 @@ public:
   Complexity: about the logarithm of the number of pieces for points near the curve.
   */
   Located_point<Kernel, d> closest_point(const Point& p) const { return this->nearest(p); }
+
+  /*!
+  the first common point of a ray and the curve, from its source on; nothing if there is none, by proof. Doubles decide
+  where the ray crosses a piece inside, without an allocation if these are the numbers of the kernel; otherwise
+  `intersections()` does, as at breaks and where the ray touches the curve.
+  \throws Invalid_input when a coordinate is not finite or the ray is degenerate.
+
+  Complexity: about the logarithm of the number of pieces, and linear in those that the ray passes near.
+  */
+  std::optional<Located_hit<Kernel, d>> first_intersection(const typename Kernel::Ray_2& ray) const requires(d == 2)
+  {
+    return this->first_on(ray, [](const auto& a, const auto& b) { return intersections(a, b); });
+  }
 };
 
 template <SplineKernel Kernel, int d>

@@ -48,8 +48,7 @@ inline std::pair<double, double> root_range(const std::pair<double, double>& squ
               : std::nextafter(upper_root, std::numeric_limits<double>::infinity())};
 }
 
-// The doubles below and above the roots of the ends of a range, the closest ones or those beside them; \pre they are not
-// negative.
+// The same of exact ends, the closest doubles or those beside them; \pre they are not negative.
 inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
 {
   const double low = to_double_interval(squares.first).first, high = to_double_interval(squares.second).second;

@@ -32,7 +32,6 @@ class Bezier_rows
   int m_degree;
   std::vector<double> m_knots;
   std::vector<std::size_t> m_spans; // knots[span] is the begin of a piece, knots[span + 1] its end
-  bool m_is_exact = true;           // all pieces have their own control points
 
 public:
   Bezier_rows(int degree, std::vector<double> own_knots) : m_degree(degree), m_knots(std::move(own_knots))
@@ -40,36 +39,43 @@ public:
     const std::vector<double>& knots = m_knots;
     const auto n = static_cast<std::size_t>(degree);
     for (std::size_t k = n; k + n + 1 < knots.size(); ++k)
-      if (knots[k] < knots[k + 1]) {
+      if (knots[k] < knots[k + 1])
         m_spans.push_back(k);
-        m_is_exact = m_is_exact && is_clamped(k);
-      }
   }
 
   const std::vector<double>& knots() const { return m_knots; }
   const std::vector<std::size_t>& spans() const { return m_spans; }
-  bool is_exact() const { return m_is_exact; }
 
-  // The error of a coefficient, relative to the greatest one.
-  double relative_error() const { return m_is_exact ? 0 : 16 * unit * m_degree; }
-
-  // Of coefficients with a number of lines beside each other; `step` from one coefficient of a line to the next.
-  std::vector<double> operator()(const std::vector<double>& coefficients, std::size_t lines, std::size_t skip,
-                                 std::size_t step) const
+  // Of coefficients with a number of lines beside each other, `step` from one coefficient of a line to the next; their
+  // greatest error becomes that of the results. Rounding has to be upward.
+  std::vector<double> operator()(const std::vector<double>& coefficients, double& error, std::size_t lines,
+                                 std::size_t skip, std::size_t step) const
   {
     const auto order = static_cast<std::size_t>(m_degree) + 1;
     const std::size_t size = m_spans.size() * order;
-    std::vector<double> result(size * lines), control(order);
+    std::vector<double> result(size * lines);
+    std::vector<Interval> control(order);
+    double greatest_error = error;
     // In the result, lines are beside each other in the same way.
     const std::size_t result_skip = step == 1 ? size : 1, result_step = step == 1 ? 1 : lines;
     for (std::size_t line = 0; line < lines; ++line)
       for (std::size_t piece = 0; piece < m_spans.size(); ++piece)
         for (std::size_t j = 0; j < order; ++j) {
+          const auto coefficient = [&](std::size_t i) {
+            return coefficients[line * skip + (m_spans[piece] + 1 - order + i) * step];
+          };
+          double& value = result[line * result_skip + (piece * order + j) * result_step];
+          if (is_clamped(m_spans[piece])) {
+            value = coefficient(j);
+            continue;
+          }
           for (std::size_t i = 0; i < order; ++i)
-            control[i] = coefficients[line * skip + (m_spans[piece] + 1 - order + i) * step];
-          result[line * result_skip + (piece * order + j) * result_step] =
-              is_clamped(m_spans[piece]) ? control[j] : blossom(m_spans[piece], control, j);
+            control[i] = Interval(coefficient(i)) + Interval(-error, error);
+          const Interval blossom = blossom_at(m_spans[piece], control, j);
+          value = blossom.inf() / 2 + blossom.sup() / 2;
+          greatest_error = (std::max)(greatest_error, (std::max)(value - blossom.inf(), blossom.sup() - value));
         }
+    error = greatest_error;
     return result;
   }
 
@@ -81,15 +87,15 @@ private:
   }
 
   // With the end of the piece as the last `ends` arguments, its begin as the others.
-  double blossom(std::size_t span, std::vector<double>& control, std::size_t ends) const
+  Interval blossom_at(std::size_t span, std::vector<Interval>& control, std::size_t ends) const
   {
     const auto n = static_cast<std::size_t>(m_degree);
     for (std::size_t r = 1; r <= n; ++r) {
       const double x = r + ends > n ? m_knots[span + 1] : m_knots[span];
       for (std::size_t j = n; j >= r; --j) {
         const double low = m_knots[span - n + j], high = m_knots[span + j + 1 - r];
-        const double weight = (x - low) / (high - low);
-        control[j] = (1 - weight) * control[j - 1] + weight * control[j];
+        const Interval weight = (Interval(x) - Interval(low)) / (Interval(high) - Interval(low));
+        control[j] = control[j - 1] + weight * (control[j] - control[j - 1]);
       }
     }
     return control[n];

@@ -21,7 +21,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// A point of a piece, and its first derivatives, in intervals. Rounding has to be upward.
+// A point of a piece, or all of them for ranges of parameters, and its first derivatives, in intervals. Rounding has to
+// be upward.
 template <int d>
 struct Piece_point
 {
@@ -29,11 +30,14 @@ struct Piece_point
   std::array<std::array<Interval, d>, 2> tangents;
 
   Piece_point(const Rounded_piece<d>& piece, const std::array<double, 2>& x)
+    : Piece_point(piece, std::array<Interval, 2>{Interval(x[0]), Interval(x[1])})
+  {}
+
+  Piece_point(const Rounded_piece<d>& piece, const std::array<Interval, 2>& x)
   {
     const auto jet = [&](const Rounded_tensor& f) {
-      return jet_at<Interval>(piece.degrees,
-                              [&](std::size_t k) { return Interval(f.begin[k]) + Interval(-f.error, f.error); },
-                              {Interval(x[0]), Interval(x[1])});
+      return jet_at<Interval>(
+          piece.degrees, [&](std::size_t k) { return Interval(f.begin[k]) + Interval(-f.error, f.error); }, x);
     };
     Second_jet<Interval> weight{};
     if (piece.is_rational())

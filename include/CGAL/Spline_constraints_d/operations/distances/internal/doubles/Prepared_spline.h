@@ -34,6 +34,17 @@ struct Nearest_location
   bool is_unique = false;
 };
 
+// Where a ray meets a spline first, in doubles.
+template <int d>
+struct First_hit
+{
+  bool is_decided = false; // by doubles
+  bool is_found = false;
+  std::array<std::pair<double, double>, 2> ranges{};
+  std::pair<double, double> along; // the parameter of the ray
+  std::array<double, d> point{};
+};
+
 // Pieces and boxes of a spline, for many queries; defined in prepared_splines.h.
 template <class NT, int d>
 std::shared_ptr<const Rounded_spline<d>> prepared(const Homogeneous_spline<NT, d>& spline);
@@ -42,10 +53,17 @@ std::shared_ptr<const Rounded_spline<d>> prepared(const Homogeneous_spline<NT, d
 template <class NT, int d>
 std::optional<Nearest_location<d>> nearest_location(const std::array<NT, d>& point, const Rounded_spline<d>& spline);
 
+// Of the ray from one point through another one.
+template <class NT, int d>
+First_hit<d> first_hit(const std::array<NT, d>& source, const std::array<NT, d>& second,
+                       const Rounded_spline<d>& spline);
+
 #define CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(EXTERN, NT, d)                                                         \
   EXTERN template std::shared_ptr<const Rounded_spline<d>> prepared<NT, d>(const Homogeneous_spline<NT, d>&);          \
   EXTERN template std::optional<Nearest_location<d>> nearest_location<NT, d>(const std::array<NT, d>&,                 \
-                                                                             const Rounded_spline<d>&);
+                                                                             const Rounded_spline<d>&);                \
+  EXTERN template First_hit<d> first_hit<NT, d>(const std::array<NT, d>&, const std::array<NT, d>&,                    \
+                                                const Rounded_spline<d>&);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_PREPARED_SPLINE(extern, double, 2)

@@ -89,6 +89,7 @@ private:
   std::vector<Node> m_nodes;
 
 public:
+  // Rounding has to be upward.
   template <class NT>
   explicit Rounded_spline(const Homogeneous_spline<NT, d>& spline) : m_axes(spline.dimension())
   {
@@ -165,13 +166,10 @@ private:
         !std::equal(f.coefficients().begin(), f.coefficients().end(), coefficients.begin(), is_double<NT>);
     double error = is_rounded ? unit * greatest + (std::numeric_limits<double>::min)() : 0;
     const std::size_t other = m_axes == 2 ? f.size(1) : 1;
-    coefficients = rows[0](coefficients, other, 1, other);
-    error += rows[0].relative_error() * greatest;
+    coefficients = rows[0](coefficients, error, other, 1, other);
     const std::size_t height = static_cast<std::size_t>((degrees[0] + 1) * number_of_cells(0));
-    if (m_axes == 2) {
-      coefficients = rows[1](coefficients, height, other, 1);
-      error += rows[1].relative_error() * greatest;
-    }
+    if (m_axes == 2)
+      coefficients = rows[1](coefficients, error, height, other, 1);
     const std::size_t size = size_of(degrees), order = static_cast<std::size_t>(degrees[1] + 1),
                       width = order * static_cast<std::size_t>(number_of_cells(1));
     for (std::size_t k = 0; k < m_pieces.size(); ++k) {

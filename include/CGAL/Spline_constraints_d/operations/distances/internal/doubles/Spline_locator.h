@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_SPLINE_LOCATOR_H
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Located_hit.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Located_point.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Prepared_spline.h>
@@ -20,6 +21,7 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -50,6 +52,18 @@ protected:
             nearest_location<NT, d>(Distance_operand_of<Point>::get(p).point, *m_prepared))
       return Located_point<Kernel, d>(*location);
     return Located_point<Kernel, d>(Spline_constraints::closest_points(p, m_spline), Spline::number_of_parameters);
+  }
+
+  // Where doubles do not decide, by all intersections, which a function finds.
+  template <class Ray, class Intersect>
+  std::optional<Located_hit<Kernel, d>> first_on(const Ray& ray, const Intersect& intersect) const
+  {
+    const auto coordinates = [](const auto& p) { return Distance_operand_of<std::decay_t<decltype(p)>>::get(p).point; };
+    const First_hit<d> hit = first_hit<NT, d>(coordinates(ray.source()), coordinates(ray.second_point()), *m_prepared);
+    if (hit.is_decided)
+      return hit.is_found ? std::optional(Located_hit<Kernel, d>(hit)) : std::nullopt;
+    const auto all = intersect(ray, m_spline);
+    return all.empty() ? std::nullopt : std::optional(Located_hit<Kernel, d>(all[0]));
   }
 
 public:

@@ -12,10 +12,13 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Nearest_search.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Prepared_spline.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Ray_search.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -28,7 +31,17 @@ namespace Distances {
 template <class NT, int d>
 std::shared_ptr<const Rounded_spline<d>> prepared(const Homogeneous_spline<NT, d>& spline)
 {
+  const Upward_rounding_guard guard; // as for those that are not prepared, so that answers are the same
   return std::make_shared<const Rounded_spline<d>>(spline);
+}
+
+// Of a range in a piece. Rounding has to be upward.
+template <int d>
+std::pair<double, double> spline_range(const Rounded_spline<d>& spline, int axis, int cell, const Double_range& range)
+{
+  const Interval begin(spline.breaks(axis)[static_cast<std::size_t>(cell)]),
+      width = Interval(spline.breaks(axis)[static_cast<std::size_t>(cell) + 1]) - begin;
+  return {(begin + Interval(range.lower) * width).inf(), (begin + Interval(range.upper) * width).sup()};
 }
 
 template <class NT, int d>
@@ -54,18 +67,46 @@ std::optional<Nearest_location<d>> nearest_location(const std::array<NT, d>& poi
   result.squared_distance = {squared_distance.inf(), squared_distance.sup()};
   result.is_unique = is_unique;
   for (int axis = 0; axis < spline.number_of_axes(); ++axis) {
-    const auto cell = static_cast<std::size_t>(nearest.cells[1][axis]);
-    const double begin = spline.breaks(axis)[cell], end = spline.breaks(axis)[cell + 1];
-    const auto placed = [&](double x) { return Interval(begin) + Interval(x) * (Interval(end) - Interval(begin)); };
-    const Interval parameter = placed(nearest.parameters[axis]);
-    result.parameters[axis] = nearest.parameters[axis] == 1 ? end : parameter.inf();
-    result.ranges[axis] = is_unique
-        ? std::pair(placed(nearest.ranges[axis].lower).inf(), placed(nearest.ranges[axis].upper).sup())
-        : std::pair(begin, end);
+    const int cell = nearest.cells[1][axis];
+    const double x = nearest.parameters[axis], end = spline.breaks(axis)[static_cast<std::size_t>(cell) + 1];
+    result.parameters[axis] = x == 1 ? end : spline_range(spline, axis, cell, {x, x}).first;
+    result.ranges[axis] = spline_range(spline, axis, cell, is_unique ? nearest.ranges[axis] : Double_range{0, 1});
   }
   const Piece_point<d> at(spline.piece(nearest.cells[1]), nearest.parameters);
   for (int i = 0; i < d; ++i)
     result.point[i] = at.point[i].inf() / 2 + at.point[i].sup() / 2;
+  return result;
+}
+
+template <class NT, int d>
+First_hit<d> first_hit(const std::array<NT, d>& source, const std::array<NT, d>& second,
+                       const Rounded_spline<d>& spline)
+{
+  thread_local Ray_search<d> search; // for its storage
+  const Upward_rounding_guard guard;
+  First_hit<d> result;
+  std::array<double, d> from;
+  std::array<Interval, d> direction;
+  for (int i = 0; i < d; ++i) {
+    from[i] = nearest_double(source[i]);
+    const double to = nearest_double(second[i]);
+    if (!is_double(source[i], from[i]) || !is_double(second[i], to) || !std::isfinite(from[i]) || !std::isfinite(to))
+      return result;
+    direction[i] = Interval(to) - Interval(from[i]);
+  }
+  if (!spline.is_usable() || spline.number_of_axes() != d - 1)
+    return result;
+  search.find_first(from, direction, spline);
+  result.is_decided = search.is_decided() && search.hits().size() <= 1;
+  result.is_found = result.is_decided && search.hits().size() == 1;
+  if (!result.is_found)
+    return result;
+  const Ray_hit<d>& hit = search.hits().front();
+  result.along = {hit.along.inf(), hit.along.sup()};
+  for (int axis = 0; axis < d - 1; ++axis)
+    result.ranges[axis] = spline_range(spline, axis, hit.cell[axis], hit.ranges[axis]);
+  for (int i = 0; i < d; ++i)
+    result.point[i] = hit.point[i].inf() / 2 + hit.point[i].sup() / 2;
   return result;
 }
 
