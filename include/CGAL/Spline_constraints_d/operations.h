@@ -25,6 +25,10 @@
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/ray_traps_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/tangent_circles_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Curve_locator.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Located_hit.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Located_point.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 #include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>

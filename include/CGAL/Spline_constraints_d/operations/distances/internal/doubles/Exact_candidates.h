@@ -16,11 +16,12 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Spline_jet.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <CGAL/FPU.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -136,17 +137,12 @@ private:
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         const Fraction& x = fractions[parameter_of(operand, axis)];
         const Exact_rational parameter = m_operands[operand].parameter(
-            axis, candidate.cells[operand][axis], Exact_rational(x.numerator) / Exact_rational(x.denominator));
+            axis, candidate.cells[operand][axis], to_rational(x.numerator) / to_rational(x.denominator));
         result.distance.ranges[operand].emplace_back(parameter, parameter);
         result.distance.sample[operand].push_back(parameter);
       }
     }
-    Exact_rational square(0);
-    for (int i = 0; i < d; ++i) {
-      const Exact_rational difference = points[0][i] - points[1][i];
-      square += difference * difference;
-    }
-    result.distance.squared_distance = Rational_interval(square);
+    result.distance.squared_distance = Rational_interval(squared_distance_at(jets));
     result.points = std::move(points);
     return result;
   }
@@ -170,8 +166,38 @@ private:
         result.distance.sample[operand].push_back(parameter(candidate.parameters[k]));
       }
     }
-    result.distance.squared_distance =
-        Rational_interval(to_rational(candidate.squared_distance.inf()), to_rational(candidate.squared_distance.sup()));
+    result.distance.squared_distance = squared_distance_of(candidate);
+    return result;
+  }
+
+  // In numbers with twice the digits of doubles at least: at the parameters that are known, it is greater or less by as
+  // little as the square of their error.
+  Rational_interval squared_distance_of(const Candidate& candidate) const
+  {
+    const Rational_interval known(to_rational(candidate.squared_distance.inf()),
+                                  to_rational(candidate.squared_distance.sup()));
+    const Fractions at{Fraction{candidate.parameters[0]}, Fraction{candidate.parameters[1]}};
+    std::pair<Exact_rational, Exact_rational> value;
+    if constexpr (std::is_same_v<NT, double>) {
+      const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+      const Double_word square = squared_distance_at(jets_of<Double_word>(candidate, at));
+      if (!square.is_finite())
+        return known;
+      value = square.range();
+    } else
+      value.first = value.second = squared_distance_at(jets_of<Exact_rational>(candidate, at));
+    const Exact_rational deviation = to_rational(candidate.deviation);
+    return intersection(known, Rational_interval(value.first - deviation, value.second + deviation));
+  }
+
+  template <class Field>
+  static Field squared_distance_at(const Jets<Field>& jets)
+  {
+    Field result = field_element<Field>(0.0);
+    for (int i = 0; i < d; ++i) {
+      const Field difference = jets[0].value[i] / jets[0].value[d] - jets[1].value[i] / jets[1].value[d];
+      result = result + difference * difference;
+    }
     return result;
   }
 
@@ -180,7 +206,7 @@ private:
     Fractions result;
     for (std::size_t k = 0; k < static_cast<std::size_t>(number_of_parameters()); ++k)
       if (candidate.sides[k] >= 0)
-        result[k] = {candidate.sides[k], 1};
+        result[k] = {static_cast<double>(candidate.sides[k]), 1};
       else if (const auto fraction = fraction_in(candidate.ranges[k], candidate.parameters[k]))
         result[k] = *fraction;
       else
@@ -200,7 +226,7 @@ private:
       if (!(q <= greatest_denominator))
         return std::nullopt;
       if (std::abs(p - x * q) <= tolerance * q)
-        return Fraction{static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
+        return Fraction{p, q};
       rest = 1 / (rest - whole);
     }
     return std::nullopt;
@@ -231,7 +257,7 @@ private:
   template <class Field>
   bool is_critical(const Candidate& candidate, const Jets<Field>& jets) const
   {
-    const Field zero(std::int64_t(0));
+    const Field zero = field_element<Field>(0.0);
     for (const std::size_t operand : {0, 1})
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         if (candidate.sides[parameter_of(operand, axis)] >= 0)

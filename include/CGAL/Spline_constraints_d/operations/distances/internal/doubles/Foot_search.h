@@ -138,20 +138,15 @@ private:
     foot.sides = part.sides;
     foot.points = point.distance.points;
     const std::array<Double_range, 2> better = newton_ranges(point, part, jet);
-    const std::array<Interval, 2> gradient = point.gradient(part);
-    std::array<Interval, 2> step{Interval(0), Interval(0)};
     for (const int axis : {0, 1}) {
       foot.ranges[axis] = {better[axis].lower > ranges[axis].lower ? better[axis].lower : ranges[axis].lower,
                            better[axis].upper < ranges[axis].upper ? better[axis].upper : ranges[axis].upper};
       foot.parameters[axis] =
           (std::min)((std::max)(point.parameters[axis], foot.ranges[axis].lower), foot.ranges[axis].upper);
-      if (part.sides[axis] < 0)
-        step[axis] = (Interval(foot.ranges[axis].lower, foot.ranges[axis].upper) - Interval(point.parameters[axis])) /
-            Interval(part.width(axis));
     }
-    foot.squared_distance = point.distance.squared_distance + gradient[0] * step[0] + gradient[1] * step[1] +
-        (jet.second[0] * CGAL::square(step[0]) + jet.second[1] * CGAL::square(step[1])) / Interval(2) +
-        jet.mixed * step[0] * step[1];
+    foot.deviation = deviation(part, foot.ranges, foot.parameters, jet);
+    const double error = deviation(part, foot.ranges, point.parameters, jet);
+    foot.squared_distance = point.distance.squared_distance + Interval(-error, error);
     foot.squared_distance =
         Interval((std::max)(foot.squared_distance.inf(), 0.0), (std::max)(foot.squared_distance.sup(), 0.0));
     m_is_decided = std::isfinite(foot.squared_distance.sup());

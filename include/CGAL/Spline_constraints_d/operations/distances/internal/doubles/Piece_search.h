@@ -39,6 +39,7 @@ struct Nearest_candidate
   std::array<double, 2> parameters{};        // in the pieces
   std::array<Double_range, 2> ranges{};
   Interval squared_distance;
+  double deviation = 0; // from the squared distance at the parameters
   std::array<std::array<Interval, d>, 2> points;
 };
 
@@ -201,8 +202,12 @@ private:
     const std::array<Interval, 2> gradient = point->gradient(part);
     const Interval square = CGAL::square(gradient[0]) + CGAL::square(gradient[1]);
     const double radius = (CGAL::sqrt(square) / Interval(least_eigenvalue)).sup();
-    Candidate candidate{
-        m_cells, part.sides, point->parameters, {}, point->distance.squared_distance, point->distance.points};
+    Candidate candidate;
+    candidate.cells = m_cells;
+    candidate.sides = part.sides;
+    candidate.parameters = point->parameters;
+    candidate.squared_distance = point->distance.squared_distance;
+    candidate.points = point->distance.points;
     for (const int axis : {0, 1}) {
       const double x = point->parameters[axis], error = radius * part.width(axis) * (1 + 4 * unit);
       candidate.ranges[axis] = part.sides[axis] < 0 ? Double_range{-(error - x), x + error} : Double_range{x, x};
@@ -229,17 +234,21 @@ private:
                  better[axis].upper < range.upper ? better[axis].upper : range.upper};
         candidate.parameters[axis] = (std::min)((std::max)(candidate.parameters[axis], range.lower), range.upper);
       }
+    candidate.deviation = deviation(part, candidate.ranges, candidate.parameters, jet);
   }
 
   void add_corner(const Part& part)
   {
     const Distance_jet<d> at(*m_a, *m_b, part.begin);
-    add({m_cells,
-         part.sides,
-         part.begin,
-         {Double_range{part.begin[0], part.begin[0]}, Double_range{part.begin[1], part.begin[1]}},
-         at.squared_distance,
-         at.points});
+    Candidate candidate;
+    candidate.cells = m_cells;
+    candidate.sides = part.sides;
+    candidate.parameters = part.begin;
+    for (const int axis : {0, 1})
+      candidate.ranges[axis] = {part.begin[axis], part.begin[axis]};
+    candidate.squared_distance = at.squared_distance;
+    candidate.points = at.points;
+    add(candidate);
   }
 
   void add(const Candidate& candidate)

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_SPLINE_JET_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
+#include <CGAL/Spline_constraints_d/number/Double_word.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -95,6 +96,8 @@ Field field_element(const NT& x)
 {
   if constexpr (std::is_same_v<Field, Residue>)
     return Residue::of(x);
+  else if constexpr (std::is_same_v<Field, Double_word>)
+    return Double_word(x);
   else
     return converted_number<Field>(x);
 }
@@ -109,15 +112,15 @@ std::size_t span_of_cell(const std::vector<NT>& knots, int degree, int cell)
       return span;
 }
 
-// A number between 0 and 1.
+// A number between 0 and 1 as a quotient: a fraction of integers, or any double and 1.
 struct Fraction
 {
-  std::int64_t numerator = 0, denominator = 1;
+  double numerator = 0, denominator = 1;
 };
 
 /*
-The homogeneous coordinates (the weight is last) of a point of a spline, and their derivatives, in any field: at a
-fraction of a cell along each axis, by de Boor's algorithm.
+The homogeneous coordinates (the weight is last) of a point of a spline, and their derivatives by the places in a cell,
+in any field, or in what encloses numbers: at a fraction of the cell along each axis, by de Boor's algorithm.
 */
 template <class Field, int d>
 class Spline_jet
@@ -129,7 +132,7 @@ class Spline_jet
   template <std::size_t... i>
   static Coordinates filled(std::index_sequence<i...>)
   {
-    return {((void)i, Field(std::int64_t(0)))...};
+    return {((void)i, field_element<Field>(0.0))...};
   }
 
 public:
@@ -142,7 +145,7 @@ public:
   {
     for (int k = 0; k < d; ++k)
       value[k] = field_element<Field>(point[k]);
-    value[d] = Field(std::int64_t(1));
+    value[d] = field_element<Field>(1.0);
   }
 
   template <class NT>
@@ -153,7 +156,7 @@ public:
     if (const auto index = control_point_at(functions[0], at)) {
       for (int k = 0; k <= d; ++k)
         value[k] = k < d || spline.is_rational() ? field_element<Field>(functions[k].coefficients()[*index])
-                                                 : Field(std::int64_t(1));
+                                                 : field_element<Field>(1.0);
       return;
     }
     std::array<std::size_t, 2> spans{0, 0};
@@ -166,7 +169,7 @@ public:
                  other_weights = axes == 2 ? blend_weights(functions[0].knots(1), columns, spans[1], at[1]) : Fields();
     for (int k = 0; k <= d; ++k) {
       if (k == d && !spline.is_rational()) {
-        value[d] = Field(std::int64_t(1));
+        value[d] = field_element<Field>(1.0);
         return;
       }
       Fields values, slopes;
@@ -195,8 +198,8 @@ private:
     for (int axis = 0; axis < f.dimension(); ++axis) {
       const std::vector<NT>& knots = f.knots(axis);
       const auto n = static_cast<std::size_t>(f.degree(axis));
-      if (at[axis].denominator != 1 || f.size(axis) != n + 1 || knots[0] != knots[n] ||
-          knots[n + 1] != knots[2 * n + 1])
+      if ((at[axis].numerator != 0 && at[axis].numerator != at[axis].denominator) || f.size(axis) != n + 1 ||
+          knots[0] != knots[n] || knots[n + 1] != knots[2 * n + 1])
         return std::nullopt;
       result = result * (n + 1) + (at[axis].numerator == 0 ? 0 : n);
     }
@@ -208,7 +211,8 @@ private:
   static Fields blend_weights(const std::vector<NT>& knots, int degree, std::size_t span, const Fraction& at)
   {
     const auto knot = [&](std::size_t k) { return field_element<Field>(knots[k]); };
-    const Field x = knot(span) + Field(at.numerator) / Field(at.denominator) * (knot(span + 1) - knot(span));
+    const Field x = knot(span) +
+        field_element<Field>(at.numerator) / field_element<Field>(at.denominator) * (knot(span + 1) - knot(span));
     const auto n = static_cast<std::size_t>(degree);
     Fields result;
     for (std::size_t r = 1; r <= n; ++r)
@@ -221,10 +225,10 @@ private:
     return result;
   }
 
-  // The value, and a multiple of the derivative that is not zero unless that is.
+  // The value and the derivative by the place in the cell.
   static std::pair<Field, Field> blended(Fields& control, const Fields& weights, int degree)
   {
-    Field slope(std::int64_t(0));
+    Field slope(0.0);
     const auto n = static_cast<std::size_t>(degree);
     auto weight = weights.begin();
     for (std::size_t r = 1; r <= n; ++r)
@@ -234,7 +238,7 @@ private:
           slope = difference;
         control[j] = control[j - 1] + *weight * difference;
       }
-    return {control[n], slope};
+    return {control[n], n == 0 ? slope : Field(field_element<Field>(static_cast<double>(n)) * slope)};
   }
 };
 

@@ -136,6 +136,22 @@ std::array<Double_range, 2> newton_ranges(const Stationary_point<d>& point, cons
   return result;
 }
 
+// How much the squared distance at parameters differs from that at the critical point in ranges around them: the
+// gradient is zero there, so half the second derivative tells.
+inline double deviation(const Bernstein_part& part, const std::array<Double_range, 2>& ranges,
+                        const std::array<double, 2>& parameters, const Second_jet<Interval>& second)
+{
+  std::array<Interval, 2> step{Interval(0), Interval(0)};
+  for (const int axis : {0, 1})
+    if (part.sides[axis] < 0)
+      step[axis] =
+          (Interval(ranges[axis].lower, ranges[axis].upper) - Interval(parameters[axis])) / Interval(part.width(axis));
+  const Interval result =
+      (second.second[0] * CGAL::square(step[0]) + second.second[1] * CGAL::square(step[1])) / Interval(2) +
+      second.mixed * step[0] * step[1];
+  return (std::max)(-result.inf(), result.sup());
+}
+
 } // namespace Distances
 } // namespace internal
 } // namespace Spline_constraints
