@@ -64,9 +64,9 @@ public:
   Located_point<Kernel, d> closest_point(const Point& p) const { return this->nearest(p); }
 
   /*!
-  the first common point of a ray and the curve, from its source on; nothing if there is none, by proof. Doubles decide
-  where the ray crosses a piece inside, without an allocation if these are the numbers of the kernel; otherwise
-  `intersections()` does, as at breaks and where the ray touches the curve.
+  the first common point of a ray and the curve, from its source on; nothing if there is none, by proof. Doubles
+  decide where the ray crosses a piece inside, without an allocation if these are the numbers of the kernel;
+  otherwise `intersections()` does, as at breaks and where the ray touches the curve.
   \throws Invalid_input when a coordinate is not finite or the ray is degenerate.
 
   Complexity: about the logarithm of the number of pieces, and linear in those that the ray passes near.
