@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Closest points of splines with many pieces: a point and a curve, two curves, a point and a surface, a curve and a
-// surface. The argument is the number of pieces along each parameter.
+// surface; and queries of prepared ones: a million nearest points, and first hits of rays. The argument is the number
+// of pieces along each parameter.
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Curve_locator.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -93,8 +96,53 @@ void curve_and_surface(benchmark::State& state)
   measure(state, random_curve(static_cast<int>(state.range(0)), 6, generator), surface);
 }
 
+// Nearest points of a prepared curve or surface, for points around it; `items_per_second` is their number.
+template <class Locator>
+void locate(benchmark::State& state, const Locator& locator, double width)
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> along(0, extent), across(0, width), height(-3, 3);
+  std::size_t unique = 0;
+  for (auto _ : state) {
+    const double x = along(generator), y = across(generator), z = height(generator);
+    unique += locator.closest_point(K::Point_3(x, y, z)).is_unique();
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["not unique"] = static_cast<double>(static_cast<std::size_t>(state.iterations()) - unique);
+}
+
+void nearest_on_curve(benchmark::State& state)
+{
+  std::mt19937 generator(1);
+  locate(state, SC::Curve_locator(random_curve(static_cast<int>(state.range(0)), 0, generator)), 3);
+}
+
+void nearest_on_surface(benchmark::State& state)
+{
+  std::mt19937 generator(3);
+  locate(state, SC::Surface_locator_3(random_surface(static_cast<int>(state.range(0)), generator)), extent);
+}
+
+void first_hit_of_ray(benchmark::State& state)
+{
+  std::mt19937 generator(3);
+  const SC::Surface_locator_3 locator(random_surface(static_cast<int>(state.range(0)), generator));
+  std::uniform_real_distribution<double> along(0, extent), height(-3, 3);
+  std::size_t hits = 0;
+  for (auto _ : state) {
+    const double x = along(generator), y = along(generator), z = height(generator), to_x = along(generator),
+                 to_y = along(generator), to_z = height(generator);
+    hits += locator.first_intersection(K::Ray_3(K::Point_3(x, y, z), K::Point_3(to_x, to_y, to_z))).has_value();
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["hits"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
+}
+
 } // namespace
 
+BENCHMARK(nearest_on_curve)->Arg(1)->Arg(100)->Arg(1000)->Iterations(1000000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(nearest_on_surface)->Arg(1)->Arg(20)->Iterations(1000000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(first_hit_of_ray)->Arg(1)->Arg(20)->Iterations(100000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(point_and_curve)->Arg(1)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(curve_and_curve)->Arg(1)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(point_and_surface)->Arg(1)->Arg(10)->Arg(30)->Unit(benchmark::kMillisecond);

@@ -27,7 +27,7 @@ template <class Function>
 struct Program
 {
   std::string name;
-  Function* run;   // null where it is not installed
+  Function* run; // null where it is not installed
 };
 
 using Curve_program = Program<Run(const Bezier_curve&, const Bezier_curve&)>;
@@ -63,6 +63,7 @@ std::vector<Curve_program> curve_programs()
 std::vector<Operation_program> operation_programs()
 {
   return {{"this package", operate_with_spline_constraints},
+          {"this package, prepared", operate_with_prepared_splines},
 #ifdef PEERS_SISL
           {"SISL", operate_with_sisl},
 #else
@@ -93,7 +94,10 @@ double median(const Runs& runs, const Projection& projection)
   return median(std::move(values));
 }
 
-double total(const Runs& runs) { return median(runs, [](const Phases& phases) { return phases.total; }); }
+double total(const Runs& runs)
+{
+  return median(runs, [](const Phases& phases) { return phases.total; });
+}
 
 std::string formatted(double value)
 {
@@ -163,16 +167,19 @@ std::vector<Runs> runs_of(const std::vector<Program<Function>>& programs, const 
   return result;
 }
 
-// This package beside the fastest of the others that is right.
-std::string ratio(const std::vector<Runs>& runs, const Intersections& truth)
+// This package, in as many ways as come first, beside the fastest of the others that is right.
+std::string ratio(const std::vector<Runs>& runs, const Intersections& truth, std::size_t own)
 {
   double fastest = HUGE_VAL;
-  for (std::size_t i = 1; i < runs.size(); ++i)
+  for (std::size_t i = own; i < runs.size(); ++i)
     if (is_right(runs[i], truth))
       fastest = (std::min)(fastest, total(runs[i]));
-  if (runs[0].runs.empty())
-    return "-";
-  return std::isinf(fastest) ? "no other is right" : formatted(total(runs[0]) / fastest);
+  if (std::isinf(fastest))
+    return "no other is right";
+  std::string result;
+  for (std::size_t i = 0; i < own; ++i)
+    result += (i == 0 ? "" : ", ") + (runs[i].runs.empty() ? "-" : formatted(total(runs[i]) / fastest));
+  return result;
 }
 
 void print_row(const std::vector<std::string>& cells)
@@ -201,12 +208,12 @@ void print_header_of(const std::vector<Program<Function>>& programs)
 
 template <class Problem, class Function>
 void print_comparison(const Problem& problem, const std::vector<Program<Function>>& programs,
-                      const std::vector<Runs>& runs)
+                      const std::vector<Runs>& runs, std::size_t own = 1)
 {
   std::vector<std::string> row{problem.name + ' ' + problem.description, in_words(problem.truth)};
   for (std::size_t i = 0; i < programs.size(); ++i)
     row.push_back(programs[i].run == nullptr ? "not installed" : cell(runs[i], problem.truth));
-  row.push_back(ratio(runs, problem.truth));
+  row.push_back(ratio(runs, problem.truth, own));
   print_row(row);
 }
 
@@ -218,7 +225,7 @@ void compare_operations(const std::string& title, const std::vector<Operation_pr
   print_header_of(programs);
   for (const Operation_problem& problem : problems)
     if (selected.empty() || selected.contains(problem.name))
-      print_comparison(problem, programs, runs_of(programs, [&](const auto& run) { return run(problem); }));
+      print_comparison(problem, programs, runs_of(programs, [&](const auto& run) { return run(problem); }), 2);
 }
 
 void compare_curve_intersections(const std::set<std::string>& selected)

@@ -125,6 +125,8 @@ inline std::vector<Operation_problem> operation_problems()
 
 // One run of an operation, from the control points to the answer. The caller fills `phases.total`.
 Run operate_with_spline_constraints(const Operation_problem& problem);
+// The same, where curves and surfaces have been prepared before the run.
+Run operate_with_prepared_splines(const Operation_problem& problem);
 Run operate_with_sisl(const Operation_problem& problem);
 Run operate_with_open_cascade(const Operation_problem& problem);
 

@@ -93,12 +93,15 @@ public:
                         : std::numeric_limits<double>::infinity()};
   }
 
-  // Bounds of the number. \pre finite
-  std::pair<Exact_rational, Exact_rational> range() const
+  // Bounds of the number, with a tolerance on both sides. \pre finite
+  std::pair<Exact_rational, Exact_rational> range(double tolerance = 0) const
   {
-    const Exact_rational value = to_rational(m_high) + to_rational(m_low), error = to_rational(m_error);
+    const Exact_rational value = to_rational(m_high) + to_rational(m_low), error = to_rational(error_with(tolerance));
     return {Exact_rational(value - error), Exact_rational(value + error)};
   }
+
+  // Half the width of that range.
+  double error_with(double tolerance = 0) const { return tolerance == 0 ? m_error : (m_error + tolerance) * 1.0000001; }
 
   bool is_finite() const { return std::isfinite(m_high) && std::isfinite(m_low) && std::isfinite(m_error); }
 

@@ -72,14 +72,16 @@ public:
     check_weights(weights, points.size(), who);
     // Equal weights are none: nothing need be multiplied, which would round.
     const bool has_weight = std::any_of(weights.begin(), weights.end(), [&](const NT& w) { return w != weights[0]; });
+    m_functions.reserve(d + 1);
     for (int i = 0; i < d; ++i) {
       std::vector<NT> numerator;
+      numerator.reserve(points.size());
       for (std::size_t k = 0; k < points.size(); ++k)
         numerator.push_back(has_weight ? NT(weights[k] * points[k][i]) : points[k][i]);
-      m_functions.emplace_back(degrees, knots, std::move(numerator));
+      add_function(degrees, knots, std::move(numerator));
     }
     if (has_weight)
-      m_functions.emplace_back(degrees, knots, weights);
+      add_function(degrees, knots, weights);
     normalise_weight(who);
   }
 
@@ -251,6 +253,18 @@ private:
   static CGAL::Interval_nt<false> enclosed(const Exact_rational& x)
   {
     return Number_traits<Exact_rational>::enclosure(x);
+  }
+
+  // Knots and numbers of control points are checked once, and shared.
+  void add_function(const std::vector<int>& degrees, const std::vector<std::vector<NT>>& knots,
+                    std::vector<NT> coefficients)
+  {
+    if (m_functions.empty()) {
+      m_functions.emplace_back(degrees, knots, std::move(coefficients));
+      return;
+    }
+    check_finite(coefficients, "Bspline_function: control point");
+    m_functions.push_back(Function::on_axes(m_functions[0].axes(), std::move(coefficients)));
   }
 
   static void check_weights(const std::vector<NT>& weights, std::size_t number_of_points, const std::string& who)

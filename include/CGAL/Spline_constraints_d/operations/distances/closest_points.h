@@ -91,8 +91,8 @@ public:
     return {m_distance.squared_distance.lower, m_distance.squared_distance.upper};
   }
 
-  //! the answer of the solver, with its proof; none where all parameters are ends of domains or knots. The unknowns are
-  //! the parameters that are none of these.
+  //! the answer of the solver, with its proof; none where all parameters are ends of domains or knots, or where doubles
+  //! with error bounds have proved it. The unknowns are the parameters that are none of these.
   const std::optional<Solution_d<double>>& solution() const { return m_distance.solution; }
 };
 
@@ -217,6 +217,10 @@ parameters have signs that do not admit shorter distances, and those by the othe
 system that the solver finds all solutions of. Their distances are enclosed, and a solution is dropped if another pair
 of points is nearer, for certain. What is left is reported: one pair, or several that have the same distance by symmetry
 or cannot be told apart. An answer of the solver that is undecided is kept, unless all of it is farther away.
+
+Doubles with certain error bounds decide first, where the operands are points and B-splines with two parameters together
+at most: in microseconds, nearly always. The rest goes to the solver: operands that meet, nearest points on breaks where
+the operand is smooth, poles, continua, curves or surfaces with surfaces.
 
 Solutions with rational parameters are recognized and get exact distances. Where the operands cross at a regular
 solution of \f$A = B\f$, the distance is exactly zero. So it is where a pair with rational parameters has it; touching

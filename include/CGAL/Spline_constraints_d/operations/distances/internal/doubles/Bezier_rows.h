@@ -48,9 +48,11 @@ public:
 
   // Of coefficients with a number of lines beside each other, `step` from one coefficient of a line to the next; their
   // greatest error becomes that of the results. Rounding has to be upward.
-  std::vector<double> operator()(const std::vector<double>& coefficients, double& error, std::size_t lines,
-                                 std::size_t skip, std::size_t step) const
+  std::vector<double> operator()(std::vector<double> coefficients, double& error, std::size_t lines, std::size_t skip,
+                                 std::size_t step) const
   {
+    if (m_spans.size() == 1 && is_clamped(m_spans[0]))
+      return coefficients;
     const auto order = static_cast<std::size_t>(m_degree) + 1;
     const std::size_t size = m_spans.size() * order;
     std::vector<double> result(size * lines);

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Distance_operand.h>
@@ -109,9 +110,11 @@ public:
   {
     if (const std::optional<Fractions> fractions = fractions_of(candidate);
         fractions && may_be_critical(candidate, *fractions)) {
+      if (const auto points = points_in_doubles(candidate, *fractions))
+        return exact(candidate, *fractions, *points);
       const Jets<Exact_rational> jets = jets_of<Exact_rational>(candidate, *fractions);
       if (is_critical(candidate, jets))
-        return exact(candidate, *fractions, jets);
+        return exact(candidate, *fractions, {point_of(jets[0]), point_of(jets[1])});
     }
     return enclosed(candidate);
   }
@@ -126,23 +129,62 @@ private:
 
   static Located_distance<d> certified() { return {{Solution_kind::CERTIFIED, {}, {}, {}, std::nullopt}, {}}; }
 
+  using Exact_point = std::array<Exact_rational, d>;
+
+  static Exact_point point_of(const Spline_jet<Exact_rational, d>& jet)
+  {
+    Exact_point result;
+    for (int i = 0; i < d; ++i)
+      result[i] = jet.value[i] / jet.value[d];
+    return result;
+  }
+
+  // The points, if intervals prove that the derivatives are zero: where no operation is rounded, these are numbers.
+  std::optional<std::array<Exact_point, 2>> points_in_doubles(const Candidate& candidate,
+                                                              const Fractions& fractions) const
+  {
+    std::optional<std::array<Exact_point, 2>> result;
+    if constexpr (std::is_same_v<NT, double>) {
+      std::array<std::array<Interval, d>, 2> points;
+      {
+        const Upward_rounding_guard rounding;
+        const Jets<Interval> jets = jets_of<Interval>(candidate, fractions);
+        if (!is_critical(candidate, jets))
+          return std::nullopt;
+        for (const std::size_t operand : {0, 1})
+          for (int i = 0; i < d; ++i) {
+            points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
+            if (!points[operand][i].is_point())
+              return std::nullopt;
+          }
+      }
+      result.emplace();
+      for (const std::size_t operand : {0, 1})
+        for (int i = 0; i < d; ++i)
+          (*result)[operand][i] = to_rational(points[operand][i].inf());
+    }
+    return result;
+  }
+
   Located_distance<d> exact(const Candidate& candidate, const Fractions& fractions,
-                            const Jets<Exact_rational>& jets) const
+                            std::array<Exact_point, 2> points) const
   {
     Located_distance<d> result = certified();
-    std::array<std::array<Exact_rational, d>, 2> points;
-    for (const std::size_t operand : {0, 1}) {
-      for (int i = 0; i < d; ++i)
-        points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
+    for (const std::size_t operand : {0, 1})
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         const Fraction& x = fractions[parameter_of(operand, axis)];
-        const Exact_rational parameter = m_operands[operand].parameter(
-            axis, candidate.cells[operand][axis], to_rational(x.numerator) / to_rational(x.denominator));
+        const Exact_rational place =
+            x.denominator == 1 ? to_rational(x.numerator) : to_rational(x.numerator) / to_rational(x.denominator);
+        const Exact_rational parameter = m_operands[operand].parameter(axis, candidate.cells[operand][axis], place);
         result.distance.ranges[operand].emplace_back(parameter, parameter);
         result.distance.sample[operand].push_back(parameter);
       }
+    Exact_rational square(0);
+    for (int i = 0; i < d; ++i) {
+      const Exact_rational difference = points[0][i] - points[1][i];
+      square += difference * difference;
     }
-    result.distance.squared_distance = Rational_interval(squared_distance_at(jets));
+    result.distance.squared_distance = Rational_interval(square);
     result.points = std::move(points);
     return result;
   }
@@ -174,20 +216,19 @@ private:
   // little as the square of their error.
   Rational_interval squared_distance_of(const Candidate& candidate) const
   {
-    const Rational_interval known(to_rational(candidate.squared_distance.inf()),
-                                  to_rational(candidate.squared_distance.sup()));
     const Fractions at{Fraction{candidate.parameters[0]}, Fraction{candidate.parameters[1]}};
-    std::pair<Exact_rational, Exact_rational> value;
     if constexpr (std::is_same_v<NT, double>) {
       const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
       const Double_word square = squared_distance_at(jets_of<Double_word>(candidate, at));
-      if (!square.is_finite())
-        return known;
-      value = square.range();
-    } else
-      value.first = value.second = squared_distance_at(jets_of<Exact_rational>(candidate, at));
-    const Exact_rational deviation = to_rational(candidate.deviation);
-    return intersection(known, Rational_interval(value.first - deviation, value.second + deviation));
+      const Interval& known = candidate.squared_distance;
+      if (!(square.error_with(candidate.deviation) < (known.sup() - known.inf()) / 4))
+        return {to_rational(known.inf()), to_rational(known.sup())};
+      return Rational_interval(square.range(candidate.deviation));
+    } else {
+      const Exact_rational square = squared_distance_at(jets_of<Exact_rational>(candidate, at)),
+                           deviation = to_rational(candidate.deviation);
+      return {(std::max)(Exact_rational(square - deviation), Exact_rational(0)), Exact_rational(square + deviation)};
+    }
   }
 
   template <class Field>
@@ -252,23 +293,31 @@ private:
       return true;
   }
 
+  template <class Field>
+  static bool is_zero(const Field& x)
+  {
+    if constexpr (std::is_same_v<Field, Interval>)
+      return x.inf() == 0 && x.sup() == 0;
+    else
+      return x == field_element<Field>(0.0);
+  }
+
   // Whether the derivatives by the parameters inside of pieces are zero: that of |x/w - y/v|^2 by a parameter of x/w is
   // a multiple of (x v - y w) (x' w - x w').
   template <class Field>
   bool is_critical(const Candidate& candidate, const Jets<Field>& jets) const
   {
-    const Field zero = field_element<Field>(0.0);
     for (const std::size_t operand : {0, 1})
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         if (candidate.sides[parameter_of(operand, axis)] >= 0)
           continue;
         const auto &own = jets[operand].value, &slope = jets[operand].derivatives[axis];
-        Field product = zero;
+        Field product = field_element<Field>(0.0);
         for (int i = 0; i < d; ++i)
           product = product +
               (jets[0].value[i] * jets[1].value[d] - jets[1].value[i] * jets[0].value[d]) *
                   (slope[i] * own[d] - own[i] * slope[d]);
-        if (!(product == zero))
+        if (!is_zero(product))
           return false;
       }
     return true;

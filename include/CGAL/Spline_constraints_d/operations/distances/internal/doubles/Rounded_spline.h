@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,8 +85,10 @@ private:
   std::array<std::vector<double>, 2> m_breaks{std::vector<double>{0, 1}, std::vector<double>{0, 1}};
   std::array<Closedness, 2> m_closedness{Closedness::OPEN, Closedness::OPEN};
   bool m_is_usable = true;
-  std::vector<double> m_nets, m_forms;
-  std::vector<Rounded_piece<d>> m_pieces; // along the second axis first
+  bool m_is_rational = false;
+  std::vector<double> m_nets;
+  mutable std::vector<Rounded_piece<d>> m_pieces;   // along the second axis first
+  mutable std::vector<std::vector<double>> m_forms; // of pieces; none: nobody has asked for it
   std::vector<Node> m_nodes;
 
 public:
@@ -110,14 +113,30 @@ public:
   // Whether both ends of an axis are the same points.
   Closedness closedness(int axis) const { return m_closedness[axis]; }
 
+  // Its forms are made when it is asked for; after `prepare()`, several threads may ask.
   const Rounded_piece<d>& piece(const std::array<int, 2>& cell) const
   {
-    return m_pieces[static_cast<std::size_t>(cell[0] * number_of_cells(1) + cell[1])];
+    const std::size_t index = index_of(cell);
+    if (m_forms[index].empty())
+      make_forms(index);
+    return m_pieces[index];
   }
+
+  void prepare()
+  {
+    for (std::size_t k = 0; k < m_pieces.size(); ++k)
+      make_forms(k);
+  }
+
   // The first one is around everything.
   const Node& node(int index) const { return m_nodes[static_cast<std::size_t>(index)]; }
 
 private:
+  std::size_t index_of(const std::array<int, 2>& cell) const
+  {
+    return static_cast<std::size_t>(cell[0] * number_of_cells(1) + cell[1]);
+  }
+
   template <class NT>
   void make_pieces(const Homogeneous_spline<NT, d>& spline)
   {
@@ -128,6 +147,7 @@ private:
       return;
     }
     std::vector<Bezier_rows> rows;
+    rows.reserve(2);
     for (int axis = 0; axis < m_axes; ++axis) {
       const std::vector<NT>& knots = functions[0].knots(axis);
       rows.emplace_back(degrees[axis], nearest_doubles(knots));
@@ -142,17 +162,23 @@ private:
                       size = size_of(degrees);
     m_nets.resize(functions.size() * cells * size);
     m_pieces.resize(cells);
-    Piece_forms<d> forms(degrees, spline.is_rational());
-    m_forms.assign(cells * forms.size(), 0.0);
+    m_is_rational = spline.is_rational();
+    m_forms.resize(cells);
     for (std::size_t f = 0; f < functions.size(); ++f)
       add_function(functions[f], rows, degrees, f);
     for (std::size_t k = 0; k < cells; ++k) {
       m_pieces[k].degrees = degrees;
       m_pieces[k].axes = m_axes;
-      forms.make(m_pieces[k], m_forms.data() + k * forms.size());
     }
     for (int axis = 0; axis < m_axes; ++axis)
       m_closedness[axis] = closedness(functions, axis);
+  }
+
+  void make_forms(std::size_t index) const
+  {
+    Piece_forms<d> forms(m_pieces[index].degrees, m_is_rational);
+    m_forms[index].assign(forms.size(), 0.0);
+    forms.make(m_pieces[index], m_forms[index].data());
   }
 
   // Copies a numerator or the weight into the pieces.
@@ -166,10 +192,10 @@ private:
         !std::equal(f.coefficients().begin(), f.coefficients().end(), coefficients.begin(), is_double<NT>);
     double error = is_rounded ? unit * greatest + (std::numeric_limits<double>::min)() : 0;
     const std::size_t other = m_axes == 2 ? f.size(1) : 1;
-    coefficients = rows[0](coefficients, error, other, 1, other);
+    coefficients = rows[0](std::move(coefficients), error, other, 1, other);
     const std::size_t height = static_cast<std::size_t>((degrees[0] + 1) * number_of_cells(0));
     if (m_axes == 2)
-      coefficients = rows[1](coefficients, error, height, other, 1);
+      coefficients = rows[1](std::move(coefficients), error, height, other, 1);
     const std::size_t size = size_of(degrees), order = static_cast<std::size_t>(degrees[1] + 1),
                       width = order * static_cast<std::size_t>(number_of_cells(1));
     for (std::size_t k = 0; k < m_pieces.size(); ++k) {
@@ -222,7 +248,7 @@ private:
       m_nodes.back().cell[axis] = middle;
     }
     for (std::size_t k = m_nodes.size(); k-- > 0;)
-      m_nodes[k].box = m_nodes[k].child < 0 ? box_of(piece(m_nodes[k].cell))
+      m_nodes[k].box = m_nodes[k].child < 0 ? box_of(m_pieces[index_of(m_nodes[k].cell)])
                                             : hull_of(m_nodes[static_cast<std::size_t>(m_nodes[k].child)].box,
                                                       m_nodes[static_cast<std::size_t>(m_nodes[k].child) + 1].box);
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
 #include <CGAL/Spline_constraints_d/number/Double_word.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/interval_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <boost/container/small_vector.hpp>
@@ -96,8 +97,8 @@ Field field_element(const NT& x)
 {
   if constexpr (std::is_same_v<Field, Residue>)
     return Residue::of(x);
-  else if constexpr (std::is_same_v<Field, Double_word>)
-    return Double_word(x);
+  else if constexpr (std::is_same_v<Field, Double_word> || std::is_same_v<Field, Common::Interval>)
+    return Field(x);
   else
     return converted_number<Field>(x);
 }

@@ -32,7 +32,9 @@ template <class NT, int d>
 std::shared_ptr<const Rounded_spline<d>> prepared(const Homogeneous_spline<NT, d>& spline)
 {
   const Upward_rounding_guard guard; // as for those that are not prepared, so that answers are the same
-  return std::make_shared<const Rounded_spline<d>>(spline);
+  const auto result = std::make_shared<Rounded_spline<d>>(spline);
+  result->prepare();
+  return result;
 }
 
 // Of a range in a piece. Rounding has to be upward.
