@@ -64,7 +64,7 @@ public:
   }
 
   // The parameter at a place in a cell.
-  Exact_rational parameter(int axis, int cell, const Exact_rational& place) const
+  Exact_rational parameter(int axis, int cell, Exact_rational place) const
   {
     const std::vector<NT>& knots = m_operand.spline->functions()[0].knots(axis);
     const std::size_t span = span_of_cell(knots, m_operand.spline->functions()[0].degree(axis), cell);
@@ -223,7 +223,8 @@ private:
       const Interval& known = candidate.squared_distance;
       if (!(square.error_with(candidate.deviation) < (known.sup() - known.inf()) / 4))
         return {to_rational(known.inf()), to_rational(known.sup())};
-      return Rational_interval(square.range(candidate.deviation));
+      auto [lower, upper] = square.range(candidate.deviation);
+      return {std::move(lower), std::move(upper)};
     } else {
       const Exact_rational square = squared_distance_at(jets_of<Exact_rational>(candidate, at)),
                            deviation = to_rational(candidate.deviation);
