@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/undecided_solution.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -103,7 +104,8 @@ public:
   using Point = typename internal::Ambient_space<Kernel, d>::Point;
 
 private:
-  internal::Common::Common_point m_common;
+  internal::Common::Common_point m_common;   // without ranges of parameters where those in doubles are known
+  internal::Common::Double_ranges m_ranges{};
   std::size_t m_split; // parameters of the first operand
   Point m_point;
 
@@ -123,14 +125,30 @@ public:
     m_point = internal::kernel_object<Kernel, Point>(operands[operand](internal::middle_of(own)));
   }
 
+  //! one that closed forms have found.
+  Intersection(const internal::Common::Elementary_point<d>& common, std::size_t split, std::size_t number_of_parameters)
+    : m_common{common.kind,
+               {},
+               std::vector<bool>(common.is_at_end.begin(),
+                                 common.is_at_end.begin() + static_cast<std::ptrdiff_t>(number_of_parameters)),
+               std::nullopt,
+               false,
+               common.multiplicity,
+               common.passage},
+      m_ranges(common.parameters), m_split(split), m_point(internal::kernel_object<Kernel, Point>(common.point))
+  {}
+
   //! what is proved.
   Intersection_kind kind() const { return m_common.kind; }
 
   //! the parameters of an operand along an axis: those of a common point lie in the range, those of an overlap too. At
   //! a pole of a surface, where one parameter is free, its range is the whole domain.
-  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const
+  Range parameter_range(std::size_t operand, std::size_t axis = 0) const
   {
-    return m_common.parameters[index(operand, axis)];
+    if (!has_ranges_of_doubles())
+      return m_common.parameters[index(operand, axis)];
+    const auto [lower, upper] = m_ranges[index(operand, axis)];
+    return {to_rational(lower), to_rational(upper)};
   }
 
   //! the middle of the range, rounded to double.
@@ -141,7 +159,8 @@ public:
 
   //! the point of an operand in the middle of its ranges: of the one whose ranges are narrower, as parts of its domain,
   //! or else of the first one, and so for an overlap; where they are narrower than 256 binary digits tell, next to it.
-  //! Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
+  //! Where they are one number each, as for a point, and the kernel is exact, it is the common point itself. Where a
+  //! closed form has found it, in kernels of doubles, the middle of an enclosure of the common point.
   const Point& point() const { return m_point; }
 
   //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or
@@ -164,7 +183,7 @@ public:
   //! operands and kinds, and where one of the curves ends.
   std::optional<Passage> passage() const
   {
-    const bool are_planar_curves = d == 2 && m_split == 1 && m_common.parameters.size() == 2;
+    const bool are_planar_curves = d == 2 && m_split == 1 && m_common.is_at_end.size() == 2;
     return are_planar_curves && m_common.kind == Intersection_kind::TRANSVERSAL ? Passage::CROSSES : m_common.passage;
   }
 
@@ -172,10 +191,12 @@ public:
   //! those of one operand, if the points of the other one are affine in its parameters: a point, a segment, a
   //! parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what
   //! the solver did not: of curves that nearly coincide, at breaks of planar curves, at contacts on common edges of
-  //! surfaces or of ruled ones.
+  //! surfaces or of ruled ones; and where closed forms decide.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:
+  bool has_ranges_of_doubles() const { return m_common.parameters.size() < m_common.is_at_end.size(); }
+
   std::size_t index(std::size_t operand, std::size_t axis) const { return operand == 0 ? axis : m_split + axis; }
 };
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/intersections_at.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -94,6 +95,8 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
   using Operand = internal::Common::Intersection_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
+  if (auto found = internal::Intersections::elementary_intersections<Kernel, d>(a, b, options))
+    return std::move(*found);
   internal::Common::Budgeted_solver solve(options);
   const auto pair = internal::Common::patch_pair(a, b);
   if (!pair)

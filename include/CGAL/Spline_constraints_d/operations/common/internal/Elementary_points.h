@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
+
+#include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Common {
+
+// The most parameters that two operands have together.
+constexpr std::size_t most_parameters = 4;
+
+// Ranges of doubles of the parameters of both operands, one after the other.
+using Double_ranges = std::array<std::pair<double, double>, most_parameters>;
+
+// A common point as closed forms in doubles find it.
+template <int d>
+struct Elementary_point
+{
+  Intersection_kind kind;
+  Double_ranges parameters;
+  std::array<bool, most_parameters> is_at_end;
+  int multiplicity;
+  std::optional<Passage> passage;
+  std::array<double, d> point;   // near to it
+};
+
+// All common points of two operands. The second one has its parameters from number `split` on.
+template <int d>
+struct Elementary_points
+{
+  std::size_t split, number_of_parameters;
+  std::vector<Elementary_point<d>> points = {};
+};
+
+} // namespace Common
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_OPERAND_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_OPERAND_H
+
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <CGAL/Circle_2.h>
+#include <CGAL/Line_2.h>
+#include <CGAL/Line_3.h>
+#include <CGAL/Plane_3.h>
+#include <CGAL/Point_2.h>
+#include <CGAL/Point_3.h>
+#include <CGAL/Ray_2.h>
+#include <CGAL/Ray_3.h>
+#include <CGAL/Segment_2.h>
+#include <CGAL/Segment_3.h>
+#include <CGAL/Sphere_3.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Intersections {
+
+enum class Elementary_kind {
+  POINT,
+  EQUATION_LINE,   // of the plane, a x + b y + c = 0
+  VECTOR_LINE,     // of space, by a point and a vector
+  RAY,             // from the first point through the second one
+  SEGMENT,         // from the first point to the second one
+  SPHERE,          // or circle: center and squared radius
+  PLANE,           // a x + b y + c z + d = 0
+  BEZIER,          // a polynomial curve in one piece
+  OTHER
+};
+
+/*
+An operand of which there are closed forms, in the doubles that it consists of: nothing is converted, and nothing is
+copied of a curve, which has to outlive it.
+*/
+template <int d>
+struct Elementary_operand
+{
+  Elementary_kind kind = Elementary_kind::OTHER;
+  std::array<double, 2 * d> numbers = {};
+  bool is_clockwise = false;                              // of a circle or sphere
+  std::array<std::span<const double>, d> coefficients = {};   // of a curve, by coordinate
+  std::array<double, 2> domain = {0, 1};                  // of a curve
+};
+
+template <int d, class... FT>
+Elementary_operand<d> elementary_operand_of(Elementary_kind kind, const FT&... x)
+{
+  return {kind, {static_cast<double>(x)...}};
+}
+
+// What there are no closed forms for.
+template <int d, class Object>
+Elementary_operand<d> elementary_operand(const Object&)
+{
+  return {};
+}
+
+template <int d, class K>
+Elementary_operand<2> elementary_operand(const CGAL::Point_2<K>& p)
+{
+  return elementary_operand_of<2>(Elementary_kind::POINT, p.x(), p.y());
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Point_3<K>& p)
+{
+  return elementary_operand_of<3>(Elementary_kind::POINT, p.x(), p.y(), p.z());
+}
+
+template <int d, class K>
+Elementary_operand<2> elementary_operand(const CGAL::Line_2<K>& line)
+{
+  return elementary_operand_of<2>(Elementary_kind::EQUATION_LINE, line.a(), line.b(), line.c());
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Line_3<K>& line)
+{
+  const auto& p = line.point();
+  const auto& v = line.to_vector();
+  return elementary_operand_of<3>(Elementary_kind::VECTOR_LINE, p.x(), p.y(), p.z(), v.x(), v.y(), v.z());
+}
+
+template <class Point>
+auto elementary_operand_of_points(Elementary_kind kind, const Point& p, const Point& q)
+{
+  if constexpr (requires { p.z(); })
+    return elementary_operand_of<3>(kind, p.x(), p.y(), p.z(), q.x(), q.y(), q.z());
+  else
+    return elementary_operand_of<2>(kind, p.x(), p.y(), q.x(), q.y());
+}
+
+template <int d, class K>
+Elementary_operand<2> elementary_operand(const CGAL::Ray_2<K>& ray)
+{
+  return elementary_operand_of_points(Elementary_kind::RAY, ray.source(), ray.second_point());
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Ray_3<K>& ray)
+{
+  return elementary_operand_of_points(Elementary_kind::RAY, ray.source(), ray.second_point());
+}
+
+template <int d, class K>
+Elementary_operand<2> elementary_operand(const CGAL::Segment_2<K>& segment)
+{
+  return elementary_operand_of_points(Elementary_kind::SEGMENT, segment.source(), segment.target());
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Segment_3<K>& segment)
+{
+  return elementary_operand_of_points(Elementary_kind::SEGMENT, segment.source(), segment.target());
+}
+
+template <int d, class K>
+Elementary_operand<2> elementary_operand(const CGAL::Circle_2<K>& circle)
+{
+  const auto& c = circle.center();
+  auto result = elementary_operand_of<2>(Elementary_kind::SPHERE, c.x(), c.y(), circle.squared_radius());
+  result.is_clockwise = circle.orientation() == CGAL::CLOCKWISE;
+  return result;
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Sphere_3<K>& sphere)
+{
+  const auto& c = sphere.center();
+  auto result = elementary_operand_of<3>(Elementary_kind::SPHERE, c.x(), c.y(), c.z(), sphere.squared_radius());
+  result.is_clockwise = sphere.orientation() == CGAL::CLOCKWISE;
+  return result;
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Plane_3<K>& plane)
+{
+  return elementary_operand_of<3>(Elementary_kind::PLANE, plane.a(), plane.b(), plane.c(), plane.d());
+}
+
+template <int d, class K>
+Elementary_operand<d> elementary_operand(const Bspline_curve<K, d>& curve)
+{
+  const auto& map = curve.representation();
+  const auto& first = map.numerator(0);
+  if (map.is_rational() || first.coefficients().size() != static_cast<std::size_t>(first.degree(0)) + 1)
+    return {};
+  Elementary_operand<d> result{Elementary_kind::BEZIER};
+  for (int i = 0; i < d; ++i)
+    result.coefficients[i] = map.numerator(i).coefficients();
+  const auto [begin, end] = first.domain(0);
+  result.domain = {begin, end};
+  return result;
+}
+
+} // namespace Intersections
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_OPERAND_H

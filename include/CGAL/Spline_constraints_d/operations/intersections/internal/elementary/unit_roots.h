@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_UNIT_ROOTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_UNIT_ROOTS_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/interval_pairs.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Intersections {
+
+// Coefficients of Bernstein polynomials over [0,1], enclosed. All that computes with them needs upward rounding.
+using Bernstein_bounds = std::vector<Interval>;
+
+// A root that is the only one in its range, or twice one.
+struct Unit_root
+{
+  Interval t;
+  bool is_double = false;
+};
+
+inline Interval enclosure_of(const Interval& x) { return x; }
+inline Interval enclosure_of(const Exact_rational& x) { return Interval(to_double_interval(x)); }
+
+inline int sign_of(const Interval& x) { return certain_sign(x); }
+inline int sign_of(const Exact_rational& x) { return static_cast<int>(CGAL::sign(x)); }
+
+// Its value by de Casteljau's scheme.
+inline Interval value_at(Bernstein_bounds f, const Interval& t)
+{
+  const Interval rest = Interval(1) - t;
+  for (std::size_t size = f.size(); size-- > 1;)
+    for (std::size_t i = 0; i < size; ++i)
+      f[i] = rest * f[i] + t * f[i + 1];
+  return f[0];
+}
+
+inline Bernstein_bounds derivative_of(const Bernstein_bounds& f)
+{
+  const Interval degree(static_cast<double>(f.size() - 1));
+  Bernstein_bounds result;
+  for (std::size_t i = 0; i + 1 < f.size(); ++i)
+    result.push_back(degree * (f[i + 1] - f[i]));
+  return result;
+}
+
+// Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is.
+template <class Number>
+std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::array<bool, 2>& is_root)
+{
+  for (const std::size_t side : {0, 1}) {
+    if (!is_root[side])
+      continue;
+    std::vector<Number> quotient;   // f / t, or f / (1 - t)
+    const std::size_t degree = f.size() - 1;
+    for (std::size_t i = 0; i < degree; ++i) {
+      const std::size_t divisor = side == 0 ? i + 1 : degree - i;
+      quotient.push_back(Number(f[i + 1 - side] * Number(static_cast<double>(degree)) /
+                                Number(static_cast<double>(divisor))));
+    }
+    f = std::move(quotient);
+  }
+  return f;
+}
+
+/*
+The roots in (0,1) of a quadratic polynomial whose first and last coefficients have signs. In x = t / (1 - t) it is f2
+x^2 + 2 f1 x + f0, and with q = -f1 -+ sqrt(f1^2 - f0 f2), of the sign that lets nothing cancel, its roots are q / f2 and
+f0 / q. `exact()` returns the coefficients as rational numbers, which are asked for where the sign of the discriminant
+is not certain.
+*/
+template <class Exact_coefficients>
+std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coefficients& exact)
+{
+  Interval discriminant = CGAL::square(f[1]) - f[0] * f[2];
+  int sign = sign_of(discriminant);
+  if (sign == 0) {
+    const std::vector<Exact_rational> g = exact();
+    const Exact_rational value(g[1] * g[1] - g[0] * g[2]);
+    sign = sign_of(value);
+    discriminant = enclosure_of(value);
+    std::transform(g.begin(), g.end(), f.begin(), [](const Exact_rational& x) { return enclosure_of(x); });
+  }
+  const int first = sign_of(f[0]), middle = sign_of(f[1]), last = sign_of(f[2]);
+  if (sign < 0 || (first == last && middle != -first))
+    return {};
+  if (sign == 0)
+    return {{f[1] / (f[1] - f[2]), true}};
+  const Interval root = CGAL::sqrt(discriminant), q = middle > 0 ? -f[1] - root : -f[1] + root;
+  const Unit_root one{q / (q + f[2])}, other{f[0] / (f[0] + q)};
+  if (first == last)
+    return {one, other};
+  // they have different signs in x; that of q is the one that is opposite to f1, or positive
+  const int sign_of_q = middle > 0 ? -1 : 1;
+  return {sign_of_q == last ? one : other};
+}
+
+// Isolates roots by the variation of signs on halves of halves, and narrows them by Newton's method in intervals.
+class Root_isolation
+{
+  static constexpr int most_parts = 400;
+
+  std::vector<Unit_root> m_roots;
+  int m_parts = 0;
+
+public:
+  // The roots in (0,1); nothing where one is not proved to be a simple one. \pre the first and the last coefficient
+  // have signs
+  std::optional<std::vector<Unit_root>> operator()(const Bernstein_bounds& f)
+  {
+    if (!isolate(f, 0, 1))
+      return std::nullopt;
+    return std::move(m_roots);
+  }
+
+private:
+  bool isolate(const Bernstein_bounds& f, double begin, double width)
+  {
+    if (++m_parts > most_parts)
+      return false;
+    const auto [least, most] = numbers_of_variations(f);
+    if (most == 0)
+      return true;
+    if (least == 1 && most == 1) {
+      m_roots.push_back({Interval(begin) + Interval(width) * only_root(f)});
+      return true;
+    }
+    Bernstein_bounds left, right(f);
+    for (std::size_t size = f.size(); size > 0; --size) {
+      left.push_back(right[0]);
+      for (std::size_t i = 0; i + 1 < size; ++i)
+        right[i] = (right[i] + right[i + 1]) * Interval(0.5);
+    }
+    return sign_of(left.back()) != 0 && isolate(left, begin, width / 2) &&
+        isolate(right, begin + width / 2, width / 2);
+  }
+
+  // Of the signs that are certain, and with the others as they may be.
+  static std::pair<int, int> numbers_of_variations(const Bernstein_bounds& f)
+  {
+    int least = 0, uncertain = 0, last = sign_of(f[0]);
+    for (const Interval& x : f) {
+      const int sign = sign_of(x);
+      if (sign == 0)
+        ++uncertain;
+      else if (sign != last) {
+        ++least;
+        last = sign;
+      }
+    }
+    // one that lies between two of the same sign may add two, between two others none
+    int most = least, before = sign_of(f[0]);
+    for (std::size_t i = 1; uncertain > 0 && i < f.size(); ++i) {
+      if (sign_of(f[i]) != 0) {
+        before = sign_of(f[i]);
+        continue;
+      }
+      std::size_t next = i;
+      while (sign_of(f[next]) == 0)
+        ++next;
+      const int run = static_cast<int>(next - i);
+      most += sign_of(f[next]) == before ? 2 * ((run + 1) / 2) : 2 * (run / 2);
+      i = next;
+      before = sign_of(f[next]);
+    }
+    return {least, most};
+  }
+
+  // The root of a polynomial whose coefficients change their sign once.
+  static Interval only_root(const Bernstein_bounds& f)
+  {
+    const Bernstein_bounds slope = derivative_of(f);
+    const int first = sign_of(f[0]);
+    Interval t(0, 1);
+    for (;;) {
+      const double middle = t.inf() + (t.sup() - t.inf()) / 2;
+      const Interval value = value_at(f, Interval(middle)), derivative = value_at(slope, t);
+      Interval next = t;
+      if (const int sign = sign_of(value); sign != 0)
+        next = sign == first ? Interval(middle, t.sup()) : Interval(t.inf(), middle);
+      if (sign_of(derivative) != 0)
+        next = common_part(next, Interval(middle) - value / derivative);
+      if (!(next.sup() - next.inf() < 0.75 * (t.sup() - t.inf())))
+        return next;
+      t = next;
+    }
+  }
+};
+
+// The roots in (0,1), as above.
+template <class Exact_coefficients>
+std::optional<std::vector<Unit_root>> unit_roots(const Bernstein_bounds& f, const Exact_coefficients& exact)
+{
+  if (f.size() == 1)
+    return std::vector<Unit_root>();
+  if (f.size() == 2)
+    return sign_of(f[0]) == sign_of(f[1]) ? std::vector<Unit_root>()
+                                          : std::vector<Unit_root>{{f[0] / (f[0] - f[1])}};
+  if (f.size() == 3)
+    return roots_of_quadratic(f, exact);
+  return Root_isolation()(f);
+}
+
+} // namespace Intersections
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_UNIT_ROOTS_H
