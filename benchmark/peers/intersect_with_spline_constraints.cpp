@@ -1,38 +1,31 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// This package: C1(t) - C2(s) = 0 on [0,1]^2, with the default solver.
+// This package: intersections() of two Bezier curves, with exact decisions.
 #include "curve_intersection.h"
 
-#include <CGAL/Spline_constraints_d.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 #include <vector>
 
 namespace peers {
 namespace {
 
 namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
 
-SC::Spline_function coordinate(const Bezier_curve& curve, double Control_point::*axis, int unknown)
+SC::Bspline_curve_2<K> curve_of(const Bezier_curve& curve)
 {
-  std::vector<double> coefficients;
-  coefficients.reserve(curve.size());
+  std::vector<K::Point_2> points;
+  points.reserve(curve.size());
   for (const Control_point& p : curve)
-    coefficients.push_back(p.*axis);
-  const int degree = static_cast<int>(curve.size()) - 1;
-  return SC::Spline_function::from_bernstein({unknown},
-                                             SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
-}
-
-SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_curve& b)
-{
-  SC::Constraint_system_d system(std::vector<SC::Constraint_system_d::Domain>(2, {0, 1}));
-  for (double Control_point::*axis : {&Control_point::x, &Control_point::y})
-    system.add(coordinate(a, axis, 0) - coordinate(b, axis, 1), SC::Relation::EQUAL);
-  return system;
+    points.emplace_back(p.x, p.y);
+  return SC::bezier_curve(points);
 }
 
 } // namespace
@@ -40,19 +33,16 @@ SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_
 Run intersect_with_spline_constraints(const Bezier_curve& a, const Bezier_curve& b)
 {
   const auto start = std::chrono::steady_clock::now();
-  const SC::Constraint_system_d system = intersection_system(a, b);
+  const SC::Bspline_curve_2<K> first = curve_of(a), second = curve_of(b);
   const std::chrono::duration<double> building = std::chrono::steady_clock::now() - start;
-  const SC::Solution_set_d<double> solutions = SC::solve(system);
+  const auto found = SC::intersections(first, second);
 
-  const auto count = [&](SC::Solution_kind kind) { return static_cast<int>(solutions.count(kind)); };
+  const auto count = [&](SC::Intersection_kind kind) { return static_cast<int>(found.count(kind)); };
   Run run;
-  run.answer.points = count(SC::Solution_kind::CERTIFIED) + count(SC::Solution_kind::CLUSTER);
-  run.answer.overlaps = count(SC::Solution_kind::CONTINUUM);
-  run.answer.undecided = count(SC::Solution_kind::UNDECIDED);
-  run.answer.is_overlap_suspected = std::any_of(solutions.begin(), solutions.end(), [](const auto& solution) {
-    return solution.reason() == SC::Undecided_reason::CONTINUUM;
-  });
-  const SC::Summary& summary = solutions.summary();
+  run.answer.overlaps = count(SC::Intersection_kind::OVERLAP);
+  run.answer.undecided = count(SC::Intersection_kind::UNDECIDED);
+  run.answer.points = static_cast<int>(found.size()) - run.answer.overlaps - run.answer.undecided;
+  const SC::Summary& summary = found.summary();
   run.phases = {.building = building.count(),
                 .setup = summary.setup_seconds,
                 .rebuilding = summary.rebuild_seconds,

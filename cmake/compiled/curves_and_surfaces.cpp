@@ -22,6 +22,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Regular_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/self_bisector.h>
@@ -56,8 +57,12 @@ template std::optional<Elementary_points<2>> elementary_points<2>(const Elementa
                                                                   const Elementary_operand<2>&);
 template std::optional<Elementary_points<3>> elementary_points<3>(const Elementary_operand<3>&,
                                                                   const Elementary_operand<3>&);
-template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budgeted_solver&);
-template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&);
+template Regular_points<2> regular_points<2>(const Elementary_operand<2>&, const Elementary_operand<2>&,
+                                             Budgeted_solver&);
+template Regular_points<3> regular_points<3>(const Elementary_operand<3>&, const Elementary_operand<3>&,
+                                             Budgeted_solver&);
+template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budgeted_solver&, const Known_solutions&);
+template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&, const Known_solutions&);
 template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&, Budgeted_solver&);
 template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
 

@@ -125,13 +125,13 @@ public:
     m_point = internal::kernel_object<Kernel, Point>(operands[operand](internal::middle_of(own)));
   }
 
-  //! one that closed forms have found.
-  Intersection(const internal::Common::Elementary_point<d>& common, std::size_t split, std::size_t number_of_parameters)
+  //! one that an operation has found in doubles.
+  Intersection(internal::Common::Elementary_point<d> common, std::size_t split, std::size_t number_of_parameters)
     : m_common{common.kind,
                {},
                std::vector<bool>(common.is_at_end.begin(),
                                  common.is_at_end.begin() + static_cast<std::ptrdiff_t>(number_of_parameters)),
-               std::nullopt,
+               std::move(common.solution),
                false,
                common.multiplicity,
                common.passage},
@@ -159,8 +159,8 @@ public:
 
   //! the point of an operand in the middle of its ranges: of the one whose ranges are narrower, as parts of its domain,
   //! or else of the first one, and so for an overlap; where they are narrower than 256 binary digits tell, next to it.
-  //! Where they are one number each, as for a point, and the kernel is exact, it is the common point itself. Where a
-  //! closed form has found it, in kernels of doubles, the middle of an enclosure of the common point.
+  //! Where they are one number each, as for a point, and the kernel is exact, it is the common point itself. In kernels
+  //! of doubles it may be rounded more than once.
   const Point& point() const { return m_point; }
 
   //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or

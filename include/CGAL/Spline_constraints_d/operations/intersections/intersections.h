@@ -19,11 +19,30 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+namespace Intersections {
+
+// By exact patches of both operands.
+template <SplineKernel Kernel, int d, class A, class B>
+Spline_constraints::Intersections<Kernel, d> general_intersections(const A& a, const B& b, Budgeted_solver solve,
+                                                                   const Known_solutions& known = std::nullopt)
+{
+  const auto pair = patch_pair(a, b);
+  if (!pair)
+    return {};
+  std::vector<Common_point> points = common_points<d>(*pair, solve, known);
+  return intersections_at<Kernel, d>(std::move(points), *pair, solve.total());
+}
+
+} // namespace Intersections
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDIntersections
@@ -90,19 +109,26 @@ elimination takes \f$n 2^n\f$ products of polynomials in one parameter, and isol
 */
 template <class A, class B>
   requires internal::Common::Intersection_operands<A, B>
-auto intersections(const A& a, const B& b, const Solver_options& options = {})
+Intersections<typename internal::Common::Intersection_operand<A>::Kernel,
+              internal::Common::Intersection_operand<A>::dimension>
+intersections(const A& a, const B& b, const Solver_options& options = {})
 {
   using Operand = internal::Common::Intersection_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  if (auto found = internal::Intersections::elementary_intersections<Kernel, d>(a, b, options))
-    return std::move(*found);
-  internal::Common::Budgeted_solver solve(options);
-  const auto pair = internal::Common::patch_pair(a, b);
-  if (!pair)
-    return Intersections<Kernel, d>();
-  std::vector<internal::Common::Common_point> points = internal::Intersections::common_points<d>(*pair, solve);
-  return internal::Intersections::intersections_at<Kernel, d>(std::move(points), *pair, solve.total());
+  using namespace internal::Intersections;
+  if constexpr (!std::is_floating_point_v<typename Kernel::FT>)
+    return general_intersections<Kernel, d>(a, b, Budgeted_solver(options));
+  else {
+    const auto first = elementary_operand<d>(a), second = elementary_operand<d>(b);
+    if (auto found = elementary_intersections<Kernel>(first, second, options))
+      return std::move(*found);
+    Budgeted_solver solve(options);
+    Regular_points<d> regular = regular_points(first, second, solve);
+    if (regular.points)
+      return intersections_at<Kernel>(std::move(*regular.points), solve.total());
+    return general_intersections<Kernel, d>(a, b, std::move(solve), regular.solutions);
+  }
 }
 
 /*!

@@ -11,8 +11,10 @@
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +30,7 @@ constexpr std::size_t most_parameters = 4;
 // Ranges of doubles of the parameters of both operands, one after the other.
 using Double_ranges = std::array<std::pair<double, double>, most_parameters>;
 
-// A common point as closed forms in doubles find it.
+// A common point that was found without exact patches: by a closed form, or as a regular solution.
 template <int d>
 struct Elementary_point
 {
@@ -38,6 +40,7 @@ struct Elementary_point
   int multiplicity;
   std::optional<Passage> passage;
   std::array<double, d> point;   // near to it
+  std::optional<Solution_d<double>> solution = std::nullopt;
 };
 
 // All common points of two operands. The second one has its parameters from number `split` on.

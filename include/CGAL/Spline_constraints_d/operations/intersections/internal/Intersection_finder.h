@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elimination/Eliminated_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/settle_undecided_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -61,9 +62,12 @@ class Intersection_finder
 
   Patch_pair<d> m_pair;
   Budgeted_solver& m_solve;
+  Known_solutions m_known;
 
 public:
-  Intersection_finder(Patch_pair<d> pair, Budgeted_solver& solve) : m_pair(std::move(pair)), m_solve(solve) {}
+  Intersection_finder(Patch_pair<d> pair, Budgeted_solver& solve, Known_solutions known = std::nullopt)
+    : m_pair(std::move(pair)), m_solve(solve), m_known(std::move(known))
+  {}
 
   // Each common point once: on the seam of a closed operand, with the lower parameter.
   std::vector<Common_point> operator()()
@@ -154,11 +158,13 @@ private:
         regions = std::move(rest);
         result.push_back(std::move(point));
       }
-    if (result.empty())
+    if (result.empty()) {
       append(result, classified(answers(equations, none())));
-    else
-      for (const Parameter_region& region : regions)
-        append(result, classified(answers(Coincidence<d>(m_pair.part(region.box)), region.is_open)));
+      return result;
+    }
+    m_known.reset();   // those of the whole domain
+    for (const Parameter_region& region : regions)
+      append(result, classified(answers(Coincidence<d>(m_pair.part(region.box)), region.is_open)));
     return result;
   }
 
@@ -180,12 +186,19 @@ private:
         result.push_back({std::nullopt, equations.all_parameters({}), equations.with_whole_ranges({})});
       return result;
     }
-    for (const Solution& solution : m_solve(constraints, u)) {
+    for (const Solution& solution : solutions(constraints, u)) {
       const Parameter_box box = solution.exact_box(),
                           region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
       result.push_back({solution, equations.all_parameters(box), equations.with_whole_ranges(region)});
     }
     return result;
+  }
+
+  // Those that are known are of the equations in all parameters; a second time they are looked for with other limits.
+  Solution_set_d<double> solutions(const std::vector<Constraint>& constraints, const std::vector<Unknown>& u)
+  {
+    const Known_solutions known = std::exchange(m_known, std::nullopt);
+    return known && u.size() == m_pair.number_of_parameters() ? *known : m_solve(constraints, u);
   }
 
   std::vector<Answer> answers(const Patch_pair<d>& pair)

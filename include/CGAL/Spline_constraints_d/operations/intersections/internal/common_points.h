@@ -28,7 +28,8 @@ namespace Intersections {
 
 // The common points of two operands. Where a curve and a surface take many nodes, the curve may run along the surface.
 template <int d>
-std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve)
+std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve,
+                                        const Known_solutions& known)
 {
   if (solve.must_stop())
     return {undecided_common_point(pair.domain(), solve.reason())};
@@ -36,7 +37,7 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
   if constexpr (d == 3)
     if (pair.number_of_parameters() == 3) {
       Budgeted_solver limited = solve.limited(many_nodes);
-      std::vector<Common_point> points = Intersection_finder<3>(pair, limited)();
+      std::vector<Common_point> points = Intersection_finder<3>(pair, limited, known)();
       solve.add_work_of(limited);
       const bool is_complete = std::none_of(
           points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });
@@ -49,7 +50,7 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
       if (!limited.has_reached_node_limit() || solve.has_reached_node_limit())
         return points;
     }
-  return Intersection_finder<d>(pair, solve)();
+  return Intersection_finder<d>(pair, solve, d == 2 ? known : std::nullopt)();
 }
 
 } // namespace Intersections

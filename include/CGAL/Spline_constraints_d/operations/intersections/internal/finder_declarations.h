@@ -14,7 +14,9 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -22,9 +24,13 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
+// The solutions of the equations of two operands, where they have been looked for.
+using Known_solutions = std::optional<Solution_set_d<double>>;
+
 // The common points of two operands; defined in common_points.h.
 template <int d>
-std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve);
+std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve,
+                                        const Known_solutions& known = std::nullopt);
 
 // Where a curve meets itself; defined in Self_intersection_finder.h.
 template <int d>
@@ -34,8 +40,10 @@ std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budge
 std::vector<Common_point> contacts_of_surfaces(const Patch_pair<3>& pair, Budgeted_solver& solve);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budgeted_solver&);
-extern template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&);
+extern template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budgeted_solver&,
+                                                           const Known_solutions&);
+extern template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&,
+                                                           const Known_solutions&);
 extern template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&, Budgeted_solver&);
 extern template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
 #endif

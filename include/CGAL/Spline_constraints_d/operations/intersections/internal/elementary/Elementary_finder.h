@@ -74,7 +74,7 @@ private:
   // A curve of degree one is a segment.
   static Operand in_simplest_form(const Operand& operand)
   {
-    if (operand.kind != Elementary_kind::BEZIER || operand.coefficients[0].size() != 2)
+    if (operand.kind != Elementary_kind::BEZIER || operand.degrees[0] != 1)
       return operand;
     Operand result(operand);
     result.kind = Elementary_kind::SEGMENT;
@@ -95,7 +95,8 @@ private:
   {
     switch (m_operands[k].kind) {
     case Elementary_kind::POINT: return 0;
-    case Elementary_kind::PLANE: return 2;
+    case Elementary_kind::PLANE:
+    case Elementary_kind::PATCH: return 2;
     case Elementary_kind::SPHERE: return d - 1;
     default: return 1;
     }
@@ -405,14 +406,14 @@ private:
       result.passage = multiplicity > 1 ? Passage::TOUCHES : Passage::CROSSES;
     for (std::size_t i = 0; i < d; ++i)
       result.point[i] = point[i].inf() + (point[i].sup() - point[i].inf()) / 2;
-    m_points.push_back(result);
+    m_points.push_back(std::move(result));
     return true;
   }
 
   // From the unit interval to the domain of a curve.
   static Interval on_domain(const Operand& operand, const Interval& t)
   {
-    const auto [begin, end] = operand.domain;
+    const auto [begin, end] = operand.domain[0];
     if ((begin == 0 && end == 1) || operand.coefficients[0].empty())
       return t;
     if (t.is_same(Interval(1)))
@@ -426,9 +427,10 @@ std::optional<Elementary_points<d>> elementary_points(const Elementary_operand<d
                                                       const Elementary_operand<d>& second)
 {
   using enum Elementary_kind;
-  if (first.kind == OTHER || second.kind == OTHER || (first.kind == BEZIER && second.kind == BEZIER &&
-                                                      first.coefficients[0].size() > 2 &&
-                                                      second.coefficients[0].size() > 2))
+  const auto is_curved = [](const Elementary_operand<d>& x) {
+    return x.kind == PATCH || (x.kind == BEZIER && x.degrees[0] != 1);
+  };
+  if (first.kind == OTHER || second.kind == OTHER || (is_curved(first) && is_curved(second)))
     return std::nullopt;
   const Upward_rounding_guard guard;
   return Elementary_finder<d>(first, second)();

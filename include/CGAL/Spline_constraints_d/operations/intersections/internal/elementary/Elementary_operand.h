@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_OPERAND_H
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Circle_2.h>
@@ -44,6 +45,7 @@ enum class Elementary_kind {
   SPHERE,          // or circle: center and squared radius
   PLANE,           // a x + b y + c z + d = 0
   BEZIER,          // a polynomial curve in one piece
+  PATCH,           // a polynomial surface in one piece
   OTHER
 };
 
@@ -56,9 +58,10 @@ struct Elementary_operand
 {
   Elementary_kind kind = Elementary_kind::OTHER;
   std::array<double, 2 * d> numbers = {};
-  bool is_clockwise = false;                              // of a circle or sphere
-  std::array<std::span<const double>, d> coefficients = {};   // of a curve, by coordinate
-  std::array<double, 2> domain = {0, 1};                  // of a curve
+  bool is_clockwise = false;                                  // of a circle or sphere
+  std::array<std::span<const double>, d> coefficients = {};   // of a spline, by coordinate
+  std::array<int, 2> degrees = {0, 0};                        // of a spline, by parameter
+  std::array<std::array<double, 2>, 2> domain = {std::array<double, 2>{0, 1}, std::array<double, 2>{0, 1}};
 };
 
 template <int d, class... FT>
@@ -157,19 +160,38 @@ Elementary_operand<3> elementary_operand(const CGAL::Plane_3<K>& plane)
   return elementary_operand_of<3>(Elementary_kind::PLANE, plane.a(), plane.b(), plane.c(), plane.d());
 }
 
+// A polynomial spline in one piece.
+template <int d, class Spline>
+Elementary_operand<d> elementary_operand_of_spline(Elementary_kind kind, const Spline& spline)
+{
+  const auto& map = spline.representation();
+  Elementary_operand<d> result{kind};
+  std::size_t size = 1;
+  for (int axis = 0; axis < map.dimension(); ++axis) {
+    const auto& own = map.numerator(0).axes()[axis];
+    result.degrees[axis] = own.degree;
+    result.domain[axis] = {own.knots.front(), own.knots.back()};
+    size *= static_cast<std::size_t>(own.degree) + 1;
+    if (!own.is_clamped())
+      return {};
+  }
+  if (map.is_rational() || map.numerator(0).coefficients().size() != size)
+    return {};
+  for (int i = 0; i < d; ++i)
+    result.coefficients[i] = map.numerator(i).coefficients();
+  return result;
+}
+
 template <int d, class K>
 Elementary_operand<d> elementary_operand(const Bspline_curve<K, d>& curve)
 {
-  const auto& map = curve.representation();
-  const auto& first = map.numerator(0);
-  if (map.is_rational() || first.coefficients().size() != static_cast<std::size_t>(first.degree(0)) + 1)
-    return {};
-  Elementary_operand<d> result{Elementary_kind::BEZIER};
-  for (int i = 0; i < d; ++i)
-    result.coefficients[i] = map.numerator(i).coefficients();
-  const auto [begin, end] = first.domain(0);
-  result.domain = {begin, end};
-  return result;
+  return elementary_operand_of_spline<d>(Elementary_kind::BEZIER, curve);
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const Bspline_surface_3<K>& surface)
+{
+  return elementary_operand_of_spline<3>(Elementary_kind::PATCH, surface);
 }
 
 } // namespace Intersections

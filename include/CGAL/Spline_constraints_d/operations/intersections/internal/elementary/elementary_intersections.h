@@ -25,26 +25,28 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
+template <SplineKernel Kernel, int d>
+Spline_constraints::Intersections<Kernel, d> intersections_at(Elementary_points<d> found, const Summary& work)
+{
+  std::vector<Intersection<Kernel, d>> result;
+  result.reserve(found.points.size());
+  for (Elementary_point<d>& point : found.points)
+    result.emplace_back(std::move(point), found.split, found.number_of_parameters);
+  return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, {});
+}
+
 // The intersections of two objects where closed forms find them all, in kernels of doubles. They take less time than a
 // limit can be.
-template <SplineKernel Kernel, int d, class A, class B>
-std::optional<Spline_constraints::Intersections<Kernel, d>> elementary_intersections(const A& a, const B& b,
+template <SplineKernel Kernel, int d>
+std::optional<Spline_constraints::Intersections<Kernel, d>> elementary_intersections(const Elementary_operand<d>& a,
+                                                                                      const Elementary_operand<d>& b,
                                                                                       const Solver_options& options)
 {
-  if constexpr (std::is_floating_point_v<typename Kernel::FT>) {
-    options.check();
-    if (options.visitor.stop())
-      return std::nullopt;
-    const auto found = elementary_points<d>(elementary_operand<d>(a), elementary_operand<d>(b));
-    if (!found)
-      return std::nullopt;
-    std::vector<Intersection<Kernel, d>> result;
-    result.reserve(found->points.size());
-    for (const Elementary_point<d>& point : found->points)
-      result.emplace_back(point, found->split, found->number_of_parameters);
-    return Spline_constraints::Intersections<Kernel, d>(std::move(result), Summary(), {});
-  } else
+  options.check();
+  if (options.visitor.stop())
     return std::nullopt;
+  auto found = elementary_points<d>(a, b);
+  return found ? std::optional(intersections_at<Kernel>(std::move(*found), Summary())) : std::nullopt;
 }
 
 } // namespace Intersections

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_REGULAR_FINDER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_REGULAR_FINDER_H
+
+#include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/regular_points.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Intersections {
+
+/*
+The common points of two polynomial operands in one piece each: the solutions of A = B, written with the doubles that
+they consist of. Most pairs have only regular ones away from all ends, or where both curves end in the same point, and
+nothing is left to decide. No exact patch is made for these.
+*/
+template <int d>
+class Regular_finder
+{
+  using Operand = Elementary_operand<d>;
+  static constexpr std::size_t most_nodes = d == 2 ? 500 : 250;   // those after which others look at the pair
+
+  const Operand &m_first, &m_second;
+  std::size_t m_split, m_size;
+
+public:
+  Regular_finder(const Operand& first, const Operand& second)
+    : m_first(first), m_second(second), m_split(number_of_parameters(first)),
+      m_size(m_split + number_of_parameters(second))
+  {}
+
+  Regular_points<d> operator()(Budgeted_solver& solve) const
+  {
+    if (!has_direct_equations())
+      return {};
+    Budgeted_solver limited = solve.limited(most_nodes);
+    Regular_points<d> result{limited(system())};
+    solve.add_work_of(limited);
+    if (limited.has_reached_node_limit())
+      return {};
+    result.points = regular_points(*result.solutions);
+    return result;
+  }
+
+private:
+  static std::size_t number_of_parameters(const Operand& x) { return x.kind == Elementary_kind::PATCH ? 2 : 1; }
+
+  // As many equations as unknowns, in the unit box, none of which is eliminated better.
+  bool has_direct_equations() const
+  {
+    const auto is_curved = [](const Operand& x) {
+      const bool is_spline = x.kind == Elementary_kind::BEZIER || x.kind == Elementary_kind::PATCH;
+      return is_spline && (x.degrees[0] > 1 || x.degrees[1] > 1) &&
+          std::all_of(x.domain.begin(), x.domain.end(), [](const auto& range) {
+               return range == std::array<double, 2>{0, 1};
+             });
+    };
+    return m_size == d && is_curved(m_first) && is_curved(m_second);
+  }
+
+  Constraint_system_d system() const
+  {
+    Constraint_system_d result(std::vector<Constraint_system_d::Domain>(m_size, {0, 1}));
+    for (std::size_t i = 0; i < d; ++i)
+      result.add(coordinate(m_first, i, 0) - coordinate(m_second, i, m_split), Relation::EQUAL);
+    return result;
+  }
+
+  static Spline_function coordinate(const Operand& x, std::size_t i, std::size_t first_unknown)
+  {
+    std::vector<int> degrees, unknowns;
+    for (std::size_t axis = 0; axis < number_of_parameters(x); ++axis) {
+      degrees.push_back(x.degrees[axis]);
+      unknowns.push_back(static_cast<int>(first_unknown + axis));
+    }
+    return Spline_function::from_bernstein(
+        std::move(unknowns),
+        Bernstein_tensor<double>(std::move(degrees), {x.coefficients[i].begin(), x.coefficients[i].end()}));
+  }
+
+  // Nothing where there may be more to tell.
+  std::optional<Elementary_points<d>> regular_points(const Solution_set_d<double>& solutions) const
+  {
+    Elementary_points<d> result{m_split, m_size};
+    result.points.reserve(solutions.size());
+    for (const Solution_d<double>& solution : solutions) {
+      auto point = regular_point(solution);
+      if (!point)
+        return std::nullopt;
+      result.points.push_back(std::move(*point));
+    }
+    std::sort(result.points.begin(), result.points.end(),
+              [](const auto& x, const auto& y) { return x.parameters < y.parameters; });
+    return result;
+  }
+
+  std::optional<Elementary_point<d>> regular_point(const Solution_d<double>& solution) const
+  {
+    if (!solution.is_certified())
+      return std::nullopt;
+    Elementary_point<d> result{Intersection_kind::TRANSVERSAL, {}, {}, 1, std::nullopt, {}, solution};
+    bool is_inside = true;
+    for (std::size_t j = 0; j < m_size; ++j) {
+      result.parameters[j] = solution[j];
+      is_inside = is_inside && solution[j].first > 0 && solution[j].second < 1;
+    }
+    if (!is_inside && !set_common_end(result))
+      return std::nullopt;
+    set_point(result);
+    return result;
+  }
+
+  // Where two curves that are not closed end in the same point, which is the solution then.
+  bool set_common_end(Elementary_point<d>& point) const
+  {
+    if (m_size != 2 || is_closed(m_first) || is_closed(m_second))
+      return false;
+    std::array<double, 2> ends{};
+    for (const std::size_t j : {0, 1}) {
+      const auto [lower, upper] = point.parameters[j];
+      if ((lower <= 0) == (upper >= 1))
+        return false;
+      ends[j] = lower <= 0 ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < d; ++i)
+      if (end(m_first, i, ends[0]) != end(m_second, i, ends[1]))
+        return false;
+    point.kind = Intersection_kind::END_POINT;
+    for (const std::size_t j : {0, 1}) {
+      point.parameters[j] = {ends[j], ends[j]};
+      point.is_at_end[j] = true;
+    }
+    return true;
+  }
+
+  static double end(const Operand& curve, std::size_t i, double t)
+  {
+    return t == 0 ? curve.coefficients[i].front() : curve.coefficients[i].back();
+  }
+
+  static bool is_closed(const Operand& curve)
+  {
+    for (std::size_t i = 0; i < d; ++i)
+      if (end(curve, i, 0) != end(curve, i, 1))
+        return false;
+    return true;
+  }
+
+  // The point of the curve in the middle of its range, rounded.
+  void set_point(Elementary_point<d>& point) const
+  {
+    const bool is_first = m_first.kind == Elementary_kind::BEZIER;
+    const Operand& curve = is_first ? m_first : m_second;
+    const auto [lower, upper] = point.parameters[is_first ? 0 : m_split];
+    const double t = lower + (upper - lower) / 2;
+    for (std::size_t i = 0; i < d; ++i)
+      point.point[i] = value_at(curve.coefficients[i], t);
+  }
+
+  // By Bernstein's form of Horner's scheme.
+  static double value_at(std::span<const double> coefficients, double t)
+  {
+    const std::size_t degree = coefficients.size() - 1;
+    const double rest = 1 - t;
+    double power = 1, binomial = 1, result = coefficients[0] * rest;
+    for (std::size_t i = 1; i < degree; ++i) {
+      power *= t;
+      binomial *= static_cast<double>(degree - i + 1) / static_cast<double>(i);
+      result = (result + power * binomial * coefficients[i]) * rest;
+    }
+    return result + power * t * coefficients[degree];
+  }
+};
+
+template <int d>
+Regular_points<d> regular_points(const Elementary_operand<d>& first, const Elementary_operand<d>& second,
+                                 Budgeted_solver& solve)
+{
+  return Regular_finder<d>(first, second)(solve);
+}
+
+} // namespace Intersections
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_REGULAR_FINDER_H
