@@ -176,9 +176,10 @@ TEST(Elementary_intersections, points)
 {
   Random random(3);
   Tally tally;
-  const K::Sphere_3 sphere({0, 0, 0}, 25);
-  for (const K::Point_3& p : {K::Point_3(3, 4, 0), K::Point_3(0, 0, 5), K::Point_3(0, 3, 4), K::Point_3(1, 2, 2.5)})
+  const K::Sphere_3 sphere({0, 0, 0}, 25), small({0, 0, 0}, 9);
+  for (const K::Point_3& p : {K::Point_3(0, 0, 5), K::Point_3(0, 3, 4), K::Point_3(1, 2, 2.5)})
     compare_both(p, sphere, tally);
+  compare_both(K::Point_3(1, 2, 2), small, tally);
   for (int i = 0; i < 20; ++i) {
     const K::Point_2 p = random.point_2(2), q = p + K::Vector_2(random.integer(1, 3), random.integer(-2, 2));
     compare_both(random.point_2(2), K::Segment_2(p, q), tally);

@@ -128,7 +128,7 @@ public:
   //! one that an operation has found in doubles.
   Intersection(internal::Common::Elementary_point<d> common, std::size_t split, std::size_t number_of_parameters)
     : m_common{common.kind,
-               {},
+               std::move(common.exact_parameters),
                std::vector<bool>(common.is_at_end.begin(),
                                  common.is_at_end.begin() + static_cast<std::ptrdiff_t>(number_of_parameters)),
                std::move(common.solution),

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
@@ -41,6 +42,7 @@ struct Elementary_point
   std::optional<Passage> passage;
   std::array<double, d> point;   // near to it
   std::optional<Solution_d<double>> solution = std::nullopt;
+  std::vector<std::pair<Exact_rational, Exact_rational>> exact_parameters = {};   // none: those above are known
 };
 
 // All common points of two operands. The second one has its parameters from number `split` on.

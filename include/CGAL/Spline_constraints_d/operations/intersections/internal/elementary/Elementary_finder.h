@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_FINDER_H
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Affine_overlap.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_points.h>
@@ -430,9 +431,17 @@ std::optional<Elementary_points<d>> elementary_points(const Elementary_operand<d
   const auto is_curved = [](const Elementary_operand<d>& x) {
     return x.kind == PATCH || (x.kind == BEZIER && x.degrees[0] != 1);
   };
-  if (first.kind == OTHER || second.kind == OTHER || (is_curved(first) && is_curved(second)))
+  if (first.kind == OTHER || second.kind == OTHER)
     return std::nullopt;
   const Upward_rounding_guard guard;
+  if (is_curved(first) && is_curved(second)) {
+    auto overlap = first.kind == BEZIER && second.kind == BEZIER ? Affine_overlap<d>(first, second)() : std::nullopt;
+    if (!overlap)
+      return std::nullopt;
+    Elementary_points<d> result{1, 2};
+    result.points.push_back(std::move(*overlap));
+    return result;
+  }
   return Elementary_finder<d>(first, second)();
 }
 
