@@ -332,6 +332,9 @@ public:
   bool empty() const { return m_solutions.empty(); }
   const Solution& operator[](std::size_t i) const { return m_solutions[i]; }
 
+  //! the answers, out of a set that is not used any more.
+  std::vector<Solution> solutions() && { return std::move(m_solutions); }
+
   //! number of answers of a kind.
   std::size_t count(Solution_kind kind) const
   {

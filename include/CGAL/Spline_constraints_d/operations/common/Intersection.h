@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -104,17 +105,19 @@ public:
   using Point = typename internal::Ambient_space<Kernel, d>::Point;
 
 private:
-  internal::Common::Common_point m_common;   // without ranges of parameters where those in doubles are known
-  internal::Common::Double_ranges m_ranges{};
-  std::size_t m_split; // parameters of the first operand
+  internal::Common::Common_point m_common;
+  internal::Common::Double_ranges m_ranges{};   // of the parameters, unless the exact ones are known
+  std::array<bool, internal::Common::most_parameters> m_is_at_end{};
+  std::size_t m_split, m_size;                  // numbers of parameters, of the first operand and of both
   Point m_point;
 
 public:
   //! a common point that an operation has found, of these operands.
   Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands)
-    : m_common(std::move(common)), m_split(operands.first_parameter(1))
+    : m_common(std::move(common)), m_split(operands.first_parameter(1)), m_size(operands.number_of_parameters())
   {
     using namespace internal::Common;
+    std::copy(m_common.is_at_end.begin(), m_common.is_at_end.end(), m_is_at_end.begin());
     const Parameter_box ranges = clipped(with_short_ends(m_common.parameters), operands.domain());
     const std::size_t operand = m_common.kind != Intersection_kind::OVERLAP &&
             widest_part(operands, ranges, 1) < widest_part(operands, ranges, 0)
@@ -127,15 +130,10 @@ public:
 
   //! one that an operation has found in doubles.
   Intersection(internal::Common::Elementary_point<d> common, std::size_t split, std::size_t number_of_parameters)
-    : m_common{common.kind,
-               std::move(common.exact_parameters),
-               std::vector<bool>(common.is_at_end.begin(),
-                                 common.is_at_end.begin() + static_cast<std::ptrdiff_t>(number_of_parameters)),
-               std::move(common.solution),
-               false,
-               common.multiplicity,
-               common.passage},
-      m_ranges(common.parameters), m_split(split), m_point(internal::kernel_object<Kernel, Point>(common.point))
+    : m_common{common.kind, std::move(common.exact_parameters), {}, std::move(common.solution), false,
+               common.multiplicity, common.passage},
+      m_ranges(common.parameters), m_is_at_end(common.is_at_end), m_split(split), m_size(number_of_parameters),
+      m_point(internal::kernel_object<Kernel, Point>(common.point))
   {}
 
   //! what is proved.
@@ -145,7 +143,7 @@ public:
   //! a pole of a surface, where one parameter is free, its range is the whole domain.
   Range parameter_range(std::size_t operand, std::size_t axis = 0) const
   {
-    if (!has_ranges_of_doubles())
+    if (!m_common.parameters.empty())
       return m_common.parameters[index(operand, axis)];
     const auto [lower, upper] = m_ranges[index(operand, axis)];
     return {to_rational(lower), to_rational(upper)};
@@ -165,14 +163,14 @@ public:
 
   //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or
   //! pole of a surface, or a seam.
-  bool is_at_end(std::size_t operand, std::size_t axis) const { return m_common.is_at_end[index(operand, axis)]; }
+  bool is_at_end(std::size_t operand, std::size_t axis) const { return m_is_at_end[index(operand, axis)]; }
 
   //! whether it is at an end of any parameter of an operand.
   bool is_at_end(std::size_t operand) const
   {
-    const auto split = m_common.is_at_end.begin() + static_cast<std::ptrdiff_t>(m_split);
-    return operand == 0 ? std::find(m_common.is_at_end.begin(), split, true) != split
-                        : std::find(split, m_common.is_at_end.end(), true) != m_common.is_at_end.end();
+    const auto begin = m_is_at_end.begin() + static_cast<std::ptrdiff_t>(operand == 0 ? 0 : m_split),
+               end = m_is_at_end.begin() + static_cast<std::ptrdiff_t>(operand == 0 ? m_split : m_size);
+    return std::find(begin, end, true) != end;
   }
 
   //! how often the common point counts; 1 when the operands cross, 0 when not known, as at a pole.
@@ -183,7 +181,7 @@ public:
   //! operands and kinds, and where one of the curves ends.
   std::optional<Passage> passage() const
   {
-    const bool are_planar_curves = d == 2 && m_split == 1 && m_common.is_at_end.size() == 2;
+    const bool are_planar_curves = d == 2 && m_split == 1 && m_size == 2;
     return are_planar_curves && m_common.kind == Intersection_kind::TRANSVERSAL ? Passage::CROSSES : m_common.passage;
   }
 
@@ -195,8 +193,6 @@ public:
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:
-  bool has_ranges_of_doubles() const { return m_common.parameters.size() < m_common.is_at_end.size(); }
-
   std::size_t index(std::size_t operand, std::size_t axis) const { return operand == 0 ? axis : m_split + axis; }
 };
 
@@ -214,16 +210,16 @@ public:
   //! an answer.
   using Answer = Answer_;
   //! passes the answers.
-  using const_iterator = typename std::vector<Answer>::const_iterator;
+  using const_iterator = typename std::deque<Answer>::const_iterator;
 
 private:
-  std::vector<Answer> m_answers;
+  std::deque<Answer> m_answers;   // in small blocks of memory, which cost less
   Summary m_summary;
   std::function<Undecided_part(const Answer&)> m_undecided_part; // is called where somebody asks
 
 public:
   //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why.
-  Intersection_set(std::vector<Answer> answers, const Summary& work,
+  Intersection_set(std::deque<Answer> answers, const Summary& work,
                    std::function<Undecided_part(const Answer&)> undecided_part)
     : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
   {

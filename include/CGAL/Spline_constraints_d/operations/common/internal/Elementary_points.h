@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ template <int d>
 struct Elementary_points
 {
   std::size_t split, number_of_parameters;
-  std::vector<Elementary_point<d>> points = {};
+  std::deque<Elementary_point<d>> points = {};
 };
 
 } // namespace Common

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -54,7 +55,7 @@ Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common
                                                               const Patch_pair<d>& operands, const Summary& work,
                                                               const std::array<std::size_t, 2>& indices = {0, 1})
 {
-  std::vector<Intersection<Kernel, d>> result;
+  std::deque<Intersection<Kernel, d>> result;
   bool is_complete = true;
   for (Common_point& point : points) {
     is_complete = is_complete && point.kind != Intersection_kind::UNDECIDED;

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ class Elementary_finder
   static constexpr std::size_t most_degree = 25;   // the binomial coefficients of twice it are doubles
 
   std::array<Operand, 2> m_operands;
-  std::vector<Elementary_point<d>> m_points;
+  std::deque<Elementary_point<d>> m_points;
   mutable std::array<std::array<double, 2>, d> m_control_points{};   // of a point or segment
 
 public:

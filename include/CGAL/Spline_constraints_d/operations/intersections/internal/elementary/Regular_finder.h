@@ -53,12 +53,13 @@ public:
     if (!has_direct_equations())
       return {};
     Budgeted_solver limited = solve.limited(most_nodes);
-    Regular_points<d> result{limited(system())};
+    Solution_set_d<double> solutions = limited(system());
     solve.add_work_of(limited);
     if (limited.has_reached_node_limit())
       return {};
-    result.points = regular_points(*result.solutions);
-    return result;
+    if (!std::all_of(solutions.begin(), solutions.end(), [&](const auto& x) { return is_seen_to_be_regular(x); }))
+      return {std::move(solutions)};
+    return {std::nullopt, regular_points(std::move(solutions).solutions())};
   }
 
 private:
@@ -81,12 +82,16 @@ private:
   {
     Constraint_system_d result(std::vector<Constraint_system_d::Domain>(m_size, {0, 1}));
     for (std::size_t i = 0; i < d; ++i)
-      result.add(coordinate(m_first, i, 0) - coordinate(m_second, i, m_split), Relation::EQUAL);
+      result.add(coordinate(m_first, i, 0, 1) + coordinate(m_second, i, m_split, -1), Relation::EQUAL);
     return result;
   }
 
-  static Spline_function coordinate(const Operand& x, std::size_t i, std::size_t first_unknown)
+  static Spline_function coordinate(const Operand& x, std::size_t i, std::size_t first_unknown, double sign)
   {
+    std::vector<double> coefficients;
+    coefficients.reserve(x.coefficients[i].size());
+    for (const double c : x.coefficients[i])
+      coefficients.push_back(sign * c);
     std::vector<int> degrees, unknowns;
     for (std::size_t axis = 0; axis < number_of_parameters(x); ++axis) {
       degrees.push_back(x.degrees[axis]);
@@ -94,62 +99,58 @@ private:
     }
     return Spline_function::from_bernstein(
         std::move(unknowns),
-        Bernstein_tensor<double>(std::move(degrees), {x.coefficients[i].begin(), x.coefficients[i].end()}));
+        Bernstein_tensor<double>(std::move(degrees), std::move(coefficients)));
   }
 
-  // Nothing where there may be more to tell.
-  std::optional<Elementary_points<d>> regular_points(const Solution_set_d<double>& solutions) const
+  Elementary_points<d> regular_points(std::vector<Solution_d<double>> solutions) const
   {
     Elementary_points<d> result{m_split, m_size};
-    result.points.reserve(solutions.size());
-    for (const Solution_d<double>& solution : solutions) {
-      auto point = regular_point(solution);
-      if (!point)
-        return std::nullopt;
-      result.points.push_back(std::move(*point));
+    for (Solution_d<double>& solution : solutions) {
+      const auto end = common_end(solution);
+      Elementary_point<d> point{Intersection_kind::TRANSVERSAL, {}, {}, 1, std::nullopt, {}, std::move(solution)};
+      for (std::size_t j = 0; j < m_size; ++j)
+        point.parameters[j] = (*point.solution)[j];
+      if (end) {
+        point.kind = Intersection_kind::END_POINT;
+        for (const std::size_t j : {0, 1}) {
+          point.parameters[j] = {(*end)[j], (*end)[j]};
+          point.is_at_end[j] = true;
+        }
+      }
+      set_point(point);
+      result.points.push_back(std::move(point));
     }
-    std::sort(result.points.begin(), result.points.end(),
-              [](const auto& x, const auto& y) { return x.parameters < y.parameters; });
+    const auto is_before = [](const auto& x, const auto& y) { return x.parameters < y.parameters; };
+    if (!std::is_sorted(result.points.begin(), result.points.end(), is_before))
+      std::sort(result.points.begin(), result.points.end(), is_before);
     return result;
   }
 
-  std::optional<Elementary_point<d>> regular_point(const Solution_d<double>& solution) const
+  // Whether there is no more to tell of a solution.
+  bool is_seen_to_be_regular(const Solution_d<double>& solution) const
   {
-    if (!solution.is_certified())
-      return std::nullopt;
-    Elementary_point<d> result{Intersection_kind::TRANSVERSAL, {}, {}, 1, std::nullopt, {}, solution};
-    bool is_inside = true;
-    for (std::size_t j = 0; j < m_size; ++j) {
-      result.parameters[j] = solution[j];
-      is_inside = is_inside && solution[j].first > 0 && solution[j].second < 1;
-    }
-    if (!is_inside && !set_common_end(result))
-      return std::nullopt;
-    set_point(result);
-    return result;
+    return solution.is_certified() &&
+        (std::all_of(solution.box().begin(), solution.box().end(),
+                     [](const auto& range) { return range.first > 0 && range.second < 1; }) ||
+         common_end(solution));
   }
 
-  // Where two curves that are not closed end in the same point, which is the solution then.
-  bool set_common_end(Elementary_point<d>& point) const
+  // Where two curves that are not closed end in the same point, which is the solution then: the ends.
+  std::optional<std::array<double, 2>> common_end(const Solution_d<double>& solution) const
   {
-    if (m_size != 2 || is_closed(m_first) || is_closed(m_second))
-      return false;
     std::array<double, 2> ends{};
+    if (m_size != 2)
+      return std::nullopt;
     for (const std::size_t j : {0, 1}) {
-      const auto [lower, upper] = point.parameters[j];
+      const auto [lower, upper] = solution[j];
       if ((lower <= 0) == (upper >= 1))
-        return false;
+        return std::nullopt;
       ends[j] = lower <= 0 ? 0 : 1;
     }
     for (std::size_t i = 0; i < d; ++i)
       if (end(m_first, i, ends[0]) != end(m_second, i, ends[1]))
-        return false;
-    point.kind = Intersection_kind::END_POINT;
-    for (const std::size_t j : {0, 1}) {
-      point.parameters[j] = {ends[j], ends[j]};
-      point.is_at_end[j] = true;
-    }
-    return true;
+        return std::nullopt;
+    return is_closed(m_first) || is_closed(m_second) ? std::nullopt : std::optional(ends);
   }
 
   static double end(const Operand& curve, std::size_t i, double t)

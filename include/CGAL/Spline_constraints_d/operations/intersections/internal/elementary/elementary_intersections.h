@@ -15,10 +15,9 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <deque>
 #include <optional>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -28,8 +27,7 @@ namespace Intersections {
 template <SplineKernel Kernel, int d>
 Spline_constraints::Intersections<Kernel, d> intersections_at(Elementary_points<d> found, const Summary& work)
 {
-  std::vector<Intersection<Kernel, d>> result;
-  result.reserve(found.points.size());
+  std::deque<Intersection<Kernel, d>> result;
   for (Elementary_point<d>& point : found.points)
     result.emplace_back(std::move(point), found.split, found.number_of_parameters);
   return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, {});

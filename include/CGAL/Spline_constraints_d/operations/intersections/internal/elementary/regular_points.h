@@ -22,7 +22,7 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-// The solutions of the equations of two operands, and their common points, where all of these are seen to be regular.
+// The common points of two operands, where all of them are seen to be regular, or else the solutions of their equations.
 template <int d>
 struct Regular_points
 {
