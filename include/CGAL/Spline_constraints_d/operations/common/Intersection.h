@@ -219,7 +219,7 @@ private:
 
 public:
   //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why.
-  Intersection_set(std::deque<Answer> answers, const Summary& work,
+  Intersection_set(std::deque<Answer>&& answers, const Summary& work,
                    std::function<Undecided_part(const Answer&)> undecided_part)
     : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
   {

@@ -16,7 +16,7 @@
 
 #include <array>
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -51,7 +51,7 @@ template <int d>
 struct Elementary_points
 {
   std::size_t split, number_of_parameters;
-  std::deque<Elementary_point<d>> points = {};
+  std::list<Elementary_point<d>> points = {};   // in order; in small blocks of memory
 };
 
 } // namespace Common

@@ -68,12 +68,10 @@ public:
     if (!factor || (*factor < 0 && m_degree % 2 == 0) || !run_forward())
       return std::nullopt;
     const double size = std::pow(std::abs(*factor), 1 / static_cast<double>(m_degree));
-    for (const double a : {*factor < 0 ? -size : size, -size})
-      if (a == size || a == -size)
-        if (m_degree % 2 == 0 || (a < 0) == (*factor < 0))
-          if (const auto found = overlap(a))
-            return found;
-    return std::nullopt;
+    if (m_degree % 2 != 0)
+      return overlap(*factor < 0 ? -size : size);
+    auto forward = overlap(size);
+    return forward ? forward : overlap(-size);
   }
 
 private:
@@ -156,6 +154,8 @@ private:
     const double next = coefficient(m_first, 1)[i].inf(), other = coefficient(m_second, 1)[i].inf(),
                  n = static_cast<double>(m_degree);
     const double b = (next / std::pow(a, n - 1) - other) / (n * leading[i].inf());
+    if (!begins_near(b))
+      return std::nullopt;
     const auto factor = near_fraction(a), begin = near_fraction(b);
     if (!factor || !begin || factor->numerator == 0)
       return std::nullopt;
@@ -168,7 +168,23 @@ private:
     return common_piece(exact(factor->numerator, factor->denominator), exact(begin->numerator, begin->denominator));
   }
 
-  // Both as int64_t would not be: every type behind Exact_rational has a constructor from double.
+  // Whether the first curve may begin at a parameter of the second one.
+  bool begins_near(double t) const
+  {
+    constexpr double most = 1e-6;
+    for (std::size_t i = 0; i < d; ++i) {
+      const double value = m_first.coefficients[i].front(),
+                   error = std::abs(rounded_value(m_second.coefficients[i], t) - value);
+      double size = std::abs(value);
+      for (const double x : m_second.coefficients[i])
+        size = (std::max)(size, std::abs(x));
+      if (error > most * size)
+        return false;
+    }
+    return true;
+  }
+
+  // Every type behind Exact_rational has a constructor from double, but not from every integer.
   static Exact_rational exact(std::int64_t numerator, std::int64_t denominator)
   {
     return Exact_rational(Exact_rational(static_cast<double>(numerator)) /

@@ -22,7 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,7 +45,7 @@ class Elementary_finder
   static constexpr std::size_t most_degree = 25;   // the binomial coefficients of twice it are doubles
 
   std::array<Operand, 2> m_operands;
-  std::deque<Elementary_point<d>> m_points;
+  std::list<Elementary_point<d>> m_points;
   mutable std::array<std::array<double, 2>, d> m_control_points{};   // of a point or segment
 
 public:
@@ -67,8 +67,7 @@ public:
       for (std::size_t j = 0; j < size; ++j)
         if (!std::isfinite(point.parameters[j].first) || !std::isfinite(point.parameters[j].second))
           return std::nullopt;
-    std::sort(m_points.begin(), m_points.end(),
-              [](const auto& x, const auto& y) { return x.parameters < y.parameters; });
+    m_points.sort([](const auto& x, const auto& y) { return x.parameters < y.parameters; });
     return Elementary_points<d>{split, size, std::move(m_points)};
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/regular_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -19,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -120,9 +120,7 @@ private:
       set_point(point);
       result.points.push_back(std::move(point));
     }
-    const auto is_before = [](const auto& x, const auto& y) { return x.parameters < y.parameters; };
-    if (!std::is_sorted(result.points.begin(), result.points.end(), is_before))
-      std::sort(result.points.begin(), result.points.end(), is_before);
+    result.points.sort([](const auto& x, const auto& y) { return x.parameters < y.parameters; });
     return result;
   }
 
@@ -174,21 +172,7 @@ private:
     const auto [lower, upper] = point.parameters[is_first ? 0 : m_split];
     const double t = lower + (upper - lower) / 2;
     for (std::size_t i = 0; i < d; ++i)
-      point.point[i] = value_at(curve.coefficients[i], t);
-  }
-
-  // By Bernstein's form of Horner's scheme.
-  static double value_at(std::span<const double> coefficients, double t)
-  {
-    const std::size_t degree = coefficients.size() - 1;
-    const double rest = 1 - t;
-    double power = 1, binomial = 1, result = coefficients[0] * rest;
-    for (std::size_t i = 1; i < degree; ++i) {
-      power *= t;
-      binomial *= static_cast<double>(degree - i + 1) / static_cast<double>(i);
-      result = (result + power * binomial * coefficients[i]) * rest;
-    }
-    return result + power * t * coefficients[degree];
+      point.point[i] = rounded_value(curve.coefficients[i], t);
   }
 };
 

@@ -19,6 +19,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace CGAL {
@@ -255,6 +256,20 @@ std::vector<Number> sphere_composition(const Elementary_operand<d>& curve, const
     result[k] -= number_of<Number>(sphere.numbers[d]);
   }
   return result;
+}
+
+// The value of a Bernstein polynomial, rounded, by its form of Horner's scheme.
+inline double rounded_value(std::span<const double> coefficients, double t)
+{
+  const std::size_t degree = coefficients.size() - 1;
+  const double rest = 1 - t;
+  double power = 1, binomial = 1, result = coefficients[0] * rest;
+  for (std::size_t i = 1; i < degree; ++i) {
+    power *= t;
+    binomial *= static_cast<double>(degree - i + 1) / static_cast<double>(i);
+    result = (result + power * binomial * coefficients[i]) * rest;
+  }
+  return result + power * t * coefficients[degree];
 }
 
 // A point of a curve, by de Casteljau's scheme.
