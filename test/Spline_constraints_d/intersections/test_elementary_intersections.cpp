@@ -209,6 +209,42 @@ TEST(Elementary_intersections, lines_of_the_plane)
   EXPECT_GT(tally.at_end, 60u);
 }
 
+TEST(Elementary_intersections, lines_of_space)
+{
+  Random random(8);
+  Tally tally;
+  for (int i = 0; i < 150; ++i) {
+    const K::Point_3 p = random.point_3(1), q = p + K::Vector_3(random.integer(1, 2), random.integer(-1, 1), 0),
+                     r = random.point_3(1), s = r + K::Vector_3(random.integer(-1, 1), 1, random.integer(0, 1));
+    compare_both(K::Segment_3(p, q), K::Segment_3(r, s), tally);
+    compare_both(K::Line_3(p, q), K::Segment_3(r, s), tally);
+    compare_both(K::Ray_3(p, q), K::Segment_3(r, s), tally);
+  }
+  EXPECT_GT(tally.decided, 850u);
+  EXPECT_GT(tally.points, 60u);
+  EXPECT_GT(tally.at_end, 30u);
+}
+
+TEST(Elementary_intersections, triangles)
+{
+  Random random(9);
+  Tally tally;
+  for (int i = 0; i < 100; ++i) {
+    const K::Triangle_3 triangle(random.point_3(2), random.point_3(2) + K::Vector_3(5, 0, 0),
+                                 random.point_3(2) + K::Vector_3(0, 5, 0));
+    const K::Point_3 p = random.point_3(2) + K::Vector_3(1, 1, 0), q = p + K::Vector_3(random.integer(-1, 1), 0, 1);
+    const K::Point_3 corner = triangle.vertex(i % 3),
+                     middle = CGAL::midpoint(triangle.vertex(i % 3), triangle.vertex((i + 1) % 3));
+    compare_both(K::Line_3(p, q), triangle, tally);
+    compare(K::Segment_3(p, q), triangle, tally);
+    compare(K::Segment_3(corner, q + K::Vector_3(0, 0, 5)), triangle, tally);
+    compare(K::Ray_3(q + K::Vector_3(0, 0, 5), middle), triangle, tally);
+  }
+  EXPECT_GT(tally.decided, 490u);
+  EXPECT_GT(tally.points, 200u);
+  EXPECT_GT(tally.at_end, 150u);
+}
+
 TEST(Elementary_intersections, circles)
 {
   Random random(5);

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -193,7 +194,9 @@ Locus_intersections<d> ordered_by_kind(std::vector<Locus_intersection<d>> inters
 {
   std::stable_sort(intersections.begin(), intersections.end(),
                    [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
-  return Locus_intersections<d>(std::move(intersections), summary, undecided_part<d>);
+  return Locus_intersections<d>(
+      {std::make_move_iterator(intersections.begin()), std::make_move_iterator(intersections.end())}, summary,
+      undecided_part<d>);
 }
 
 } // namespace Intersections

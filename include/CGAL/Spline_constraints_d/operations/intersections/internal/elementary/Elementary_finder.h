@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/meetings_in_space.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/number_utils.h>
@@ -97,6 +98,7 @@ private:
     switch (m_operands[k].kind) {
     case Elementary_kind::POINT: return 0;
     case Elementary_kind::PLANE:
+    case Elementary_kind::TRIANGLE:
     case Elementary_kind::PATCH: return 2;
     case Elementary_kind::SPHERE: return d - 1;
     default: return 1;
@@ -121,6 +123,8 @@ private:
     return m_operands[k].kind == Elementary_kind::PLANE && (n[0] != 0 || n[1] != 0 || n[2] != 0);
   }
 
+  bool is_triangle(std::size_t k) const { return m_operands[k].kind == Elementary_kind::TRIANGLE; }
+
   // The common points of a point or curve with what has a form that is zero on it.
   bool find(std::size_t curve, std::size_t other)
   {
@@ -134,6 +138,11 @@ private:
         return find_on_lines(curve, other);
       if (is_sphere(curve) && is_sphere(other))
         return find_on_circles(curve, other);
+    } else {
+      if (is_line(curve) && is_line(other))
+        return find_on_lines_in_space(curve, other);
+      if (is_line(curve) && is_triangle(other))
+        return find_on_line_and_triangle(curve, other);
     }
     return kind == Elementary_kind::BEZIER || kind == Elementary_kind::SEGMENT ? find_on_curve(curve, other) : false;
   }
@@ -190,6 +199,35 @@ private:
     const auto a = affine_line<Exact_rational>(m_operands[first]), b = affine_line<Exact_rational>(m_operands[second]);
     return squared_length(a.direction) != 0 && squared_length(b.direction) != 0 &&
         determinant(a.direction, difference(b.origin, a.origin)) != 0;
+  }
+
+  // --- lines of space and triangles
+
+  bool find_on_lines_in_space(std::size_t first, std::size_t second) requires(d == 3)
+  {
+    const Operand &a = m_operands[first], &b = m_operands[second];
+    if (sign_of(volume_between_lines<Interval>(a, b)) != 0 || volume_between_lines<Exact_rational>(a, b) != 0)
+      return true;
+    const auto meeting = meeting_in_plane(a, b);
+    if (!meeting)
+      return are_apart_and_parallel(a, b);
+    const auto points = affine_line<Interval>(a);
+    return add(place_on_line(a.kind, (*meeting)[0]), place_on_line(b.kind, (*meeting)[1]), first,
+               sum(points.origin, (*meeting)[0], points.direction), 1);
+  }
+
+  bool find_on_line_and_triangle(std::size_t line, std::size_t triangle) requires(d == 3)
+  {
+    const auto add_meeting = [&](const Meeting_with_triangle& x) {
+      const auto points = affine_line<Interval>(m_operands[line]);
+      return add(place_on_line(m_operands[line].kind, x.t), place_on_triangle(x.sides), line,
+                 sum(points.origin, x.t, points.direction), 1);
+    };
+    if (const auto x = meeting_with_triangle<Interval>(m_operands[line], m_operands[triangle]); x && add_meeting(*x))
+      return true;
+    if (const auto x = meeting_with_triangle<Exact_rational>(m_operands[line], m_operands[triangle]))
+      return add_meeting(*x);
+    return is_beside_triangle(m_operands[line], m_operands[triangle]);
   }
 
   // --- a line and a circle or sphere, two circles
@@ -292,9 +330,12 @@ private:
     if constexpr (d == 2)
       if (is_line(k))
         return sign_of(squared_length(affine_line<Interval>(m_operands[k]).direction)) > 0;
-    if constexpr (d == 3)
+    if constexpr (d == 3) {
       if (is_plane(k))
         return true;
+      if (is_triangle(k))
+        return sign_of(squared_length(Triangle_frame<Interval>(m_operands[k]).normal())) > 0;
+    }
     return is_sphere(k);
   }
 
@@ -306,6 +347,10 @@ private:
         return side_of_line(m_operands[k], point);
     } else if (is_plane(k))
       return side_of_plane(m_operands[k], point);
+    else if (is_triangle(k)) {
+      const Triangle_frame<Number> frame(m_operands[k]);
+      return inner_product(frame.normal(), difference(point, frame.corner));
+    }
     return side_of_sphere(m_operands[k], point);
   }
 
@@ -324,6 +369,8 @@ private:
         return place_on_line(m_operands[k].kind, parameter_on_line(m_operands[k], point));
     } else if (is_plane(k))
       return place_on_plane(m_operands[k], other, point);
+    else if (is_triangle(k))
+      return place_on_triangle(sides_of_triangle(m_operands[k], point));
     return place_on_sphere(m_operands[k], difference(point, coordinates_of<Interval>(m_operands[k])));
   }
 

@@ -24,6 +24,7 @@
 #include <CGAL/Segment_2.h>
 #include <CGAL/Segment_3.h>
 #include <CGAL/Sphere_3.h>
+#include <CGAL/Triangle_3.h>
 
 #include <array>
 #include <concepts>
@@ -43,6 +44,7 @@ enum class Elementary_kind {
   RAY,             // from the first point through the second one
   SEGMENT,         // from the first point to the second one
   SPHERE,          // or circle: center and squared radius
+  TRIANGLE,        // in space: three points
   PLANE,           // a x + b y + c z + d = 0
   BEZIER,          // a polynomial curve in one piece
   PATCH,           // a polynomial surface in one piece
@@ -57,7 +59,7 @@ template <int d>
 struct Elementary_operand
 {
   Elementary_kind kind = Elementary_kind::OTHER;
-  std::array<double, 2 * d> numbers = {};
+  std::array<double, 3 * d> numbers = {};
   bool is_clockwise = false;                                  // of a circle or sphere
   std::array<std::span<const double>, d> coefficients = {};   // of a spline, by coordinate
   std::array<int, 2> degrees = {0, 0};                        // of a spline, by parameter
@@ -158,6 +160,14 @@ template <int d, class K>
 Elementary_operand<3> elementary_operand(const CGAL::Plane_3<K>& plane)
 {
   return elementary_operand_of<3>(Elementary_kind::PLANE, plane.a(), plane.b(), plane.c(), plane.d());
+}
+
+template <int d, class K>
+Elementary_operand<3> elementary_operand(const CGAL::Triangle_3<K>& triangle)
+{
+  const auto &p = triangle.vertex(0), &q = triangle.vertex(1), &r = triangle.vertex(2);
+  return elementary_operand_of<3>(Elementary_kind::TRIANGLE, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(),
+                                  r.z());
 }
 
 // A polynomial spline in one piece.
