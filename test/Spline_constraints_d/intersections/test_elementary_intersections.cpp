@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -243,6 +244,30 @@ TEST(Elementary_intersections, triangles)
   EXPECT_GT(tally.decided, 490u);
   EXPECT_GT(tally.points, 200u);
   EXPECT_GT(tally.at_end, 150u);
+}
+
+TEST(Elementary_intersections, cylinders_and_cones)
+{
+  Random random(10);
+  Tally tally;
+  std::vector<SC::Bspline_surface_3<K>> surfaces{
+      SC::cylinder_surface<K>({1, 0, -1}, 2, 3), SC::cylinder_surface<K>({0, 0, 0}, {0, 4, 0}, {2, 1, 0}),
+      SC::cone_surface<K>({0, 0, 4}, {0, 0, -1}, {2, 0, 0}), SC::cone_surface<K>({0, -1, 0}, {0, 2, 0}, {0, 2, 2})};
+  surfaces.push_back(surfaces[2].restricted(1, 0.25, 0.75).with_domain(1, 0, 1));   // a frustum
+  for (int i = 0; i < 150; ++i) {
+    const auto& surface = surfaces[static_cast<std::size_t>(i) % surfaces.size()];
+    const K::Point_3 p = random.point_3(2), q = p + K::Vector_3(random.integer(-2, 2), random.integer(-2, 2), 3);
+    compare_both(K::Line_3(p, q), surface, tally);
+    compare(K::Segment_3(p, q), surface, tally);
+    const K::Point_3 r(random.number(-3, 3), random.number(-3, 3), random.number(-3, 3));
+    compare(K::Line_3(r, p), surface, tally);
+    compare(SC::bezier_curve(std::vector<K::Point_3>{r, p + K::Vector_3(1, 0, 0), q}), surface, tally);
+  }
+  for (const double x : {-2.0, -2 + 0x1p-40, -2 - 0x1p-40})   // on a cylinder, through it and beside it
+    compare_both(K::Line_3(K::Point_3(x, -1, 2), K::Point_3(x, 3, 1)), SC::cylinder_surface<K>({0, 0, 0}, 2, 3), tally);
+  EXPECT_GT(tally.decided, 600u);
+  EXPECT_GT(tally.points, 250u);
+  EXPECT_GT(tally.tangent, 1u);
 }
 
 TEST(Elementary_intersections, circles)

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Affine_overlap.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Turned_segment.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/meetings_in_space.h>
@@ -99,6 +100,7 @@ private:
     case Elementary_kind::POINT: return 0;
     case Elementary_kind::PLANE:
     case Elementary_kind::TRIANGLE:
+    case Elementary_kind::TURNED_SEGMENT:
     case Elementary_kind::PATCH: return 2;
     case Elementary_kind::SPHERE: return d - 1;
     default: return 1;
@@ -124,6 +126,7 @@ private:
   }
 
   bool is_triangle(std::size_t k) const { return m_operands[k].kind == Elementary_kind::TRIANGLE; }
+  bool is_turned(std::size_t k) const { return m_operands[k].kind == Elementary_kind::TURNED_SEGMENT; }
 
   // The common points of a point or curve with what has a form that is zero on it.
   bool find(std::size_t curve, std::size_t other)
@@ -143,6 +146,8 @@ private:
         return find_on_lines_in_space(curve, other);
       if (is_line(curve) && is_triangle(other))
         return find_on_line_and_triangle(curve, other);
+      if (is_line(curve) && is_turned(other))
+        return find_on_line_and_turned_segment(curve, other);
     }
     return kind == Elementary_kind::BEZIER || kind == Elementary_kind::SEGMENT ? find_on_curve(curve, other) : false;
   }
@@ -228,6 +233,43 @@ private:
     if (const auto x = meeting_with_triangle<Exact_rational>(m_operands[line], m_operands[triangle]))
       return add_meeting(*x);
     return is_beside_triangle(m_operands[line], m_operands[triangle]);
+  }
+
+  // --- a line and a cylinder or cone
+
+  bool find_on_line_and_turned_segment(std::size_t line, std::size_t surface) requires(d == 3)
+  {
+    if (!is_turned_segment(m_operands[surface]))
+      return false;
+    const auto equation = [&]<class Number>(const Number&) {
+      return equation_on_line(Turned_segment<Number>(m_operands[surface]), affine_line<Number>(m_operands[line]));
+    };
+    auto [a, b, c] = equation(Interval());
+    Interval discriminant = CGAL::square(b) - a * c;
+    int sign = sign_of(discriminant);
+    if (sign == 0) {
+      const auto exact = equation(Exact_rational());
+      const Exact_rational value(exact[1] * exact[1] - exact[0] * exact[2]);
+      a = enclosure_of(exact[0]);
+      b = enclosure_of(exact[1]);
+      discriminant = enclosure_of(value);
+      sign = sign_of(value);
+    }
+    if (sign_of(a) == 0)
+      return false;
+    const auto points = affine_line<Interval>(m_operands[line]);
+    const Turned_segment<Interval> form(m_operands[surface]);
+    const auto add_root = [&](const Interval& t, int multiplicity) {
+      const Point point = sum(points.origin, t, points.direction);
+      return add(place_on_line(m_operands[line].kind, t), place_on_turned_segment(form, point), line, point,
+                 multiplicity);
+    };
+    if (sign < 0)
+      return true;
+    if (sign == 0)
+      return add_root(-b / a, 2);
+    const Interval root = CGAL::sqrt(discriminant);
+    return add_root((-b - root) / a, 1) && add_root((root - b) / a, 1);
   }
 
   // --- a line and a circle or sphere, two circles
@@ -333,6 +375,8 @@ private:
     if constexpr (d == 3) {
       if (is_plane(k))
         return true;
+      if (is_turned(k))
+        return is_turned_segment(m_operands[k]);
       if (is_triangle(k))
         return sign_of(squared_length(Triangle_frame<Interval>(m_operands[k]).normal())) > 0;
     }
@@ -347,6 +391,8 @@ private:
         return side_of_line(m_operands[k], point);
     } else if (is_plane(k))
       return side_of_plane(m_operands[k], point);
+    else if (is_turned(k))
+      return Turned_segment<Number>(m_operands[k]).polar(point, point);
     else if (is_triangle(k)) {
       const Triangle_frame<Number> frame(m_operands[k]);
       return inner_product(frame.normal(), difference(point, frame.corner));
@@ -359,6 +405,13 @@ private:
   {
     if (m_operands[other].kind == Elementary_kind::SPHERE)
       return sphere_composition<Number>(curve, m_operands[other]);
+    if constexpr (d == 3)
+      if (is_turned(other)) {
+        const Turned_segment<Number> surface(m_operands[other]);
+        return quadratic_composition<Number>(curve.coefficients[0].size() - 1, [&](std::size_t i, std::size_t k) {
+          return surface.polar(control_point_of<Number>(curve, i), control_point_of<Number>(curve, k));
+        });
+      }
     return linear_composition<Number>(curve, [&](const auto& point) { return side_of(other, point); });
   }
 
@@ -371,6 +424,8 @@ private:
       return place_on_plane(m_operands[k], other, point);
     else if (is_triangle(k))
       return place_on_triangle(sides_of_triangle(m_operands[k], point));
+    else if (is_turned(k))
+      return place_on_turned_segment(Turned_segment<Interval>(m_operands[k]), point);
     return place_on_sphere(m_operands[k], difference(point, coordinates_of<Interval>(m_operands[k])));
   }
 

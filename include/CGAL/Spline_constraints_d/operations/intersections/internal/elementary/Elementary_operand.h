@@ -26,6 +26,7 @@
 #include <CGAL/Sphere_3.h>
 #include <CGAL/Triangle_3.h>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -48,6 +49,7 @@ enum class Elementary_kind {
   PLANE,           // a x + b y + c z + d = 0
   BEZIER,          // a polynomial curve in one piece
   PATCH,           // a polynomial surface in one piece
+  TURNED_SEGMENT,  // a rational surface on the knots that cylinders and cones have
   OTHER
 };
 
@@ -62,6 +64,7 @@ struct Elementary_operand
   std::array<double, 3 * d> numbers = {};
   bool is_clockwise = false;                                  // of a circle or sphere
   std::array<std::span<const double>, d> coefficients = {};   // of a spline, by coordinate
+  std::span<const double> weights = {};                       // of a rational spline
   std::array<int, 2> degrees = {0, 0};                        // of a spline, by parameter
   std::array<std::array<double, 2>, 2> domain = {std::array<double, 2>{0, 1}, std::array<double, 2>{0, 1}};
 };
@@ -198,9 +201,28 @@ Elementary_operand<d> elementary_operand(const Bspline_curve<K, d>& curve)
   return elementary_operand_of_spline<d>(Elementary_kind::BEZIER, curve);
 }
 
+// Four quarters of a turn along axis 0, and degree one along axis 1, as `surface_of_revolution()` has them.
+template <class Map>
+bool has_knots_of_turned_segment(const Map& map)
+{
+  constexpr std::array<double, 12> quarters{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+  constexpr std::array<double, 4> unit{0, 0, 1, 1};
+  const auto &turn = map.numerator(0).axes()[0], &segment = map.numerator(0).axes()[1];
+  return turn.degree == 2 && segment.degree == 1 && std::ranges::equal(turn.knots, quarters) &&
+      std::ranges::equal(segment.knots, unit);
+}
+
 template <int d, class K>
 Elementary_operand<3> elementary_operand(const Bspline_surface_3<K>& surface)
 {
+  const auto& map = surface.representation();
+  if (map.is_rational() && has_knots_of_turned_segment(map)) {
+    Elementary_operand<3> result{Elementary_kind::TURNED_SEGMENT};
+    for (int i = 0; i < 3; ++i)
+      result.coefficients[i] = map.numerator(i).coefficients();
+    result.weights = map.functions()[3].coefficients();
+    return result;
+  }
   return elementary_operand_of_spline<3>(Elementary_kind::PATCH, surface);
 }
 

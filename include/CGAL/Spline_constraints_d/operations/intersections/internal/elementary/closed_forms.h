@@ -237,25 +237,32 @@ inline double binomial_number(std::size_t n, std::size_t k)
   return result;
 }
 
+template <Formula_number Number, class Polar>
+std::vector<Number> quadratic_composition(std::size_t degree, const Polar& polar)
+{
+  std::vector<Number> result(2 * degree + 1, number_of<Number>(0));
+  for (std::size_t i = 0; i <= degree; ++i)
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double weight = binomial_number(degree, i) * binomial_number(degree, k) * (i == k ? 1 : 2);
+      result[i + k] += number_of<Number>(weight) * polar(i, k);
+    }
+  for (std::size_t k = 0; k <= 2 * degree; ++k)
+    result[k] /= number_of<Number>(binomial_number(2 * degree, k));
+  return result;
+}
+
 template <Formula_number Number, int d>
 std::vector<Number> sphere_composition(const Elementary_operand<d>& curve, const Elementary_operand<d>& sphere)
 {
   const std::size_t degree = curve.coefficients[0].size() - 1;
   const Coordinates<Number, d> center = coordinates_of<Number>(sphere);
+  const Number squared_radius = number_of<Number>(sphere.numbers[d]);
   std::vector<Coordinates<Number, d>> arms;
   for (std::size_t i = 0; i <= degree; ++i)
     arms.push_back(difference(control_point_of<Number>(curve, i), center));
-  std::vector<Number> result(2 * degree + 1, number_of<Number>(0));
-  for (std::size_t i = 0; i <= degree; ++i)
-    for (std::size_t k = 0; k <= i; ++k) {
-      const double weight = binomial_number(degree, i) * binomial_number(degree, k) * (i == k ? 1 : 2);
-      result[i + k] += number_of<Number>(weight) * (i == k ? squared_length(arms[i]) : inner_product(arms[i], arms[k]));
-    }
-  for (std::size_t k = 0; k <= 2 * degree; ++k) {
-    result[k] /= number_of<Number>(binomial_number(2 * degree, k));
-    result[k] -= number_of<Number>(sphere.numbers[d]);
-  }
-  return result;
+  return quadratic_composition<Number>(degree, [&](std::size_t i, std::size_t k) -> Number {
+    return (i == k ? squared_length(arms[i]) : inner_product(arms[i], arms[k])) - squared_radius;
+  });
 }
 
 // The value of a Bernstein polynomial, rounded, by its form of Horner's scheme.
