@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -315,6 +316,28 @@ TEST(Elementary_intersections, planar_curves)
   EXPECT_GT(tally.points, 100u);
   EXPECT_GT(tally.tangent, 1u);
   EXPECT_GT(tally.at_end, 30u);
+}
+
+TEST(Elementary_intersections, curves_of_several_pieces)
+{
+  Random random(11);
+  Tally tally;
+  for (int i = 0; i < 30; ++i) {
+    const int degree = 1 + i % 4, size = degree + 5;
+    std::vector<double> knots;
+    for (int k = 0; k <= size + degree; ++k)   // not clamped every other time
+      knots.push_back(i % 2 == 0 ? k : (std::min)((std::max)(k, degree), size));
+    std::vector<K::Point_2> points;
+    for (int k = 0; k < size; ++k)
+      points.push_back(K::Point_2(k - 4, random.number(-3, 3)));
+    const SC::Bspline_curve_2<K> curve(degree, knots, points);
+    const K::Point_2 p = random.point_2(3), q = p + K::Vector_2(random.integer(1, 4), random.integer(-2, 2));
+    compare_both(K::Line_2(p, q), curve, tally);
+    compare_both(K::Segment_2(p, q), curve, tally);
+    compare(curve, random.circle(3), tally);
+  }
+  EXPECT_GT(tally.decided, 140u);
+  EXPECT_GT(tally.points, 80u);
 }
 
 TEST(Elementary_intersections, curves_in_space)

@@ -62,7 +62,7 @@ public:
   // Nothing where there is no common piece, or it is not seen in this way.
   std::optional<Elementary_point<d>> operator()() const
   {
-    if (m_second.coefficients[0].size() != m_degree + 1 || m_degree == 0)
+    if (!m_first.is_one_piece() || !m_second.is_one_piece() || m_second.degrees != m_first.degrees || m_degree == 0)
       return std::nullopt;
     const std::optional<double> factor = factor_of_leading_coefficients();
     if (!factor || (*factor < 0 && m_degree % 2 == 0) || !run_forward())
@@ -267,7 +267,7 @@ private:
     Elementary_point<d> result{Intersection_kind::OVERLAP, {}, {}, 0, std::nullopt, {}};
     result.exact_parameters = {on_domain(m_first, first, last), on_domain(m_second, other_first, other_last)};
     const Interval middle(to_double_interval(Exact_rational((first + last) / 2)));
-    const Coordinates<Interval, d> point = point_of_curve(m_first, middle);
+    const Coordinates<Interval, d> point = point_of_curve(piece_of<Interval>(m_first, m_degree), middle);
     for (std::size_t i = 0; i < d; ++i)
       result.point[i] = point[i].inf() + (point[i].sup() - point[i].inf()) / 2;
     return result;

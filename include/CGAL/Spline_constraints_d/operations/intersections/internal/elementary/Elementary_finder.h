@@ -11,11 +11,9 @@
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Affine_overlap.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Turned_segment.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_pair.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_points.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/meetings_in_space.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/unit_roots.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/number_utils.h>
@@ -24,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,19 +38,32 @@ Functions return whether they have decided everything; where one has not, nothin
 */
 template <int d>
 class Elementary_finder
+  : private Elementary_pair<d>
 {
-  using Point = Coordinates<Interval, d>;
-  using Operand = Elementary_operand<d>;
+  using Pair = Elementary_pair<d>;
+  using typename Pair::Operand;
+  using typename Pair::Point;
+  using Pair::add;
+  using Pair::curve_of_points;
+  using Pair::has_finite_numbers;
+  using Pair::has_side;
+  using Pair::is_closed;
+  using Pair::is_line;
+  using Pair::is_sphere;
+  using Pair::is_triangle;
+  using Pair::is_turned;
+  using Pair::m_operands;
+  using Pair::m_points;
+  using Pair::number_of_parameters;
+  using Pair::on_range;
+  using Pair::place_of;
+  using Pair::place_on;
+  using Pair::side_of;
+
   static constexpr std::size_t most_degree = 25;   // the binomial coefficients of twice it are doubles
 
-  std::array<Operand, 2> m_operands;
-  std::list<Elementary_point<d>> m_points;
-  mutable std::array<std::array<double, 2>, d> m_control_points{};   // of a point or segment
-
 public:
-  Elementary_finder(const Operand& first, const Operand& second)
-    : m_operands{in_simplest_form(first), in_simplest_form(second)}
-  {}
+  Elementary_finder(const Operand& first, const Operand& second) : Pair(first, second) {}
 
   std::optional<Elementary_points<d>> operator()()
   {
@@ -74,60 +84,6 @@ public:
   }
 
 private:
-  // A curve of degree one is a segment.
-  static Operand in_simplest_form(const Operand& operand)
-  {
-    if (operand.kind != Elementary_kind::BEZIER || operand.degrees[0] != 1)
-      return operand;
-    Operand result(operand);
-    result.kind = Elementary_kind::SEGMENT;
-    for (std::size_t i = 0; i < d; ++i) {
-      result.numbers[i] = operand.coefficients[i][0];
-      result.numbers[d + i] = operand.coefficients[i][1];
-    }
-    return result;
-  }
-
-  bool has_finite_numbers(std::size_t k) const
-  {
-    return std::all_of(m_operands[k].numbers.begin(), m_operands[k].numbers.end(),
-                       [](double x) { return std::isfinite(x); });
-  }
-
-  std::size_t number_of_parameters(std::size_t k) const
-  {
-    switch (m_operands[k].kind) {
-    case Elementary_kind::POINT: return 0;
-    case Elementary_kind::PLANE:
-    case Elementary_kind::TRIANGLE:
-    case Elementary_kind::TURNED_SEGMENT:
-    case Elementary_kind::PATCH: return 2;
-    case Elementary_kind::SPHERE: return d - 1;
-    default: return 1;
-    }
-  }
-
-  bool is_line(std::size_t k) const
-  {
-    const Elementary_kind kind = m_operands[k].kind;
-    return kind == Elementary_kind::EQUATION_LINE || kind == Elementary_kind::VECTOR_LINE ||
-        kind == Elementary_kind::RAY || kind == Elementary_kind::SEGMENT;
-  }
-
-  bool is_sphere(std::size_t k) const
-  {
-    return m_operands[k].kind == Elementary_kind::SPHERE && m_operands[k].numbers[d] > 0;
-  }
-
-  bool is_plane(std::size_t k) const
-  {
-    const auto& n = m_operands[k].numbers;
-    return m_operands[k].kind == Elementary_kind::PLANE && (n[0] != 0 || n[1] != 0 || n[2] != 0);
-  }
-
-  bool is_triangle(std::size_t k) const { return m_operands[k].kind == Elementary_kind::TRIANGLE; }
-  bool is_turned(std::size_t k) const { return m_operands[k].kind == Elementary_kind::TURNED_SEGMENT; }
-
   // The common points of a point or curve with what has a form that is zero on it.
   bool find(std::size_t curve, std::size_t other)
   {
@@ -149,7 +105,7 @@ private:
       if (is_line(curve) && is_turned(other))
         return find_on_line_and_turned_segment(curve, other);
     }
-    return kind == Elementary_kind::BEZIER || kind == Elementary_kind::SEGMENT ? find_on_curve(curve, other) : false;
+    return (kind == Elementary_kind::CURVE || kind == Elementary_kind::SEGMENT) && find_on_curve(curve, other);
   }
 
   // --- a point
@@ -157,7 +113,7 @@ private:
   bool find_point(std::size_t point, std::size_t other)
   {
     const auto side = [&]<class Number>(const Number&) {
-      return side_of(other, coordinates_of<Number>(m_operands[point]));
+      return this->side_of(other, coordinates_of<Number>(this->m_operands[point]));
     };
     if (!has_side(other))
       return false;
@@ -193,7 +149,7 @@ private:
   {
     const auto add_meeting = [&](const Meeting& x) {
       const auto a = affine_line<Interval>(m_operands[first]);
-      return add(place_on_line(m_operands[first].kind, x.t), place_on_line(m_operands[second].kind, x.s), first,
+      return add(place_on(first, x.t), place_on(second, x.s), first,
                  sum(a.origin, x.t, a.direction), 1);
     };
     if (const auto x = meeting<Interval>(first, second); x && add_meeting(*x))
@@ -217,7 +173,7 @@ private:
     if (!meeting)
       return are_apart_and_parallel(a, b);
     const auto points = affine_line<Interval>(a);
-    return add(place_on_line(a.kind, (*meeting)[0]), place_on_line(b.kind, (*meeting)[1]), first,
+    return add(place_on(first, (*meeting)[0]), place_on(second, (*meeting)[1]), first,
                sum(points.origin, (*meeting)[0], points.direction), 1);
   }
 
@@ -225,7 +181,7 @@ private:
   {
     const auto add_meeting = [&](const Meeting_with_triangle& x) {
       const auto points = affine_line<Interval>(m_operands[line]);
-      return add(place_on_line(m_operands[line].kind, x.t), place_on_triangle(x.sides), line,
+      return add(place_on(line, x.t), place_on_triangle(x.sides), line,
                  sum(points.origin, x.t, points.direction), 1);
     };
     if (const auto x = meeting_with_triangle<Interval>(m_operands[line], m_operands[triangle]); x && add_meeting(*x))
@@ -242,7 +198,8 @@ private:
     if (!is_turned_segment(m_operands[surface]))
       return false;
     const auto equation = [&]<class Number>(const Number&) {
-      return equation_on_line(Turned_segment<Number>(m_operands[surface]), affine_line<Number>(m_operands[line]));
+      return equation_on_line(Turned_segment<Number>(this->m_operands[surface]),
+                              affine_line<Number>(this->m_operands[line]));
     };
     auto [a, b, c] = equation(Interval());
     Interval discriminant = CGAL::square(b) - a * c;
@@ -261,7 +218,7 @@ private:
     const Turned_segment<Interval> form(m_operands[surface]);
     const auto add_root = [&](const Interval& t, int multiplicity) {
       const Point point = sum(points.origin, t, points.direction);
-      return add(place_on_line(m_operands[line].kind, t), place_on_turned_segment(form, point), line, point,
+      return add(place_on(line, t), place_on_turned_segment(form, point), line, point,
                  multiplicity);
     };
     if (sign < 0)
@@ -280,11 +237,11 @@ private:
     const auto form = [&]<class Number>(const Number&) { return affine_line<Number>(operand); };
     return for_roots_on_sphere(form, m_operands[sphere], [&](const Interval& t, int multiplicity, const Point& arm) {
       const Affine_line<Interval, d> points = affine_line<Interval>(operand);
-      Decided_place place = place_on_line(operand.kind, t);
+      Decided_place place = place_on(line, t);
       for (const double end : {0.0, 1.0})
         if (place.state == Decided_place::State::UNDECIDED && t.inf() <= end && end <= t.sup() &&
             side_of_sphere(m_operands[sphere], coordinates_of<Exact_rational>(operand, end == 0 ? 0 : d)) == 0)
-          place = place_on_line(operand.kind, Interval(end));
+          place = place_on(line, Interval(end));
       return add(place, place_on_sphere(m_operands[sphere], arm), line,
                  sum(points.origin, t, points.direction), multiplicity);
     });
@@ -297,7 +254,7 @@ private:
     if (sign_of(squared_length(between)) == 0)
       return false;
     const auto form = [&]<class Number>(const Number&) {
-      return radical_line<Number>(m_operands[first], m_operands[second]);
+      return radical_line<Number>(this->m_operands[first], this->m_operands[second]);
     };
     return for_roots_on_sphere(form, m_operands[first], [&](const Interval&, int multiplicity, const Point& arm) {
       return add(place_on_sphere(m_operands[first], arm),
@@ -367,162 +324,71 @@ private:
 
   // --- a curve and what has a form of degree one or two
 
-  bool has_side(std::size_t k) const
-  {
-    if constexpr (d == 2)
-      if (is_line(k))
-        return sign_of(squared_length(affine_line<Interval>(m_operands[k]).direction)) > 0;
-    if constexpr (d == 3) {
-      if (is_plane(k))
-        return true;
-      if (is_turned(k))
-        return is_turned_segment(m_operands[k]);
-      if (is_triangle(k))
-        return sign_of(squared_length(Triangle_frame<Interval>(m_operands[k]).normal())) > 0;
-    }
-    return is_sphere(k);
-  }
-
   template <class Number>
-  Number side_of(std::size_t k, const Coordinates<Number, d>& point) const
-  {
-    if constexpr (d == 2) {
-      if (is_line(k))
-        return side_of_line(m_operands[k], point);
-    } else if (is_plane(k))
-      return side_of_plane(m_operands[k], point);
-    else if (is_turned(k))
-      return Turned_segment<Number>(m_operands[k]).polar(point, point);
-    else if (is_triangle(k)) {
-      const Triangle_frame<Number> frame(m_operands[k]);
-      return inner_product(frame.normal(), difference(point, frame.corner));
-    }
-    return side_of_sphere(m_operands[k], point);
-  }
-
-  template <class Number>
-  std::vector<Number> composition(const Operand& curve, std::size_t other) const
+  std::vector<Number> composition(const Control_polygon<Number, d>& curve, std::size_t other) const
   {
     if (m_operands[other].kind == Elementary_kind::SPHERE)
-      return sphere_composition<Number>(curve, m_operands[other]);
+      return sphere_composition(curve, m_operands[other]);
     if constexpr (d == 3)
       if (is_turned(other)) {
         const Turned_segment<Number> surface(m_operands[other]);
-        return quadratic_composition<Number>(curve.coefficients[0].size() - 1, [&](std::size_t i, std::size_t k) {
-          return surface.polar(control_point_of<Number>(curve, i), control_point_of<Number>(curve, k));
-        });
+        return quadratic_composition<Number>(
+            curve.size() - 1, [&](std::size_t i, std::size_t k) { return surface.polar(curve[i], curve[k]); });
       }
-    return linear_composition<Number>(curve, [&](const auto& point) { return side_of(other, point); });
-  }
-
-  Decided_place place_of(std::size_t k, const Point& point, [[maybe_unused]] const Operand& other) const
-  {
-    if constexpr (d == 2) {
-      if (is_line(k))
-        return place_on_line(m_operands[k].kind, parameter_on_line(m_operands[k], point));
-    } else if (is_plane(k))
-      return place_on_plane(m_operands[k], other, point);
-    else if (is_triangle(k))
-      return place_on_triangle(sides_of_triangle(m_operands[k], point));
-    else if (is_turned(k))
-      return place_on_turned_segment(Turned_segment<Interval>(m_operands[k]), point);
-    return place_on_sphere(m_operands[k], difference(point, coordinates_of<Interval>(m_operands[k])));
-  }
-
-  // A segment or point as a curve.
-  Operand curve_of_points(std::size_t k, std::size_t size) const
-  {
-    Operand result(m_operands[k]);
-    if (result.kind != Elementary_kind::BEZIER && result.coefficients[0].empty())
-      for (std::size_t i = 0; i < d; ++i) {
-        m_control_points[i] = {result.numbers[i], result.numbers[size == 1 ? i : d + i]};
-        result.coefficients[i] = std::span<const double>(m_control_points[i].data(), size);
-      }
-    return result;
+    return linear_composition(curve, [&](const Coordinates<Number, d>& point) { return this->side_of(other, point); });
   }
 
   bool find_on_curve(std::size_t k, std::size_t other)
   {
     const Operand curve = curve_of_points(k, 2);
-    const std::size_t degree = curve.coefficients[0].size() - 1;
+    const std::size_t degree = static_cast<std::size_t>(curve.degrees[0]);
     if (!has_side(other) || degree == 0 || degree > most_degree)
       return false;
-    const auto add_root = [&](const Interval& t, int multiplicity) {
-      const Point point = point_of_curve(curve, t);
-      return add(place_on_line(Elementary_kind::SEGMENT, t), place_of(other, point, curve), k, point, multiplicity);
-    };
-    std::vector<Interval> f = composition<Interval>(curve, other);
+    if (curve.is_one_piece())
+      return find_on_piece(k, other, curve, degree, curve.domain[0]);
+    for (std::size_t i = degree; i < curve.coefficients[0].size(); ++i)
+      if (curve.knots[i] < curve.knots[i + 1])
+        if (!find_on_piece(k, other, curve, i, {curve.knots[i], curve.knots[i + 1]}))
+          return false;
+    return true;
+  }
+
+  // A piece of a curve, which begins at the knot with this index. What may be a common point at an inner break is left.
+  bool find_on_piece(std::size_t k, std::size_t other, const Operand& curve, std::size_t first_knot,
+                     const std::array<double, 2>& range)
+  {
+    const auto piece = piece_of<Interval>(curve, first_knot);
+    std::vector<Interval> f = composition(piece, other);
     std::array<bool, 2> is_root_at_end{};
     for (const std::size_t side : {0, 1}) {
       Interval& value = side == 0 ? f.front() : f.back();
-      if (sign_of(value) == 0) {
-        const Exact_rational exact = side_of(other, control_point_of<Exact_rational>(curve, side * degree));
-        is_root_at_end[side] = exact == 0;
-        value = enclosure_of(exact);
-      }
+      if (sign_of(value) != 0)
+        continue;
+      const auto exact_piece = piece_of<Exact_rational>(curve, first_knot);
+      const Exact_rational exact = side_of(other, side == 0 ? exact_piece.front() : exact_piece.back());
+      value = enclosure_of(exact);
+      is_root_at_end[side] = exact == 0;
+      if (exact == 0 && (range[side] != curve.domain[0][side] || is_closed(curve)))
+        return false;
     }
-    const bool is_closed = control_point_of<Interval>(curve, 0) == control_point_of<Interval>(curve, degree);
-    if (is_closed && (is_root_at_end[0] || is_root_at_end[1]))
-      return false;
     f = without_roots_at_ends(std::move(f), is_root_at_end);
     if (sign_of(f.front()) == 0 || sign_of(f.back()) == 0)
       return false;
-    const auto roots = unit_roots(
-        f, [&] { return without_roots_at_ends(composition<Exact_rational>(curve, other), is_root_at_end); });
+    const auto add_root = [&](const Interval& t, int multiplicity) {
+      const Point point = point_of_curve(piece, t);
+      Decided_place place{Decided_place::State::FOUND, {{on_range(range, t), Interval(0)}}};
+      place.place.is_at_end[0] = t.is_same(Interval(0)) || t.is_same(Interval(1));
+      return add(place, place_of(other, point, curve), k, point, multiplicity);
+    };
+    const auto roots = unit_roots(f, [&] {
+      return without_roots_at_ends(composition(piece_of<Exact_rational>(curve, first_knot), other), is_root_at_end);
+    });
     return roots && (!is_root_at_end[0] || add_root(Interval(0), 1)) &&
         (!is_root_at_end[1] || add_root(Interval(1), 1)) &&
         std::all_of(roots->begin(), roots->end(),
                     [&](const Unit_root& root) { return add_root(root.t, root.is_double ? 2 : 1); });
   }
 
-  // --- answers
-
-  // Adds a common point, unless it is on one of them only. False where this is not decided.
-  bool add(const Decided_place& place, const Decided_place& other_place, std::size_t k, const Point& point,
-           int multiplicity)
-  {
-    using enum Decided_place::State;
-    if (place.state == NONE || other_place.state == NONE)
-      return true;
-    if (place.state == UNDECIDED || other_place.state == UNDECIDED)
-      return false;
-    Elementary_point<d> result{Intersection_kind::TRANSVERSAL, {}, {}, multiplicity, std::nullopt, {}};
-    bool is_at_end = false, goes_on = d == 2 && number_of_parameters(0) + number_of_parameters(1) == 2;
-    for (const std::size_t i : {0, 1}) {
-      const std::size_t begin = i == 0 ? 0 : number_of_parameters(0);
-      const Parameter_place& own = i == k ? place.place : other_place.place;
-      for (std::size_t axis = 0; axis < number_of_parameters(i); ++axis) {
-        const Interval parameter = on_domain(m_operands[i], own.parameters[axis]);
-        result.parameters[begin + axis] = {parameter.inf(), parameter.sup()};
-        result.is_at_end[begin + axis] = own.is_at_end[axis];
-        is_at_end = is_at_end || own.is_at_end[axis];
-        goes_on = goes_on && (!own.is_at_end[axis] || m_operands[i].kind == Elementary_kind::SPHERE);
-      }
-    }
-    const bool is_pole = place.place.is_pole || other_place.place.is_pole;
-    result.kind = multiplicity > 1 && !is_pole ? Intersection_kind::TANGENT
-        : is_at_end                            ? Intersection_kind::END_POINT
-                                               : Intersection_kind::TRANSVERSAL;
-    if (is_pole)
-      result.multiplicity = 0;
-    if (goes_on)
-      result.passage = multiplicity > 1 ? Passage::TOUCHES : Passage::CROSSES;
-    for (std::size_t i = 0; i < d; ++i)
-      result.point[i] = point[i].inf() + (point[i].sup() - point[i].inf()) / 2;
-    m_points.push_back(std::move(result));
-    return true;
-  }
-
-  // From the unit interval to the domain of a curve.
-  static Interval on_domain(const Operand& operand, const Interval& t)
-  {
-    const auto [begin, end] = operand.domain[0];
-    if ((begin == 0 && end == 1) || operand.coefficients[0].empty())
-      return t;
-    if (t.is_same(Interval(1)))
-      return Interval(end);
-    return common_part(Interval(begin) + (Interval(end) - Interval(begin)) * t, Interval(begin, end));
-  }
 };
 
 template <int d>
@@ -531,13 +397,13 @@ std::optional<Elementary_points<d>> elementary_points(const Elementary_operand<d
 {
   using enum Elementary_kind;
   const auto is_curved = [](const Elementary_operand<d>& x) {
-    return x.kind == PATCH || (x.kind == BEZIER && x.degrees[0] != 1);
+    return x.kind == PATCH || (x.kind == CURVE && !(x.degrees[0] == 1 && x.is_one_piece()));
   };
   if (first.kind == OTHER || second.kind == OTHER)
     return std::nullopt;
   const Upward_rounding_guard guard;
   if (is_curved(first) && is_curved(second)) {
-    auto overlap = first.kind == BEZIER && second.kind == BEZIER ? Affine_overlap<d>(first, second)() : std::nullopt;
+    auto overlap = first.kind == CURVE && second.kind == CURVE ? Affine_overlap<d>(first, second)() : std::nullopt;
     if (!overlap)
       return std::nullopt;
     Elementary_points<d> result{1, 2};

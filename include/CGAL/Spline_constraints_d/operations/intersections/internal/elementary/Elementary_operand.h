@@ -47,7 +47,7 @@ enum class Elementary_kind {
   SPHERE,          // or circle: center and squared radius
   TRIANGLE,        // in space: three points
   PLANE,           // a x + b y + c z + d = 0
-  BEZIER,          // a polynomial curve in one piece
+  CURVE,           // a polynomial spline
   PATCH,           // a polynomial surface in one piece
   TURNED_SEGMENT,  // a rational surface on the knots that cylinders and cones have
   OTHER
@@ -66,7 +66,18 @@ struct Elementary_operand
   std::array<std::span<const double>, d> coefficients = {};   // of a spline, by coordinate
   std::span<const double> weights = {};                       // of a rational spline
   std::array<int, 2> degrees = {0, 0};                        // of a spline, by parameter
+  std::span<const double> knots = {};                         // of a curve
   std::array<std::array<double, 2>, 2> domain = {std::array<double, 2>{0, 1}, std::array<double, 2>{0, 1}};
+
+  // Whether control points are those of a single Bezier piece.
+  bool is_one_piece() const
+  {
+    std::size_t size = 1;
+    for (const int degree : degrees)
+      size *= static_cast<std::size_t>(degree) + 1;
+    return coefficients[0].size() == size &&
+        (knots.empty() || (knots.front() == domain[0][0] && knots.back() == domain[0][1]));
+  }
 };
 
 template <int d, class... FT>
@@ -173,23 +184,15 @@ Elementary_operand<3> elementary_operand(const CGAL::Triangle_3<K>& triangle)
                                   r.z());
 }
 
-// A polynomial spline in one piece.
-template <int d, class Spline>
-Elementary_operand<d> elementary_operand_of_spline(Elementary_kind kind, const Spline& spline)
+template <int d, class Map>
+Elementary_operand<d> elementary_operand_of_map(Elementary_kind kind, const Map& map)
 {
-  const auto& map = spline.representation();
   Elementary_operand<d> result{kind};
-  std::size_t size = 1;
   for (int axis = 0; axis < map.dimension(); ++axis) {
-    const auto& own = map.numerator(0).axes()[axis];
-    result.degrees[axis] = own.degree;
-    result.domain[axis] = {own.knots.front(), own.knots.back()};
-    size *= static_cast<std::size_t>(own.degree) + 1;
-    if (!own.is_clamped())
-      return {};
+    const auto [begin, end] = map.numerator(0).domain(axis);
+    result.degrees[axis] = map.numerator(0).degree(axis);
+    result.domain[axis] = {begin, end};
   }
-  if (map.is_rational() || map.numerator(0).coefficients().size() != size)
-    return {};
   for (int i = 0; i < d; ++i)
     result.coefficients[i] = map.numerator(i).coefficients();
   return result;
@@ -198,7 +201,13 @@ Elementary_operand<d> elementary_operand_of_spline(Elementary_kind kind, const S
 template <int d, class K>
 Elementary_operand<d> elementary_operand(const Bspline_curve<K, d>& curve)
 {
-  return elementary_operand_of_spline<d>(Elementary_kind::BEZIER, curve);
+  const auto& map = curve.representation();
+  if (map.is_rational())
+    return {};
+  auto result = elementary_operand_of_map<d>(Elementary_kind::CURVE, map);
+  const auto& knots = map.numerator(0).axes()[0].knots;
+  result.knots = {&knots.front(), knots.size()};
+  return result;
 }
 
 // Four quarters of a turn along axis 0, and degree one along axis 1, as `surface_of_revolution()` has them.
@@ -216,14 +225,17 @@ template <int d, class K>
 Elementary_operand<3> elementary_operand(const Bspline_surface_3<K>& surface)
 {
   const auto& map = surface.representation();
-  if (map.is_rational() && has_knots_of_turned_segment(map)) {
-    Elementary_operand<3> result{Elementary_kind::TURNED_SEGMENT};
-    for (int i = 0; i < 3; ++i)
-      result.coefficients[i] = map.numerator(i).coefficients();
-    result.weights = map.functions()[3].coefficients();
-    return result;
+  if (!map.is_rational()) {
+    const auto is_clamped = [](const auto& axis) { return axis.is_clamped(); };
+    const auto result = elementary_operand_of_map<3>(Elementary_kind::PATCH, map);
+    return result.is_one_piece() && std::ranges::all_of(map.numerator(0).axes(), is_clamped) ? result
+                                                                                              : Elementary_operand<3>();
   }
-  return elementary_operand_of_spline<3>(Elementary_kind::PATCH, surface);
+  if (!has_knots_of_turned_segment(map))
+    return {};
+  auto result = elementary_operand_of_map<3>(Elementary_kind::TURNED_SEGMENT, map);
+  result.weights = map.functions()[3].coefficients();
+  return result;
 }
 
 } // namespace Intersections

@@ -69,8 +69,8 @@ private:
   bool has_direct_equations() const
   {
     const auto is_curved = [](const Operand& x) {
-      const bool is_spline = x.kind == Elementary_kind::BEZIER || x.kind == Elementary_kind::PATCH;
-      return is_spline && (x.degrees[0] > 1 || x.degrees[1] > 1) &&
+      const bool is_spline = x.kind == Elementary_kind::CURVE || x.kind == Elementary_kind::PATCH;
+      return is_spline && x.is_one_piece() && (x.degrees[0] > 1 || x.degrees[1] > 1) &&
           std::all_of(x.domain.begin(), x.domain.end(), [](const auto& range) {
                return range == std::array<double, 2>{0, 1};
              });
@@ -167,7 +167,7 @@ private:
   // The point of the curve in the middle of its range, rounded.
   void set_point(Elementary_point<d>& point) const
   {
-    const bool is_first = m_first.kind == Elementary_kind::BEZIER;
+    const bool is_first = m_first.kind == Elementary_kind::CURVE;
     const Operand& curve = is_first ? m_first : m_second;
     const auto [lower, upper] = point.parameters[is_first ? 0 : m_split];
     const double t = lower + (upper - lower) / 2;

@@ -112,12 +112,37 @@ Coordinates<Number, d> coordinates_of(const Elementary_operand<d>& operand, std:
   return result;
 }
 
+// The control points of a Bezier piece.
+template <Formula_number Number, std::size_t d>
+using Control_polygon = std::vector<Coordinates<Number, d>>;
+
+/*
+Of the piece of a curve between the knot with an index and the next one: the values of the polar form of the piece, by
+de Boor's scheme, where the second knot takes the place of none, one and more of the arguments, and the first one that
+of the others.
+*/
 template <Formula_number Number, int d>
-Coordinates<Number, d> control_point_of(const Elementary_operand<d>& curve, std::size_t index)
+Control_polygon<Number, d> piece_of(const Elementary_operand<d>& curve, std::size_t first_knot)
 {
-  Coordinates<Number, d> result;
-  for (std::size_t i = 0; i < d; ++i)
-    result[i] = number_of<Number>(curve.coefficients[i][index]);
+  const std::size_t degree = static_cast<std::size_t>(curve.degrees[0]), first = first_knot - degree;
+  const auto knot = [&](std::size_t i) { return number_of<Number>(curve.knots[i]); };
+  Control_polygon<Number, d> own(degree + 1);
+  for (std::size_t j = 0; j <= degree; ++j)
+    for (std::size_t i = 0; i < d; ++i)
+      own[j][i] = number_of<Number>(curve.coefficients[i][first + j]);
+  if (curve.is_one_piece())
+    return own;
+  Control_polygon<Number, d> result;
+  for (std::size_t count = 0; count <= degree; ++count) {
+    Control_polygon<Number, d> row = own;
+    for (std::size_t r = 1; r <= degree; ++r)
+      for (std::size_t j = 0; j + r <= degree; ++j) {
+        const Number low = knot(first + j + r), high = knot(first_knot + j + 1),
+                     t = (knot(r <= degree - count ? first_knot : first_knot + 1) - low) / (high - low);
+        row[j] = sum(row[j], t, difference(row[j + 1], row[j]));
+      }
+    result.push_back(row[0]);
+  }
   return result;
 }
 
@@ -220,12 +245,12 @@ Number side_of_sphere(const Elementary_operand<d>& sphere, const Coordinates<Num
 The composition of a curve with what is zero on the other operand, in Bernstein form: of a linear form the values at the
 control points, of a square those of its polar form, products summed up.
 */
-template <Formula_number Number, int d, class Side>
-std::vector<Number> linear_composition(const Elementary_operand<d>& curve, const Side& side)
+template <Formula_number Number, std::size_t d, class Side>
+std::vector<Number> linear_composition(const Control_polygon<Number, d>& curve, const Side& side)
 {
   std::vector<Number> result;
-  for (std::size_t i = 0; i < curve.coefficients[0].size(); ++i)
-    result.push_back(side(control_point_of<Number>(curve, i)));
+  for (const Coordinates<Number, d>& point : curve)
+    result.push_back(side(point));
   return result;
 }
 
@@ -251,16 +276,15 @@ std::vector<Number> quadratic_composition(std::size_t degree, const Polar& polar
   return result;
 }
 
-template <Formula_number Number, int d>
-std::vector<Number> sphere_composition(const Elementary_operand<d>& curve, const Elementary_operand<d>& sphere)
+template <Formula_number Number, std::size_t n, int d>
+std::vector<Number> sphere_composition(const Control_polygon<Number, n>& curve, const Elementary_operand<d>& sphere)
 {
-  const std::size_t degree = curve.coefficients[0].size() - 1;
-  const Coordinates<Number, d> center = coordinates_of<Number>(sphere);
+  const Coordinates<Number, n> center = coordinates_of<Number>(sphere);
   const Number squared_radius = number_of<Number>(sphere.numbers[d]);
-  std::vector<Coordinates<Number, d>> arms;
-  for (std::size_t i = 0; i <= degree; ++i)
-    arms.push_back(difference(control_point_of<Number>(curve, i), center));
-  return quadratic_composition<Number>(degree, [&](std::size_t i, std::size_t k) -> Number {
+  Control_polygon<Number, n> arms;
+  for (const Coordinates<Number, n>& point : curve)
+    arms.push_back(difference(point, center));
+  return quadratic_composition<Number>(curve.size() - 1, [&](std::size_t i, std::size_t k) -> Number {
     return (i == k ? squared_length(arms[i]) : inner_product(arms[i], arms[k])) - squared_radius;
   });
 }
@@ -279,14 +303,16 @@ inline double rounded_value(std::span<const double> coefficients, double t)
   return result + power * t * coefficients[degree];
 }
 
-// A point of a curve, by de Casteljau's scheme.
-template <int d>
-Coordinates<Interval, d> point_of_curve(const Elementary_operand<d>& curve, const Interval& t)
+// A point of a Bezier piece, by de Casteljau's scheme.
+template <std::size_t d>
+Coordinates<Interval, d> point_of_curve(Control_polygon<Interval, d> curve, const Interval& t)
 {
-  Coordinates<Interval, d> result;
-  for (std::size_t i = 0; i < d; ++i)
-    result[i] = value_at(Bernstein_bounds(curve.coefficients[i].begin(), curve.coefficients[i].end()), t);
-  return result;
+  const Interval rest = Interval(1) - t;
+  for (std::size_t size = curve.size(); size-- > 1;)
+    for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t i = 0; i < d; ++i)
+        curve[j][i] = rest * curve[j][i] + t * curve[j + 1][i];
+  return curve[0];
 }
 
 } // namespace Intersections
