@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace elementary_intersections {
@@ -34,23 +35,19 @@ struct Tally
   std::size_t pairs = 0, decided = 0, points = 0, tangent = 0, at_end = 0;
 };
 
-template <class A, class B>
-void compare(const A& a, const B& b, Tally& tally)
+// Compares answers with those of the general way.
+template <class A, class B, class Found>
+void compare_answers(const A& a, const B& b, const Found& answers, Tally& tally)
 {
   using Operand = SC::internal::Common::Intersection_operand<A>;
   constexpr int d = Operand::dimension;
-  ++tally.pairs;
-  const auto elementary = Internal::elementary_intersections<K>(
-      Internal::elementary_operand<d>(a), Internal::elementary_operand<d>(b), SC::Solver_options{});
-  if (!elementary)
-    return;
-  ++tally.decided;
-  const auto expected = Internal::general_intersections<K, d>(a, b, Internal::Budgeted_solver(SC::Solver_options{}));
+  const auto expected =
+      Internal::general_intersections<K, d>(a, b, Internal::Budgeted_solver(SC::Solver_options{}));
   ASSERT_TRUE(expected.is_complete());
-  EXPECT_TRUE(elementary->is_complete());
-  ASSERT_EQ(elementary->size(), expected.size());
+  EXPECT_TRUE(answers.is_complete());
+  ASSERT_EQ(answers.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const auto &found = (*elementary)[i], &other = expected[i];
+    const auto &found = answers[i], &other = expected[i];
     EXPECT_EQ(found.kind(), other.kind()) << found.kind() << " and " << other.kind();
     if (other.multiplicity() != 0) {
       EXPECT_EQ(found.multiplicity(), other.multiplicity());
@@ -76,6 +73,20 @@ void compare(const A& a, const B& b, Tally& tally)
     tally.tangent += found.kind() == Kind::TANGENT;
     tally.at_end += found.is_at_end(0) || found.is_at_end(1);
   }
+}
+
+// The closed forms, if there are some.
+template <class A, class B>
+void compare(const A& a, const B& b, Tally& tally)
+{
+  constexpr int d = SC::internal::Common::Intersection_operand<A>::dimension;
+  ++tally.pairs;
+  const auto elementary = Internal::elementary_intersections<K>(
+      Internal::elementary_operand<d>(a), Internal::elementary_operand<d>(b), SC::Solver_options{});
+  if (!elementary)
+    return;
+  ++tally.decided;
+  compare_answers(a, b, *elementary, tally);
 }
 
 // Each as the first operand.
@@ -357,6 +368,79 @@ TEST(Elementary_intersections, curves_in_space)
   }
   EXPECT_GT(tally.decided, 75u);
   EXPECT_GT(tally.points, 30u);
+}
+
+TEST(Elementary_intersections, overlaps)
+{
+  Random random(12);
+  Tally tally;
+  for (int i = 0; i < 12; ++i) {
+    std::vector<K::Point_2> points;
+    const int degree = 2 + i % 3;
+    for (int k = 0; k <= degree; ++k)
+      points.push_back(K::Point_2(k, random.integer(-3, 3)));
+    points[1] = points[1] + K::Vector_2(0, 8);   // not of a lower degree
+    const auto curve = SC::bezier_curve(points);
+    const auto first = curve.restricted(0, 0.75), last = curve.restricted(0.25, 1);
+    for (const auto& other : {last, last.reversed(), last.with_domain(0, 1)}) {
+      const std::size_t decided = tally.decided;
+      compare_both(first, other, tally);
+      EXPECT_EQ(tally.decided, decided + 2);
+      const auto found = SC::intersections(first, other);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].kind(), Kind::OVERLAP);
+      EXPECT_EQ(found[0].parameter_range(0), (std::pair(SC::Exact_rational(0.25), SC::Exact_rational(0.75))));
+    }
+    compare(first, curve.restricted(0.75, 1), tally);   // with a common end
+  }
+  const auto cubic = SC::bezier_curve(std::vector<K::Point_3>{{0, 0, 0}, {1, 2, 3}, {2, -2, 5}, {3, 0, 1}});
+  const auto found = SC::intersections(cubic.restricted(0, 0.75), cubic.restricted(0.25, 1).with_domain(0, 1));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind(), Kind::OVERLAP);
+  EXPECT_EQ(found[0].parameter_range(1),
+            (std::pair(SC::Exact_rational(0), SC::Exact_rational(SC::Exact_rational(2) / 3))));
+}
+
+// Those of two curves of higher degree: regular solutions, common ends, and others.
+TEST(Elementary_intersections, two_curves)
+{
+  Random random(13);
+  Tally tally;
+  for (int i = 0; i < 80; ++i) {
+    std::vector<K::Point_2> points, others;
+    for (int k = 0; k <= 2 + i % 3; ++k) {
+      points.push_back(random.point_2(3));
+      others.push_back(random.point_2(3));
+    }
+    if (i % 2 == 0)
+      others.back() = points.front();
+    if (points.front() == points.back() || others.front() == others.back())
+      continue;
+    const auto first = SC::bezier_curve(points), second = SC::bezier_curve(others);
+    const auto found = SC::intersections(first, second);
+    if (found.is_complete())
+      compare_answers(first, second, found, tally);
+  }
+  EXPECT_GT(tally.points, 60u);
+  EXPECT_GT(tally.at_end, 15u);
+}
+
+// A stop is honoured, and options are checked.
+TEST(Elementary_intersections, options)
+{
+  struct
+  {
+    void on_progress(double) {}
+    bool stop() { return true; }
+  } visitor;
+  const K::Line_3 line(K::Point_3(-3, 1, 0), K::Point_3(3, 0, 1));
+  const K::Sphere_3 sphere(K::Point_3(0, 0, 0), 4);
+  EXPECT_EQ(SC::intersections(line, sphere).size(), 2u);
+  EXPECT_FALSE(SC::intersections(line, sphere, {.visitor = visitor}).is_complete());
+  EXPECT_THROW(SC::intersections(line, sphere, {.tolerance = 0}), SC::Invalid_input);
+  EXPECT_THROW(SC::intersections(K::Line_3(K::Point_3(0, 0, 0), K::Point_3(0, 0, 0)), sphere), SC::Invalid_input);
+  EXPECT_THROW(SC::intersections(line, K::Sphere_3(K::Point_3(0, 0, 0), 0)), SC::Invalid_input);
+  EXPECT_THROW(SC::intersections(K::Point_3(0, 0, HUGE_VAL), sphere), SC::Invalid_input);
 }
 
 } // namespace elementary_intersections

@@ -61,7 +61,17 @@ one. Systems with more equations than unknowns, as of two curves in space, are d
 miss each other by however little do not meet. If the points of an operand are affine in its parameters, as those of a
 point, segment or parallelogram, these are eliminated.
 
-An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, for a curve in a planar
+In kernels of floating point numbers, closed forms come first: for points, lines, rays, segments, circles, spheres,
+planes, triangles, cylinders, cones and frusta of `surface_of_revolution()` with those of them that have one dimension
+less or meet them in points, and for polynomial curves with all of these. Intervals of doubles decide, and rational
+numbers only the signs that these leave open; no operand is converted. Answers have ranges of doubles then and no
+`solution()`. A circle or sphere is the one of its center and squared radius as these are stored, with the parameters of
+the conversion as they are without rounding. Other pairs of polynomial curves, in the plane, and of a polynomial curve
+and surface, in one piece each are solved as they are: where all solutions are regular and none is next to an end that
+is not common to both curves, nothing more is done. What is not decided so is left to exact splines, as described here.
+
+An `OVERLAP` is proved for curves in the plane, for polynomial curves \f$C(t) = D(at + b)\f$ in one piece each, also in
+space, whose control polygons run forward in one direction, for a line or segment that lies in a surface, for a curve in a planar
 parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three at most
 that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same sphere;
 other parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver
@@ -102,7 +112,8 @@ undecided.
 \throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have
 one sign, or an option makes no sense.
 
-Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one
+Complexity: that of closed forms is constant, or for a curve of degree \f$n\f$, for each piece, that of isolating the
+roots of a polynomial of degree \f$n\f$ or \f$2n\f$. Otherwise that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one
 with an unknown less for each solution at an end. For two pieces of curves of degrees \f$m\f$ and \f$n \le m\f$,
 elimination takes \f$n 2^n\f$ products of polynomials in one parameter, and isolates the roots of one of degree
 \f$mn\f$. Source: \cgalCite{ek-gcs-01}, section 2.
