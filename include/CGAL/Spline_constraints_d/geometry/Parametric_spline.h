@@ -256,6 +256,7 @@ protected:
   static std::vector<NT> numbers(const std::vector<FT>& values)
   {
     std::vector<NT> result;
+    result.reserve(values.size());
     for (const FT& x : values)
       result.push_back(number(x));
     return result;
@@ -272,6 +273,7 @@ protected:
   static std::vector<std::array<NT, d>> coordinates(const std::vector<Point>& points)
   {
     std::vector<std::array<NT, d>> result;
+    result.reserve(points.size());
     for (const Point& p : points) {
       std::array<NT, d>& x = result.emplace_back();
       for (int i = 0; i < d; ++i)

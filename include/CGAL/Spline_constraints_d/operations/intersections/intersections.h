@@ -71,13 +71,13 @@ and surface, in one piece each are solved as they are: where all solutions are r
 is not common to both curves, nothing more is done. What is not decided so is left to exact splines, as described here.
 
 An `OVERLAP` is proved for curves in the plane, for polynomial curves \f$C(t) = D(at + b)\f$ in one piece each, also in
-space, whose control polygons run forward in one direction, for a line or segment that lies in a surface, for a curve in a planar
-parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three at most
-that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same sphere;
-other parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver
-finds a segment or an interval with rational ends, and for linear \f$q\f$; for others, that on the curve is. Otherwise
-they are enclosures, those of a surface on a sphere its domain. Other curves in space that lie in a surface are
-`UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not
+space, whose control polygons run forward in one direction, for a line or segment that lies in a surface, for a curve in
+a planar parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three
+at most that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same
+sphere; other parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the
+solver finds a segment or an interval with rational ends, and for linear \f$q\f$; for others, that on the curve is.
+Otherwise they are enclosures, those of a surface on a sphere its domain. Other curves in space that lie in a surface
+are `UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not
 reported again, unless the operands touch there and are in space or of degree higher than four.
 
 Curves that nearly coincide take no more work the nearer they are, but for the lengths of numbers. Where the solver has
@@ -113,10 +113,10 @@ undecided.
 one sign, or an option makes no sense.
 
 Complexity: that of closed forms is constant, or for a curve of degree \f$n\f$, for each piece, that of isolating the
-roots of a polynomial of degree \f$n\f$ or \f$2n\f$. Otherwise that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one
-with an unknown less for each solution at an end. For two pieces of curves of degrees \f$m\f$ and \f$n \le m\f$,
-elimination takes \f$n 2^n\f$ products of polynomials in one parameter, and isolates the roots of one of degree
-\f$mn\f$. Source: \cgalCite{ek-gcs-01}, section 2.
+roots of a polynomial of degree \f$n\f$ or \f$2n\f$. Otherwise that of a system in as many unknowns as the operands have
+parameters that are not eliminated; and of one with an unknown less for each solution at an end. For two pieces of
+curves of degrees \f$m\f$ and \f$n \le m\f$, elimination takes \f$n 2^n\f$ products of polynomials in one parameter, and
+isolates the roots of one of degree \f$mn\f$. Source: \cgalCite{ek-gcs-01}, section 2.
 */
 template <class A, class B>
   requires internal::Common::Intersection_operands<A, B>

@@ -117,9 +117,8 @@ private:
     };
     if (!has_side(other))
       return false;
-    int sign = sign_of(side(Interval()));
-    if (sign == 0)
-      sign = sign_of(side(Exact_rational()));
+    const Interval bounds = side(Interval());
+    const int sign = is_certain(bounds) ? sign_of(bounds) : sign_of(side(Exact_rational()));
     if (sign != 0)
       return true;
     const Point place = coordinates_of<Interval>(m_operands[point]);
@@ -167,7 +166,8 @@ private:
   bool find_on_lines_in_space(std::size_t first, std::size_t second) requires(d == 3)
   {
     const Operand &a = m_operands[first], &b = m_operands[second];
-    if (sign_of(volume_between_lines<Interval>(a, b)) != 0 || volume_between_lines<Exact_rational>(a, b) != 0)
+    const Interval volume = volume_between_lines<Interval>(a, b);
+    if (sign_of(volume) != 0 || (!is_certain(volume) && volume_between_lines<Exact_rational>(a, b) != 0))
       return true;
     const auto meeting = meeting_in_plane(a, b);
     if (!meeting)
@@ -204,7 +204,7 @@ private:
     auto [a, b, c] = equation(Interval());
     Interval discriminant = CGAL::square(b) - a * c;
     int sign = sign_of(discriminant);
-    if (sign == 0) {
+    if (!is_certain(discriminant)) {
       const auto exact = equation(Exact_rational());
       const Exact_rational value(exact[1] * exact[1] - exact[0] * exact[2]);
       a = enclosure_of(exact[0]);
@@ -272,7 +272,7 @@ private:
   {
     Sphere_equation<Interval, d> f = sphere_equation(form(Interval()), sphere);
     int sign = sign_of(f.discriminant);
-    if (sign == 0 || sign_of(f.a) == 0) {
+    if (!is_certain(f.discriminant) || sign_of(f.a) == 0) {
       const auto exact = sphere_equation(form(Exact_rational()), sphere);
       if (exact.a == 0)
         return false;
@@ -362,13 +362,12 @@ private:
     std::array<bool, 2> is_root_at_end{};
     for (const std::size_t side : {0, 1}) {
       Interval& value = side == 0 ? f.front() : f.back();
-      if (sign_of(value) != 0)
-        continue;
-      const auto exact_piece = piece_of<Exact_rational>(curve, first_knot);
-      const Exact_rational exact = side_of(other, side == 0 ? exact_piece.front() : exact_piece.back());
-      value = enclosure_of(exact);
-      is_root_at_end[side] = exact == 0;
-      if (exact == 0 && (range[side] != curve.domain[0][side] || is_closed(curve)))
+      if (!is_certain(value)) {
+        const auto exact_piece = piece_of<Exact_rational>(curve, first_knot);
+        value = enclosure_of(side_of(other, side == 0 ? exact_piece.front() : exact_piece.back()));
+      }
+      is_root_at_end[side] = sign_of(value) == 0;
+      if (is_root_at_end[side] && (range[side] != curve.domain[0][side] || is_closed(curve)))
         return false;
     }
     f = without_roots_at_ends(std::move(f), is_root_at_end);

@@ -20,8 +20,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-// All common points of two operands by closed forms; nothing where there are none for them, or where these do not decide
-// everything. Defined in Elementary_finder.h.
+// All common points of two operands by closed forms; nothing where there are none for them, or where these do not
+// decide everything. Defined in Elementary_finder.h.
 template <int d>
 std::optional<Elementary_points<d>> elementary_points(const Elementary_operand<d>& first,
                                                       const Elementary_operand<d>& second);

@@ -22,7 +22,8 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-// The common points of two operands, where all of them are seen to be regular, or else the solutions of their equations.
+// The common points of two operands, where all of them are seen to be regular, or else the solutions of their
+// equations.
 template <int d>
 struct Regular_points
 {

@@ -45,6 +45,9 @@ inline Interval enclosure_of(const Exact_rational& x) { return Interval(to_doubl
 inline int sign_of(const Interval& x) { return certain_sign(x); }
 inline int sign_of(const Exact_rational& x) { return static_cast<int>(CGAL::sign(x)); }
 
+// Whether the sign is known: also where the enclosure is exact and zero.
+inline bool is_certain(const Interval& x) { return sign_of(x) != 0 || x.is_same(Interval(0)); }
+
 // Its value by de Casteljau's scheme.
 inline Interval value_at(Bernstein_bounds f, const Interval& t)
 {
@@ -85,8 +88,8 @@ std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::arra
 
 /*
 The roots in (0,1) of a quadratic polynomial whose first and last coefficients have signs. In x = t / (1 - t) it is f2
-x^2 + 2 f1 x + f0, and with q = -f1 -+ sqrt(f1^2 - f0 f2), of the sign that lets nothing cancel, its roots are q / f2 and
-f0 / q. `exact()` returns the coefficients as rational numbers, which are asked for where the sign of the discriminant
+x^2 + 2 f1 x + f0, and with q = -f1 -+ sqrt(f1^2 - f0 f2), of the sign that lets nothing cancel, its roots are q / f2
+and f0 / q. `exact()` returns the coefficients as rational numbers, which are asked for where the sign of the discriminant
 is not certain.
 */
 template <class Exact_coefficients>
@@ -94,7 +97,7 @@ std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coeffi
 {
   Interval discriminant = CGAL::square(f[1]) - f[0] * f[2];
   int sign = sign_of(discriminant);
-  if (sign == 0) {
+  if (!is_certain(discriminant)) {
     const std::vector<Exact_rational> g = exact();
     const Exact_rational value(g[1] * g[1] - g[0] * g[2]);
     sign = sign_of(value);
