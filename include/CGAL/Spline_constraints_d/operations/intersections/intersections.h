@@ -62,13 +62,13 @@ miss each other by however little do not meet. If the points of an operand are a
 point, segment or parallelogram, these are eliminated.
 
 In kernels of floating point numbers, closed forms come first: for points, lines, rays, segments, circles, spheres,
-planes, triangles, cylinders, cones and frusta of `surface_of_revolution()` with those of them that have one dimension
-less or meet them in points, and for polynomial curves with all of these. Intervals of doubles decide, and rational
-numbers only the signs that these leave open; no operand is converted. Answers have ranges of doubles then and no
-`solution()`. A circle or sphere is the one of its center and squared radius as these are stored, with the parameters of
-the conversion as they are without rounding. Other pairs of polynomial curves, in the plane, and of a polynomial curve
-and surface, in one piece each are solved as they are: where all solutions are regular and none is next to an end that
-is not common to both curves, nothing more is done. What is not decided so is left to exact splines, as described here.
+planes, triangles, and the cylinders, cones and frusta of `surface_of_revolution()`, each two that meet in points, and
+for polynomial curves with each of these. Intervals of doubles decide, and rational numbers only the signs that these
+leave open; no operand is converted. Answers have ranges of doubles then and no `solution()`. A circle or sphere is the
+one of its center and squared radius as these are stored, with the parameters that its conversion would have without
+rounding. Other pairs of polynomial curves, in the plane, and of a polynomial curve and surface, in one piece each are
+solved as they are: where all solutions are regular and none is next to an end that is not common to both curves,
+nothing more is done. What is not decided so is left to exact splines, as described here.
 
 An `OVERLAP` is proved for curves in the plane, for polynomial curves \f$C(t) = D(at + b)\f$ in one piece each, also in
 space, whose control polygons run forward in one direction, for a line or segment that lies in a surface, for a curve in

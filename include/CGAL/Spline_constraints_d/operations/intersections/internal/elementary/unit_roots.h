@@ -89,8 +89,8 @@ std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::arra
 /*
 The roots in (0,1) of a quadratic polynomial whose first and last coefficients have signs. In x = t / (1 - t) it is f2
 x^2 + 2 f1 x + f0, and with q = -f1 -+ sqrt(f1^2 - f0 f2), of the sign that lets nothing cancel, its roots are q / f2
-and f0 / q. `exact()` returns the coefficients as rational numbers, which are asked for where the sign of the discriminant
-is not certain.
+and f0 / q. `exact()` returns the coefficients as rational numbers, which are asked for where the sign of the
+discriminant is not certain.
 */
 template <class Exact_coefficients>
 std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coefficients& exact)
