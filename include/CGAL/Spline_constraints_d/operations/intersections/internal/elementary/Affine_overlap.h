@@ -65,7 +65,7 @@ public:
     if (!m_first.is_one_piece() || !m_second.is_one_piece() || m_second.degrees != m_first.degrees || m_degree == 0)
       return std::nullopt;
     const std::optional<double> factor = factor_of_leading_coefficients();
-    if (!factor || (*factor < 0 && m_degree % 2 == 0) || !run_forward())
+    if (!factor || (*factor < 0 && m_degree % 2 == 0))
       return std::nullopt;
     const double size = std::pow(std::abs(*factor), 1 / static_cast<double>(m_degree));
     if (m_degree % 2 != 0)
@@ -75,41 +75,39 @@ public:
   }
 
 private:
-  // a^n, where the leading coefficients may be multiples of each other, or nothing where they are not.
+  // a^n, where the leading coefficients are nearly multiples of each other.
   std::optional<double> factor_of_leading_coefficients() const
   {
-    const Coordinates<Interval, d> a = coefficient(m_first, 0), b = coefficient(m_second, 0);
-    const std::size_t i = largest(b);
-    if (sign_of(a[i]) == 0 || sign_of(b[i]) == 0)
+    constexpr double most = 1e-9;
+    const std::array<double, d> a = coefficient(m_first, 0), b = coefficient(m_second, 0);
+    const std::size_t i = largest(a), k = largest(b);
+    if (a[i] == 0 || b[k] == 0)
       return std::nullopt;
-    for (std::size_t k = 0; k < d; ++k)
-      if (sign_of(a[i] * b[k] - a[k] * b[i]) != 0)
+    for (std::size_t j = 0; j < d; ++j)
+      if (std::abs(a[j] * b[k] - a[k] * b[j]) > most * std::abs(a[i] * b[k]))
         return std::nullopt;
-    return a[i].inf() / b[i].inf();
+    return a[k] / b[k];
   }
 
-  // The coefficient of the power n - k, by differences of control points.
-  Coordinates<Interval, d> coefficient(const Operand& curve, std::size_t k) const
+  // The coefficient of the power n or n - 1, by differences of control points, rounded.
+  std::array<double, d> coefficient(const Operand& curve, std::size_t k) const
   {
     const std::size_t power = m_degree - k;
-    Coordinates<Interval, d> result;
-    for (std::size_t i = 0; i < d; ++i) {
-      result[i] = Interval(0);
-      double weight = power % 2 == 0 ? 1 : -1;
-      for (std::size_t j = 0; j <= power; ++j) {
-        result[i] += Interval(weight) * Interval(curve.coefficients[i][j]);
-        weight *= -static_cast<double>(power - j) / static_cast<double>(j + 1);
-      }
-      result[i] *= Interval(binomial_number(m_degree, power));
+    std::array<double, d> result{};
+    double weight = (power % 2 == 0 ? 1 : -1) * (k == 0 ? 1 : static_cast<double>(m_degree));
+    for (std::size_t j = 0; j <= power; ++j) {
+      for (std::size_t i = 0; i < d; ++i)
+        result[i] += weight * curve.coefficients[i][j];
+      weight *= -static_cast<double>(power - j) / static_cast<double>(j + 1);
     }
     return result;
   }
 
-  static std::size_t largest(const Coordinates<Interval, d>& x)
+  static std::size_t largest(const std::array<double, d>& x)
   {
     std::size_t result = 0;
     for (std::size_t i = 1; i < d; ++i)
-      if (std::abs(x[result].inf()) < std::abs(x[i].inf()))
+      if (std::abs(x[result]) < std::abs(x[i]))
         result = i;
     return result;
   }
@@ -149,12 +147,12 @@ private:
 
   std::optional<Elementary_point<d>> overlap(double a) const
   {
-    const Coordinates<Interval, d> leading = coefficient(m_second, 0);
+    const std::array<double, d> leading = coefficient(m_second, 0);
     const std::size_t i = largest(leading);
-    const double next = coefficient(m_first, 1)[i].inf(), other = coefficient(m_second, 1)[i].inf(),
+    const double next = coefficient(m_first, 1)[i], other = coefficient(m_second, 1)[i],
                  n = static_cast<double>(m_degree);
-    const double b = (next / std::pow(a, n - 1) - other) / (n * leading[i].inf());
-    if (!begins_near(b))
+    const double b = (next / std::pow(a, n - 1) - other) / (n * leading[i]);
+    if (!begins_near(b) || !run_forward())
       return std::nullopt;
     const auto factor = near_fraction(a), begin = near_fraction(b);
     if (!factor || !begin || factor->numerator == 0)
