@@ -258,7 +258,7 @@ void compare_curve_intersections(const std::set<std::string>& selected)
                        milliseconds(total(own) - building - setup - rebuilding)});
   }
   std::cout << "\nWhere the time of this package goes, in ms:\n\n";
-  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds",
+  print_header({"problem", "nodes", "exact rebuilds", "all", "making the curves", "setup", "exact rebuilds",
                 "subdivision and the rest"});
   for (const auto& row : details)
     print_row(row);
