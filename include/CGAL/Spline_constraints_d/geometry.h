@@ -9,8 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_H
 
-// All of the floor of geometry: curves and surfaces, and conversions from and to those of CGAL. Adaptors to OpenCASCADE
-// are in geometry/conversions/opencascade.h.
+// All of the floor of geometry: curves and surfaces, conversions from and to those of CGAL, and healing of rounded
+// data. Adaptors to OpenCASCADE are in geometry/conversions/opencascade.h.
 #include <CGAL/Spline_constraints_d/geometry/Implicit_hypersurface.h>
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/Parametric_locus.h>
@@ -42,6 +42,8 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
+#include <CGAL/Spline_constraints_d/geometry/healing/Primitive_kind.h>
+#include <CGAL/Spline_constraints_d/geometry/healing/exact_primitives.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
