@@ -3,14 +3,16 @@
 
 // Finds all intersections of the curves and surfaces of two files, or of one: prints one line for each, and draws them.
 //
-//   intersect [A [B]] [--svg OUT] [--time-limit S]
+//   intersect [A [B]] [--heal TOLERANCE] [--svg OUT] [--time-limit S]
 //
 // Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of
 // B that is in the same space; without B, all pairs in A. Two surfaces have curves in common, with their ends, singular
-// points, where the surfaces touch (tangent), and single points on edges (end points). The time limit is for all pairs
-// together. Without arguments: data/drawing.svg with data/route.itd, drawn into intersect.svg. Exit status: 0 when
-// every intersection is accounted for, 3 when not, 2 for bad input.
+// points, where the surfaces touch (tangent), and single points on edges (end points). With --heal, primitives (lines,
+// circles, planes, spheres, cylinders, cones, tori) are made exact, moved by no more than the tolerance, before. The
+// time limit is for all pairs together. Without arguments: data/drawing.svg with data/route.itd, drawn into
+// intersect.svg. Exit status: 0 when every intersection is accounted for, 3 when not, 2 for bad input.
 #include "arguments.h"
+#include "healing.h"
 #include "intersect_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -22,6 +24,9 @@
 
 #include <iostream>
 #include <ranges>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #ifndef DATA_DIRECTORY
 #define DATA_DIRECTORY "data/"
@@ -72,14 +77,44 @@ void intersect_pairs(const std::vector<Entry>& a, const std::vector<Other_entry>
       }
 }
 
+// Primitives of both files made exact, in coordinates in which they are simple.
+Motions heal(File& a, File& b, double tolerance, const Options_of_program& options)
+{
+  const auto objects = [&](auto File::*member) {
+    auto result = std::vector<std::remove_cvref_t<decltype((a.*member).front().object)>>();
+    for (const File* file : {&a, &b})
+      for (const auto& entry : file->*member)
+        result.push_back(entry.object);
+    return result;
+  };
+  const auto replace = [&](auto File::*member, const auto& healed) {
+    auto next = healed.begin();
+    for (File* file : {&a, &b})
+      for (auto& entry : file->*member)
+        entry.object = *next++;
+  };
+  const auto curves_2 = SC::with_exact_primitives<K>(objects(&File::curves_2), tolerance, options());
+  const auto [curves_3, surfaces] = SC::with_exact_primitives<K>(
+      objects(&File::curves_3), objects(&File::surfaces_3), tolerance, options());
+  print_healing(curves_2, curves_3, surfaces);
+  replace(&File::curves_2, curves_2.simple_splines());
+  replace(&File::curves_3, curves_3.simple_splines());
+  replace(&File::surfaces_3, surfaces.simple_splines());
+  return {curves_2.frame, surfaces.frame};
+}
+
 int main(int argc, char* argv[])
 try {
   const Arguments arguments =
       parse(argc, argv, {{DATA_DIRECTORY "drawing.svg", DATA_DIRECTORY "route.itd"}, "intersect.svg", {}});
-  const File a = read(arguments.files[0]), second = arguments.files.size() == 2 ? read(arguments.files[1]) : File(),
-             &b = arguments.files.size() == 2 ? second : a;
-  Report report(a, b);
   const Options_of_program options(arguments.options);
+  const File given = read(arguments.files[0]), other = arguments.files.size() == 2 ? read(arguments.files[1]) : File();
+  File a = given, second = other;
+  const bool has_two = arguments.files.size() == 2;
+  const Motions moved =
+      arguments.healing_tolerance ? heal(a, second, *arguments.healing_tolerance, options) : Motions();
+  const File& b = has_two ? second : a;
+  Report report(given, has_two ? other : given, moved);
   intersect_curves(a.curves_2, b.curves_2, options(), report);
   intersect_curves(a.curves_3, b.curves_3, options(), report);
   const auto intersect = [&](const auto& curve, const auto& surface) {

@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ struct Arguments
   std::vector<std::string> files;
   std::string picture;
   SC::Solver_options options;
+  std::optional<double> healing_tolerance = {};
 };
 
 inline Arguments parse(int argc, char* argv[], const Arguments& without_arguments)
@@ -44,18 +46,19 @@ inline Arguments parse(int argc, char* argv[], const Arguments& without_argument
     return without_arguments;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    const bool is_option = word == "--svg" || word == "--time-limit";
+    const bool is_option = word == "--svg" || word == "--time-limit" || word == "--heal";
     if (is_option && ++i == argc)
       throw SC::Invalid_input(word + " needs a value");
     if (word == "--svg") result.picture = argv[i];
     else if (word == "--time-limit") result.options.time_limit = number(word, argv[i]);
+    else if (word == "--heal") result.healing_tolerance = number(word, argv[i]);
     else if (word.starts_with("--") || result.files.size() == 2) throw SC::Invalid_input("unknown argument " + word);
     else result.files.push_back(word);
   }
   if (result.files.empty())
-    throw SC::Invalid_input("usage: intersect [A [B]] [--svg OUT] [--time-limit S], with files .svg, .itd or .g2. All "
-                            "intersections of curves and surfaces of A with"
-                            " those of B; without B, within A");
+    throw SC::Invalid_input("usage: intersect [A [B]] [--heal TOLERANCE] [--svg OUT] [--time-limit S], with files "
+                            ".svg, .itd or .g2. All intersections of curves and surfaces of A with those of B; "
+                            "without B, within A");
   return result;
 }
 
@@ -72,6 +75,18 @@ inline SC::Bspline_curve_2<K> flat(const SC::Bspline_curve_3<K>& curve)
 inline K::Point_2 flat(const K::Point_2& p) { return p; }
 inline K::Point_2 flat(const K::Point_3& p) { return {p.x() - p.y() * 3 / 5, p.z() + (p.x() + p.y()) / 5}; }
 
+// From the coordinates in which intersections are computed to those of the files.
+struct Motions
+{
+  K::Aff_transformation_2 in_the_plane{CGAL::IDENTITY};
+  K::Aff_transformation_3 in_space{CGAL::IDENTITY};
+
+  K::Point_2 operator()(const K::Point_2& p) const { return in_the_plane.transform(p); }
+  K::Point_3 operator()(const K::Point_3& p) const { return in_space.transform(p); }
+  SC::Bspline_curve_2<K> operator()(const SC::Bspline_curve_2<K>& c) const { return c.transformed(in_the_plane); }
+  SC::Bspline_curve_3<K> operator()(const SC::Bspline_curve_3<K>& c) const { return c.transformed(in_space); }
+};
+
 class Report
 {
   struct Style { Kind kind; const char *singular, *plural, *color; };
@@ -86,13 +101,14 @@ class Report
                                                 {Kind::UNDECIDED, "undecided", "undecided", "#ff9900"}}};
 
   const File &m_a, &m_b;
+  Motions m_moved;
   SC::Summary m_total;
   std::array<std::size_t, styles.size()> m_count{};
   std::vector<std::pair<K::Point_2, Kind>> m_points;
   std::vector<SC::Bspline_curve_2<K>> m_overlaps, m_curves;   // m_curves: those of two surfaces
 
 public:
-  Report(const File& a, const File& b) : m_a(a), m_b(b)
+  Report(const File& a, const File& b, Motions moved) : m_a(a), m_b(b), m_moved(std::move(moved))
   {
     const auto is_flat = [](const File& file) { return !file.curves_2.empty(); };
     const auto is_in_space = [](const File& file) { return !file.curves_3.empty() || !file.surfaces_3.empty(); };
@@ -117,7 +133,8 @@ public:
       add_point(first, second, x);
       if constexpr (First::number_of_parameters == 1)
         if (x.kind() == Kind::OVERLAP && x.parameter_range(0).first < x.parameter_range(0).second)
-          m_overlaps.push_back(flat(first.object.restricted(x.parameter_range(0).first, x.parameter_range(0).second)));
+          m_overlaps.push_back(
+              flat(m_moved(first.object.restricted(x.parameter_range(0).first, x.parameter_range(0).second))));
     }
   }
 
@@ -132,8 +149,8 @@ public:
       std::cout << "curve " << (curve.is_closed ? "closed, " : "open, ") << curve.kind();
       print_name(first);
       print_name(second);
-      print_place(set.end(curve, 0).point());
-      m_curves.push_back(flat(SC::polyline_curve(set.polyline(curve, error))));
+      print_place(m_moved(set.end(curve, 0).point()));
+      m_curves.push_back(flat(m_moved(SC::polyline_curve(set.polyline(curve, error)))));
     }
     const auto undecided = set.undecided_points();
     for (const auto* points : {&set.points(), &set.singular_points(), &undecided})
@@ -224,8 +241,9 @@ private:
         std::cout << ", " << *x.passage();
     print_parameters<First::number_of_parameters>(first, x, 0);
     print_parameters<Second::number_of_parameters>(second, x, 1);
-    print_place(x.point());
-    m_points.emplace_back(flat(x.point()), x.kind());
+    const auto point = m_moved(x.point());
+    print_place(point);
+    m_points.emplace_back(flat(point), x.kind());
   }
 
   template <class Entry>

@@ -3,13 +3,15 @@
 
 // All curves that two B-spline surfaces have in common: transversal ones, and those along which they touch (tangent).
 //
-//   surface_intersection [A B] [--time-limit S] [--output FILE.svg|FILE.vtp]
+//   surface_intersection [A B] [--heal TOLERANCE] [--time-limit S] [--output FILE.svg|FILE.vtp]
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them
-// data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along which they
+// data/surfaces/waves.g2 and ring.g2 are taken. With --heal, primitives are made exact, moved by no more than the
+// tolerance, before. The curves are drawn on the surfaces (.svg; those along which they
 // touch in violet, single and singular points as dots), or written as polylines and points (.vtp, for ParaView). Exit
 // status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "arguments.h"
+#include "healing.h"
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -17,8 +19,10 @@
 #include <CGAL/Spline_constraints_d/IO/write_VTP.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -36,27 +40,55 @@ Surface read_surface(const std::string& path)
   return file.surfaces_3.front().object;
 }
 
-void write(const std::string& path, const Surface& a, const Surface& b, const SC::Surface_intersection<K>& set,
-           const std::vector<std::vector<K::Point_3>>& polylines)
+struct Curves
+{
+  std::vector<std::vector<K::Point_3>> polylines;
+  std::vector<SC::Intersection_kind> kinds;
+  std::vector<K::Point_3> points; // single and singular ones
+};
+
+void write(const std::string& path, const Surface& a, const Surface& b, const Curves& curves)
 {
   std::ofstream out(path);
   if (path.ends_with(".svg")) {
     Scene scene;
     scene.add(a, {150, 190, 235});
     scene.add(b, {255, 190, 110});
-    for (std::size_t i = 0; i < polylines.size(); ++i)
-      scene.add(polylines[i], set.curves()[i].kind() == SC::Intersection_kind::TANGENT ? "#7a00a8" : "#c00020");
-    for (const auto* points : {&set.singular_points(), &set.points()})
-      for (const auto& point : *points)
-        scene.mark(point.point(), "black");
+    for (std::size_t i = 0; i < curves.polylines.size(); ++i)
+      scene.add(curves.polylines[i], curves.kinds[i] == SC::Intersection_kind::TANGENT ? "#7a00a8" : "#c00020");
+    for (const K::Point_3& point : curves.points)
+      scene.mark(point, "black");
     scene.write(out);
   } else {
-    std::vector<std::vector<K::Point_3>> all = polylines;
-    for (const auto* points : {&set.points(), &set.singular_points()})
-      for (const auto& point : *points)
-        all.push_back({point.point()});
+    std::vector<std::vector<K::Point_3>> all = curves.polylines;
+    for (const K::Point_3& point : curves.points)
+      all.push_back({point});
     SC::IO::write_VTP(out, all);
   }
+}
+
+// Prints what was found, and moves it to where the data are.
+template <class Kernel>
+Curves curves_of(const SC::Surface_intersection<Kernel>& set, const Rounded_motion& moved)
+{
+  Curves result;
+  for (const SC::Intersection_curve& curve : set.curves()) {
+    std::vector<K::Point_3>& polyline = result.polylines.emplace_back();
+    for (const auto& point : set.polyline(curve, 1e-3))
+      polyline.push_back(moved(point));
+    result.kinds.push_back(curve.kind());
+    std::cout << "curve " << result.polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ")
+              << curve.kind() << ", " << polyline.size() << " points from (" << polyline.front() << ")\n";
+  }
+  for (const auto& point : set.points()) {
+    result.points.push_back(moved(point.point()));
+    std::cout << "point (" << result.points.back() << "), " << point.kind() << '\n';
+  }
+  for (const auto& point : set.singular_points()) {
+    result.points.push_back(moved(point.point()));
+    std::cout << "singular point (" << result.points.back() << ")\n";
+  }
+  return result;
 }
 
 int main(int argc, char* argv[])
@@ -65,32 +97,34 @@ int main(int argc, char* argv[])
     std::vector<std::string> files, words(argv + 1, argv + argc);
     std::string output = "surface_intersection.svg";
     SC::Solver_options options{.tolerance = 1e-8};
+    std::optional<double> healing_tolerance;
     for (std::size_t i = 0; i < words.size(); ++i)
       if (words[i] == "--output" && i + 1 < words.size())
         output = words[++i];
       else if (words[i] == "--time-limit" && i + 1 < words.size())
         options.time_limit = number_of<double>(words[++i]);
+      else if (words[i] == "--heal" && i + 1 < words.size())
+        healing_tolerance = number_of<double>(words[++i]);
       else
         files.push_back(words[i]);
     if (files.empty())
       files = {DATA_DIRECTORY "surfaces/waves.g2", DATA_DIRECTORY "surfaces/ring.g2"};
     if (files.size() != 2)
-      throw SC::Invalid_input("usage: surface_intersection [A B] [--time-limit S] [--output FILE.svg|FILE.vtp]");
+      throw SC::Invalid_input("usage: surface_intersection [A B] [--heal TOLERANCE] [--time-limit S] "
+                              "[--output FILE.svg|FILE.vtp]");
     const Surface a = read_surface(files[0]), b = read_surface(files[1]);
-    const auto set = SC::intersection_curves(a, b, options);
-    std::vector<std::vector<K::Point_3>> polylines;
-    for (const SC::Intersection_curve& curve : set.curves()) {
-      polylines.push_back(set.polyline(curve, 1e-3));
-      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ") << curve.kind()
-                << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
-    }
-    for (const auto& point : set.points())
-      std::cout << "point (" << point.point() << "), " << point.kind() << '\n';
-    for (const auto& point : set.singular_points())
-      std::cout << "singular point (" << point.point() << ")\n";
-    write(output, a, b, set, polylines);
-    std::cout << set << '\n';
-    return set.is_complete() ? 0 : 3;
+    const Options_of_program remaining(options);
+    const auto finish = [&](const auto& set, const Rounded_motion& moved) {
+      write(output, a, b, curves_of(set, moved));
+      std::cout << set << '\n';
+      return set.is_complete() ? 0 : 3;
+    };
+    if (!healing_tolerance)
+      return finish(SC::intersection_curves(a, b, options), Rounded_motion());
+    const auto healed = SC::with_exact_primitives(std::array{a, b}, *healing_tolerance, options);
+    print_healing(healed);
+    const auto simple = healed.simple_splines();
+    return finish(SC::intersection_curves(simple[0], simple[1], remaining()), Rounded_motion(healed.frame));
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 2;

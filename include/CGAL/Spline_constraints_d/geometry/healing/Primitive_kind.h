@@ -28,7 +28,8 @@ enum class Primitive_kind
   SPHERE,   ///< a sphere or a part of one
   CYLINDER, ///< a part of a circular cylinder
   CONE,     ///< a part of a circular cone
-  TORUS     ///< a torus or a part of one
+  TORUS,    ///< a torus or a part of one
+  UNDECIDED ///< it was not looked at, since the run ended before
 };
 
 //! \ingroup PkgSplineConstraintsDHealing
@@ -50,6 +51,8 @@ inline std::ostream& operator<<(std::ostream& out, Primitive_kind kind)
     return out << "cone";
   case Primitive_kind::TORUS:
     return out << "torus";
+  case Primitive_kind::UNDECIDED:
+    return out << "undecided";
   default:
     return out << "general";
   }

@@ -55,7 +55,7 @@ struct Exact_primitive
 \ingroup PkgSplineConstraintsDHealing
 
 Curves or surfaces of which primitives have been made exact. When a limit was reached, or the visitor stopped the run,
-those that were not looked at before are as they were given.
+those that were not looked at before are undecided, and as they were given.
 */
 template <class Spline>
 struct Exact_primitives
@@ -95,7 +95,7 @@ struct Exact_primitives
   std::size_t number_of_recognised() const
   {
     return static_cast<std::size_t>(std::count_if(primitives.begin(), primitives.end(), [](const auto& primitive) {
-      return primitive.kind != Primitive_kind::GENERAL;
+      return primitive.kind != Primitive_kind::GENERAL && primitive.kind != Primitive_kind::UNDECIDED;
     }));
   }
 
@@ -190,8 +190,8 @@ Exact_primitives<Spline> exact_primitives_of(const std::vector<Healed>& healed, 
   std::size_t done = 0;
   for (std::size_t i = 0; i < healed.size(); ++i) {
     result.primitives.push_back({spline_in_kernel<Spline>(healed[i].spline), healed[i].kind, healed[i].displacement});
-    done += healed[i].is_done ? 1 : 0;
-    if (!healed[i].is_done) {
+    done += healed[i].is_done() ? 1 : 0;
+    if (!healed[i].is_done()) {
       Undecided_part part{{}, {{i, {}}}, in_words(control.reason())};
       for (const auto& range : healed[i].spline.representation().bounds())
         part.place.emplace_back(range.inf(), range.sup());

@@ -36,9 +36,10 @@ template <class Spline>
 struct Healed_spline
 {
   Spline spline;
-  Primitive_kind kind = Primitive_kind::GENERAL;
+  Primitive_kind kind = Primitive_kind::UNDECIDED;
   double displacement = 0;
-  bool is_done = false;
+
+  bool is_done() const { return kind != Primitive_kind::UNDECIDED; }
 };
 
 // Curves in d-space, and surfaces if that is space, that are made exact together.
@@ -76,11 +77,11 @@ public:
             take_revolution(job, frames);
         }) &&
         for_each_surface([&](Surface_job& job) {
-          if (job.plane && !job.result.is_done)
+          if (job.plane && !job.result.is_done())
             take(job, Primitive_kind::PLANE, exact_plane(*job.clamped, job.points, *job.plane, frames));
         }) &&
         for_each_curve([&](Curve_job& job) {
-          if (!job.points.empty() && !job.result.is_done)
+          if (!job.points.empty() && !job.result.is_done())
             if (const auto line = exact_line<d>(*job.clamped, job.points, frames))
               take(job, Primitive_kind::LINE, *line);
         });
@@ -243,7 +244,7 @@ private:
   {
     const auto bound = movement_bound(job.clamped->representation(), made.representation());
     if (bound && *bound <= m_tolerance)
-      job.result = {same_points(), kind, *bound, true};
+      job.result = {same_points(), kind, *bound};
   }
 
   void take_revolution(Surface_job& job, Known_frames& frames)
@@ -286,7 +287,7 @@ private:
   template <class Spline, int n>
   void add_corners(const Job<Spline>& job, Known_points<n>& points)
   {
-    if (!job.result.is_done)
+    if (!job.result.is_done())
       return;
     const auto& map = job.result.spline.representation();
     const Exact_function& f = map.numerator(0);
@@ -299,9 +300,9 @@ private:
   template <class Spline, int n>
   void close(Job<Spline>& job, double relative, const Known_frames& frames, Known_points<n>& points)
   {
-    if (job.result.is_done)
+    if (job.result.is_done())
       return;
-    job.result.is_done = true;
+    job.result.kind = Primitive_kind::GENERAL;
     if (!job.clamped)
       return;
     const Closed_spline<n> closed(job.clamped->representation(), relative, frames, m_frame, points);
@@ -309,7 +310,7 @@ private:
       return;
     const auto bound = movement_bound(job.clamped->representation(), closed.spline);
     if (bound && *bound <= m_tolerance)
-      job.result = {Spline(closed.spline), Primitive_kind::GENERAL, *bound, true};
+      job.result = {Spline(closed.spline), Primitive_kind::GENERAL, *bound};
   }
 };
 
