@@ -8,7 +8,7 @@
 //   survey_primitives [--rounded SECONDS]
 //
 // Then the same patches as programs for CAD write them (in doubles, rotated and moved by irrational numbers), healed
-// (H), beside the exact ones (P): the ratio of their times, the best of three in turns, without the time of healing,
+// (H), beside the exact ones (P): the ratio of their times, the best of five in turns, without the time of healing,
 // which comes last. With --rounded, the patches as they were written (R), too, with this limit of time.
 
 #include "pairs_of_primitives.h"
@@ -121,7 +121,7 @@ void survey_healed(const std::vector<Pair>& pairs, double limit_of_rounded)
     const std::vector<Surface> healed = result.simple_splines();
     double exact_time = 1e9, healed_time = 1e9;
     std::string expected, found;
-    for (int turn = 0; turn < 3; ++turn) {
+    for (int turn = 0; turn < 5; ++turn) {
       exact_time = std::min(exact_time, milliseconds([&] { expected = counts(pair.a.patch, pair.b.patch); }));
       healed_time = std::min(healed_time, milliseconds([&] { found = counts(healed[0], healed[1]); }));
     }
