@@ -45,7 +45,7 @@ std::string counts(const A& a, const B& b, double time_limit = 20)
   const auto set = SC::intersection_curves(a, b, {.tolerance = 1e-8, .time_limit = time_limit});
   std::ostringstream out;
   out << set.number_of_closed_curves() << '/' << set.number_of_open_curves() << '/' << set.singular_points().size();
-  if (!set.points().empty()) // no pair has single points
+  if (!set.points().empty())   // no pair has single points
     out << " and " << set.points().size();
   return set.is_complete() ? out.str() : "u";
 }

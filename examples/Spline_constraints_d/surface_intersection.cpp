@@ -44,7 +44,7 @@ struct Curves
 {
   std::vector<std::vector<K::Point_3>> polylines;
   std::vector<SC::Intersection_kind> kinds;
-  std::vector<K::Point_3> points; // single and singular ones
+  std::vector<K::Point_3> points;   // single and singular ones
 };
 
 void write(const std::string& path, const Surface& a, const Surface& b, const Curves& curves)

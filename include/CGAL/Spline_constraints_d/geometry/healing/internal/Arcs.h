@@ -48,7 +48,7 @@ struct Arcs
   template <class Angle>
   static std::optional<Arcs> measured(const std::vector<double>& breaks, const Angle& angle)
   {
-    constexpr int steps = 8; // no piece turns by more than once around: by less than a half between samples
+    constexpr int steps = 8;   // no piece turns by more than once around: by less than a half between samples
     double last = angle(breaks[0]);
     Arcs result{{last / 2}, {1}};
     for (std::size_t c = 0; c + 1 < breaks.size(); ++c) {
@@ -118,7 +118,7 @@ struct Circle_functions
 struct Measured_circle
 {
   Rounded_point center;
-  Rounded_vector normal; // of length one
+  Rounded_vector normal;   // of length one
   double radius;
 };
 

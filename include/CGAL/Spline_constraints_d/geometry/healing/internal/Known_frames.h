@@ -28,7 +28,7 @@ namespace internal {
 // the axis; then this one is taken where no other one is simpler.
 struct Measured_pose
 {
-  Rounded_vector axis, start; // of length one
+  Rounded_vector axis, start;   // of length one
   Rounded_point point;
   bool is_any_point_of_axis;
 };
@@ -40,7 +40,7 @@ in exact relations again to what was rotated and moved with it.
 */
 class Known_frames
 {
-  static constexpr std::size_t most_frames = 16; // as all of them are tried for all primitives
+  static constexpr std::size_t most_frames = 16;   // as all of them are tried for all primitives
 
   double m_distance, m_extent;
   std::vector<Rational_frame> m_frames{Rational_frame::identity()};

@@ -106,7 +106,7 @@ private:
   {
     Healed_spline<Spline> result;
     std::optional<Spline> clamped = {};     // none where a weight of a control point is not positive
-    std::vector<Rounded_point> points = {}; // its control points
+    std::vector<Rounded_point> points = {};   // its control points
   };
 
   struct Curve_job : Job<Curve>

@@ -29,7 +29,7 @@ namespace internal {
 using Rounded_kernel = CGAL::Simple_cartesian<double>;
 using Rounded_point = Rounded_kernel::Point_3;
 using Rounded_vector = Rounded_kernel::Vector_3;
-using Exact_axes = std::array<Exact_kernel::Vector_3, 3>; // of length one, at right angles, right-handed
+using Exact_axes = std::array<Exact_kernel::Vector_3, 3>;   // of length one, at right angles, right-handed
 
 inline Rounded_vector normalised(const Rounded_vector& v) { return v / std::sqrt(v.squared_length()); }
 

@@ -173,7 +173,7 @@ struct Simple_plane
 {
   const Rational_frame* frame;
   int k;                                 // the coordinate along which the normal is longest
-  std::array<Exact_rational, 3> numbers; // the normal over that coordinate for the other two, and the offset
+  std::array<Exact_rational, 3> numbers;   // the normal over that coordinate for the other two, and the offset
 
   double bits() const { return bits_of(numbers); }
 

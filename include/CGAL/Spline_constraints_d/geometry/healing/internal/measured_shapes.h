@@ -102,10 +102,10 @@ using Profile_point = std::array<double, 2>;
 struct Measured_revolution
 {
   int turn;           // the axis of its parameter that goes around
-  Measured_pose pose; // the point is on the axis, at the height of the begin of the profile
+  Measured_pose pose;   // the point is on the axis, at the height of the begin of the profile
   Arcs arcs;
   Primitive_kind kind;
-  double size; // greatest distance from the axis
+  double size;   // greatest distance from the axis
 
   // of the circle that is turned, if it is one
   double distance_of_center = 0, radius = 0;

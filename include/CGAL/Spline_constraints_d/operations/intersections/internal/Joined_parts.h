@@ -72,7 +72,7 @@ public:
 private:
   void collect(std::size_t part)
   {
-    const auto& [surfaces, solutions, poles] = m_parts[part];
+    const auto& [surfaces, solutions, poles, is_overlap] = m_parts[part];
     const Seam_joints joints(surfaces.system(), solutions, surfaces.closed_unknowns(), poles, surfaces.exchange());
     for (Intersection_curve& curve : joints.curves()) {
       for (Intersection_arc& arc : curve.arcs)

@@ -35,6 +35,7 @@ struct Solved_part
   Curve_solution_set_d solutions;
   // faces of the domain, by an unknown and its value, that are one point in space: there curves may go on
   std::vector<std::pair<std::size_t, Exact_rational>> poles = {};
+  bool is_overlap = false;   // the surfaces are proved to have an open part in common, and nothing else is known
 };
 
 // The curves of several parts, and their points.

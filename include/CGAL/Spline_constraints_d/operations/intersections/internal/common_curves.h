@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Curves_through_poles.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Implicit_patch.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlapping_patches.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Pole_systems.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Solved_part.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_on_implicit_patch.h>
@@ -173,6 +174,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part curves_in_all_parameters(const Surfac
 CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part common_curves(const Surface_equations& surfaces, Operation_budget& budget)
 {
   Equations_of_surfaces equations(surfaces, budget);
+  if (surfaces.has_system() && surfaces.has_all_parameters() &&
+      Overlapping_patches(surfaces)([&](std::size_t surface) { return equations(surface); }))
+    return overlapping_part(surfaces);
   std::optional<Solved_part> curves = curves_on_implicit_patches(surfaces, equations, budget);
   return curves ? std::move(*curves) : curves_in_all_parameters(surfaces, equations, budget);
 }

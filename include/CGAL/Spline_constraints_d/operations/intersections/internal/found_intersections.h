@@ -144,7 +144,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_sample> samples_of_arc
     return distance_from_middle(from.image, sample.image, to.image) <= error &&
         (!parameter_error || distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= *parameter_error);
   };
-  const auto& [surfaces, set, poles] = (*found.parts)[arc.part];
+  const auto& [surfaces, set, poles, is_overlap] = (*found.parts)[arc.part];
   const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
   const auto parameters = [&surfaces = surfaces](std::size_t surface, const std::vector<double>& unknowns) {
     return surfaces.is_parametric(surface) ? std::optional(surfaces.parameters(surface, unknowns)) : std::nullopt;
@@ -182,9 +182,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Common_surface_point> undecided_point
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> undecided_parts_of(const Found_intersection& found)
 {
   std::vector<Undecided_part> result;
+  const bool is_overlap = found.parts->front().is_overlap;
   for_each_undecided_box(
       found, [&](const Surface_equations& surfaces, const Curve_vertex::Exact_box& box, Undecided_reason reason) {
-        Undecided_part part{double_ranges(surfaces.values(box)), {}, in_words(reason)};
+        Undecided_part part{
+            double_ranges(surfaces.values(box)), {}, is_overlap ? "the surfaces overlap" : in_words(reason)};
         for (std::size_t surface = 0; surface < 2; ++surface)
           if (surfaces.is_parametric(surface))
             part.parameters.push_back({surface, double_ranges(surfaces.parameter_ranges(surface, box))});
