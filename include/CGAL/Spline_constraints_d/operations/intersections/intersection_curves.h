@@ -39,7 +39,9 @@ is implicit and the equation has a repeated factor, on each piece of the other s
 a pair of polynomials with the same common zeros that are regular is found, or two of them; and of two parametric
 surfaces, where an equation of one of them, of degree four at most, has a repeated factor on the other one (see the
 manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface
-that coincide. A curve along an edge, a seam or a break is found where one equation says so, as it does of a parametric
+that coincide; two parametric surfaces that do, as they are the same map but for an affine change of parameters or have
+an inner point and an equation of degree four at most in common, are told at once, all undecided for the reason "the
+surfaces overlap". A curve along an edge, a seam or a break is found where one equation says so, as it does of a parametric
 surface and an implicit one or one with an equation, where it is on an edge of both if the planes of the edge separate
 them, and along contacts of two parametric ones that both have an equation.
 
