@@ -36,7 +36,7 @@ class Foot_search
   using Candidate = Nearest_candidate<d>;
   using Part = Bernstein_part;
 
-  static constexpr std::size_t most_parts = 400; // of a piece
+  static constexpr std::size_t most_parts = 600; // of a piece
 
   Part_stack m_parts;
   const Rounded_piece<d>*m_point = nullptr, *m_piece = nullptr;

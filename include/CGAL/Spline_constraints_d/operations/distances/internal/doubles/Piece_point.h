@@ -29,13 +29,14 @@ struct Piece_point
   std::array<Interval, d> point;
   std::array<std::array<Interval, d>, 2> tangents;
 
-  Piece_point(const Rounded_piece<d>& piece, const std::array<double, 2>& x)
-    : Piece_point(piece, std::array<Interval, 2>{Interval(x[0]), Interval(x[1])})
-  {}
-
-  Piece_point(const Rounded_piece<d>& piece, const std::array<Interval, 2>& x)
+  // At doubles or in intervals.
+  template <class Parameter>
+  Piece_point(const Rounded_piece<d>& piece, const std::array<Parameter, 2>& x)
   {
     const auto jet = [&](const Rounded_tensor& f) {
+      if (f.error == 0)
+        return jet_at<Interval>(
+            piece.degrees, [&](std::size_t k) { return Interval(f.begin[k]); }, x);
       return jet_at<Interval>(
           piece.degrees, [&](std::size_t k) { return Interval(f.begin[k]) + Interval(-f.error, f.error); }, x);
     };

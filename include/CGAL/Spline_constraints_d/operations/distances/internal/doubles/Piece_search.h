@@ -60,7 +60,7 @@ class Piece_search
   using Candidate = Nearest_candidate<d>;
   using Part = Bernstein_part;
 
-  static constexpr std::size_t most_parts = 400;
+  static constexpr std::size_t most_parts = 600;
 
   enum class Edge
   {

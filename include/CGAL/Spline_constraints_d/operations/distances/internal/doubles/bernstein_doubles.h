@@ -230,10 +230,9 @@ struct Second_jet
 
 // By de Casteljau's algorithm: value, first and second derivative of a polynomial of degree n at x, from coefficients
 // that are overwritten.
-template <class Number>
-std::array<Number, 3> univariate_jet(Number* c, int n, const Number& x)
+template <class Number, class Parameter>
+std::array<Number, 3> univariate_jet(Number* c, int n, const Parameter& x)
 {
-  const Number before = Number(1) - x;
   Number second(0), first(0);
   for (int r = n; r > 0; --r) {
     if (r == 2)
@@ -241,25 +240,26 @@ std::array<Number, 3> univariate_jet(Number* c, int n, const Number& x)
     if (r == 1)
       first = Number(n) * (c[1] - c[0]);
     for (int k = 0; k < r; ++k)
-      c[k] = before * c[k] + x * c[k + 1];
+      c[k] = c[k] + x * (c[k + 1] - c[k]);
   }
   return {c[0], first, second};
 }
 
 // Coefficients are read by coefficient(i).
-template <class Number, class Coefficient>
-Second_jet<Number> jet_at(const Degrees& degrees, const Coefficient& coefficient, const std::array<Number, 2>& x)
+template <class Number, class Coefficient, class Parameter>
+Second_jet<Number> jet_at(const Degrees& degrees, const Coefficient& coefficient, const std::array<Parameter, 2>& x)
 {
   using Buffer = boost::container::small_vector<Number, 16>;
   const std::size_t columns = static_cast<std::size_t>(degrees[1] + 1), rows = static_cast<std::size_t>(degrees[0] + 1);
-  Buffer value(rows);
+  Buffer value(rows, boost::container::default_init);
   if (columns == 1) {
     for (std::size_t i = 0; i < rows; ++i)
       value[i] = coefficient(i);
     const auto jet = univariate_jet(value.data(), degrees[0], x[0]);
     return {jet[0], {jet[1], Number(0)}, {jet[2], Number(0)}, Number(0)};
   }
-  Buffer row(columns), first(rows), second(rows);
+  Buffer row(columns, boost::container::default_init), first(rows, boost::container::default_init),
+      second(rows, boost::container::default_init);
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j)
       row[j] = coefficient(i * columns + j);
