@@ -46,6 +46,16 @@ struct Elementary_point
   std::vector<std::pair<Exact_rational, Exact_rational>> exact_parameters = {};   // none: those above are known
 };
 
+// By the parameters in their order. Ranges that meet are taken for those of one number.
+template <int d>
+bool is_before(const Elementary_point<d>& x, const Elementary_point<d>& y)
+{
+  for (std::size_t j = 0; j < most_parameters; ++j)
+    if (x.parameters[j].second < y.parameters[j].first || y.parameters[j].second < x.parameters[j].first)
+      return x.parameters[j].second < y.parameters[j].first;
+  return false;
+}
+
 // All common points of two operands. The second one has its parameters from number `split` on.
 template <int d>
 struct Elementary_points

@@ -79,7 +79,7 @@ public:
       for (std::size_t j = 0; j < size; ++j)
         if (!std::isfinite(point.parameters[j].first) || !std::isfinite(point.parameters[j].second))
           return std::nullopt;
-    m_points.sort([](const auto& x, const auto& y) { return x.parameters < y.parameters; });
+    m_points.sort(is_before<d>);
     return Elementary_points<d>{split, size, std::move(m_points)};
   }
 
@@ -371,7 +371,7 @@ private:
         return false;
     }
     f = without_roots_at_ends(std::move(f), is_root_at_end);
-    if (sign_of(f.front()) == 0 || sign_of(f.back()) == 0)
+    if (f.empty() || sign_of(f.front()) == 0 || sign_of(f.back()) == 0)
       return false;
     const auto add_root = [&](const Interval& t, int multiplicity) {
       const Point point = point_of_curve(piece, t);

@@ -120,7 +120,7 @@ private:
       set_point(point);
       result.points.push_back(std::move(point));
     }
-    result.points.sort([](const auto& x, const auto& y) { return x.parameters < y.parameters; });
+    result.points.sort(is_before<d>);
     return result;
   }
 

@@ -67,12 +67,13 @@ inline Bernstein_bounds derivative_of(const Bernstein_bounds& f)
   return result;
 }
 
-// Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is.
+// Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is. Nothing is left
+// where it has more roots than its degree.
 template <class Number>
 std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::array<bool, 2>& is_root)
 {
   for (const std::size_t side : {0, 1}) {
-    if (!is_root[side])
+    if (!is_root[side] || f.empty())
       continue;
     std::vector<Number> quotient;   // f / t, or f / (1 - t)
     const std::size_t degree = f.size() - 1;
@@ -145,8 +146,10 @@ private:
     if (most == 0)
       return true;
     if (least == 1 && most == 1) {
-      m_roots.push_back({Interval(begin) + Interval(width) * only_root(f)});
-      return true;
+      const std::optional<Interval> root = only_root(f);
+      if (root)
+        m_roots.push_back({Interval(begin) + Interval(width) * *root});
+      return root.has_value();
     }
     Bernstein_bounds left, right(f);
     for (std::size_t size = f.size(); size > 0; --size) {
@@ -189,22 +192,29 @@ private:
     return {least, most};
   }
 
-  // The root of a polynomial whose coefficients change their sign once.
-  static Interval only_root(const Bernstein_bounds& f)
+  // The root of a polynomial whose coefficients change their sign once, in a narrow range, if that is found.
+  static std::optional<Interval> only_root(const Bernstein_bounds& f)
   {
+    constexpr double narrow = 1e-10;
     const Bernstein_bounds slope = derivative_of(f);
-    const int first = sign_of(f[0]);
     Interval t(0, 1);
     for (;;) {
-      const double middle = t.inf() + (t.sup() - t.inf()) / 2;
-      const Interval value = value_at(f, Interval(middle)), derivative = value_at(slope, t);
+      const Interval derivative = value_at(slope, t);
       Interval next = t;
-      if (const int sign = sign_of(value); sign != 0)
-        next = sign == first ? Interval(middle, t.sup()) : Interval(t.inf(), middle);
-      if (sign_of(derivative) != 0)
-        next = common_part(next, Interval(middle) - value / derivative);
+      for (const double part : {0.5, 0.4375}) {   // the root may be at one of them
+        const double middle = t.inf() + (t.sup() - t.inf()) * part;
+        const Interval value = value_at(f, Interval(middle));
+        if (value.is_same(Interval(0)))
+          return Interval(middle);
+        if (const int sign = sign_of(value); sign != 0)
+          next = common_part(next, sign == sign_of(f[0]) ? Interval(middle, t.sup()) : Interval(t.inf(), middle));
+        if (sign_of(derivative) != 0)
+          next = common_part(next, Interval(middle) - value / derivative);
+        if (next.sup() - next.inf() < 0.75 * (t.sup() - t.inf()))
+          break;
+      }
       if (!(next.sup() - next.inf() < 0.75 * (t.sup() - t.inf())))
-        return next;
+        return next.sup() - next.inf() < narrow ? std::optional(next) : std::nullopt;
       t = next;
     }
   }
