@@ -67,8 +67,8 @@ inline Bernstein_bounds derivative_of(const Bernstein_bounds& f)
   return result;
 }
 
-// Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is. Nothing is left
-// where it has more roots than its degree.
+// Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is. Nothing is
+// left where it has more roots than its degree.
 template <class Number>
 std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::array<bool, 2>& is_root)
 {
