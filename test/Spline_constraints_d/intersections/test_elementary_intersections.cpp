@@ -442,6 +442,25 @@ TEST(Elementary_intersections, two_curves)
   EXPECT_GT(tally.at_end, 15u);
 }
 
+// A root in the middle of a piece is found in a narrow range; a segment in a plane is left to the general way.
+TEST(Elementary_intersections, special_positions)
+{
+  const auto cubic = SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {-1, 15}, {1, -15}, {3, 3}});
+  Tally tally;
+  compare_both(cubic, K::Line_2(0, 1, 0), tally);
+  EXPECT_EQ(tally.points, 6u);
+  const auto found = SC::intersections(cubic, K::Line_2(0, 1, 0));
+  ASSERT_EQ(found.size(), 3u);
+  for (const auto& point : found)
+    EXPECT_LT(CGAL::to_double(SC::Exact_rational(point.parameter_range(0).second - point.parameter_range(0).first)),
+              1e-12);
+  EXPECT_EQ(found[1].parameter(0), 0.5);
+  const K::Segment_3 segment(K::Point_3(0, 0, 1), K::Point_3(1, 2, 1));
+  const auto inside = SC::intersections(segment, K::Plane_3(0, 0, 1, -1));
+  ASSERT_EQ(inside.size(), 1u);
+  EXPECT_EQ(inside[0].kind(), Kind::OVERLAP);
+}
+
 // A stop is honoured, and options are checked.
 TEST(Elementary_intersections, options)
 {

@@ -119,7 +119,7 @@ std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coeffi
   return {sign_of_q == last ? one : other};
 }
 
-// Isolates roots by the variation of signs on halves of halves, and narrows them by Newton's method in intervals.
+// Isolates roots by the variation of signs on parts of parts, and narrows them by Newton's method in intervals.
 class Root_isolation
 {
   static constexpr int most_parts = 400;
@@ -132,13 +132,13 @@ public:
   // have signs
   std::optional<std::vector<Unit_root>> operator()(const Bernstein_bounds& f)
   {
-    if (!isolate(f, 0, 1))
+    if (!isolate(f, Interval(0), Interval(1)))
       return std::nullopt;
     return std::move(m_roots);
   }
 
 private:
-  bool isolate(const Bernstein_bounds& f, double begin, double width)
+  bool isolate(const Bernstein_bounds& f, const Interval& begin, const Interval& width)
   {
     if (++m_parts > most_parts)
       return false;
@@ -148,17 +148,29 @@ private:
     if (least == 1 && most == 1) {
       const std::optional<Interval> root = only_root(f);
       if (root)
-        m_roots.push_back({Interval(begin) + Interval(width) * *root});
+        m_roots.push_back({begin + width * *root});
       return root.has_value();
     }
+    for (const double part : {0.5, 0.4375}) {   // a root may be at one of them
+      const auto [left, right] = halves(f, part);
+      if (sign_of(left.back()) != 0)
+        return isolate(left, begin, width * Interval(part)) &&
+            isolate(right, begin + width * Interval(part), width * Interval(1 - part));
+    }
+    return false;
+  }
+
+  // By de Casteljau's scheme.
+  static std::array<Bernstein_bounds, 2> halves(const Bernstein_bounds& f, double part)
+  {
+    const Interval t(part), rest(1 - part);
     Bernstein_bounds left, right(f);
     for (std::size_t size = f.size(); size > 0; --size) {
       left.push_back(right[0]);
       for (std::size_t i = 0; i + 1 < size; ++i)
-        right[i] = (right[i] + right[i + 1]) * Interval(0.5);
+        right[i] = rest * right[i] + t * right[i + 1];
     }
-    return sign_of(left.back()) != 0 && isolate(left, begin, width / 2) &&
-        isolate(right, begin + width / 2, width / 2);
+    return {left, right};
   }
 
   // Of the signs that are certain, and with the others as they may be.
