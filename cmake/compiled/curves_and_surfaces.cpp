@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Formulas as functions of their unknowns, splines with rational coefficients, and what is found on one or two of them:
-// common points and curves, contacts, silhouettes, umbilics, distances, bisectors, envelopes.
+// common points and curves, contacts, silhouettes, umbilics, distances, bisectors, envelopes; primitives made exact.
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
@@ -14,6 +14,7 @@
 // The solvers are only declared from here on: another source has them.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
+#include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>

@@ -12,12 +12,16 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/Joint_control_points.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/Primitive_kind.h>
-#include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
+#include <CGAL/Spline_constraints_d/geometry/healing/internal/healed_splines.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
+#endif
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -166,15 +170,15 @@ std::vector<Target> exact_copies(Splines&& splines)
   return result;
 }
 
-// The rigid motion from coordinates of a frame; in the plane, of one that keeps it, seen from above.
-template <class Map>
-Map motion_of(const Rational_frame& frame)
+// The rigid motion from coordinates of the frame of splines; in the plane, of one that keeps it, seen from above.
+template <class Map, int d>
+Map motion_of(const Healing::Healed_splines<d>& healed)
 {
   using FT = typename Map::R::FT;
   const auto number = [](const Exact_rational& x) { return converted_number<FT>(x); };
-  const auto& [x, y, z] = frame.axes();
-  const Exact_kernel::Point_3& o = frame.origin();
-  if constexpr (std::same_as<Map, typename Map::R::Aff_transformation_2>)
+  const auto& [x, y, z] = healed.axes;
+  const Exact_kernel::Point_3& o = healed.origin;
+  if constexpr (d == 2)
     return Map(number(x.x()), number(-x.y()), number(o.x()), number(x.y()), number(x.x()), number(o.y()));
   else
     return Map(number(x.x()), number(y.x()), number(z.x()), number(o.x()), number(x.y()), number(y.y()), number(z.y()),
@@ -182,11 +186,12 @@ Map motion_of(const Rational_frame& frame)
 }
 
 template <class Spline, class Healed>
-Exact_primitives<Spline> exact_primitives_of(const std::vector<Healed>& healed, const Rational_frame& frame,
+Exact_primitives<Spline> exact_primitives_of(const std::vector<Healed>& healed,
+                                             const typename Spline::Aff_transformation& frame,
                                              const Run_control& control)
 {
   Exact_primitives<Spline> result;
-  result.frame = motion_of<typename Spline::Aff_transformation>(frame);
+  result.frame = frame;
   std::size_t done = 0;
   for (std::size_t i = 0; i < healed.size(); ++i) {
     result.primitives.push_back({spline_in_kernel<Spline>(healed[i].spline), healed[i].kind, healed[i].displacement});
@@ -269,14 +274,23 @@ auto with_exact_primitives(Splines&& splines, double tolerance, const Solver_opt
   internal::check_healing(tolerance, options);
   internal::Run_control control(options);
   if constexpr (Dimension::is_curve) {
-    const internal::Primitive_healer<Dimension::value> healer(
-        internal::exact_copies<Bspline_curve<Exact_kernel, Dimension::value>>(splines), {}, tolerance, control);
-    return internal::exact_primitives_of<Bspline_curve<Kernel, Dimension::value>>(healer.curves(), healer.frame(),
-                                                                                  control);
+    constexpr int d = Dimension::value;
+    using Curve = Bspline_curve<Kernel, d>;
+    auto curves = internal::exact_copies<Bspline_curve<Exact_kernel, d>>(splines);
+    const internal::Healing::Healed_splines<d> healed = [&] {
+      if constexpr (d == 2)
+        return internal::Healing::healed_splines(std::move(curves), tolerance, control);
+      else
+        return internal::Healing::healed_splines(std::move(curves), {}, tolerance, control);
+    }();
+    return internal::exact_primitives_of<Curve>(
+        healed.curves, internal::motion_of<typename Curve::Aff_transformation>(healed), control);
   } else {
-    const internal::Primitive_healer<3> healer({}, internal::exact_copies<Bspline_surface_3<Exact_kernel>>(splines),
-                                               tolerance, control);
-    return internal::exact_primitives_of<Bspline_surface_3<Kernel>>(healer.surfaces(), healer.frame(), control);
+    using Surface = Bspline_surface_3<Kernel>;
+    const internal::Healing::Healed_splines<3> healed = internal::Healing::healed_splines(
+        {}, internal::exact_copies<Bspline_surface_3<Exact_kernel>>(splines), tolerance, control);
+    return internal::exact_primitives_of<Surface>(
+        healed.surfaces, internal::motion_of<typename Surface::Aff_transformation>(healed), control);
   }
 }
 
@@ -291,12 +305,14 @@ requires internal::RationalSplineKernel<Kernel>
   using internal::Exact_kernel;
   internal::check_healing(tolerance, options);
   internal::Run_control control(options);
-  const internal::Primitive_healer<3> healer(internal::exact_copies<Bspline_curve_3<Exact_kernel>>(curves),
-                                             internal::exact_copies<Bspline_surface_3<Exact_kernel>>(surfaces),
-                                             tolerance, control);
-  const internal::Rational_frame& frame = healer.frame();
-  return {internal::exact_primitives_of<Bspline_curve_3<Kernel>>(healer.curves(), frame, control),
-          internal::exact_primitives_of<Bspline_surface_3<Kernel>>(healer.surfaces(), frame, control)};
+  using Curve = Bspline_curve_3<Kernel>;
+  using Surface = Bspline_surface_3<Kernel>;
+  const internal::Healing::Healed_splines<3> healed = internal::Healing::healed_splines(
+      internal::exact_copies<Bspline_curve_3<Exact_kernel>>(curves),
+      internal::exact_copies<Bspline_surface_3<Exact_kernel>>(surfaces), tolerance, control);
+  const auto frame = internal::motion_of<typename Kernel::Aff_transformation_3>(healed);
+  return {internal::exact_primitives_of<Curve>(healed.curves, frame, control),
+          internal::exact_primitives_of<Surface>(healed.surfaces, frame, control)};
 }
 
 /// @}

@@ -25,6 +25,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 /*
 How a rational quadratic spline runs along a circle: the point at an angle is where a vector (sigma, tau) of half the
@@ -134,6 +135,7 @@ inline std::optional<Measured_circle> circle_through(const Rounded_point& p, con
   return Measured_circle{p + to_center, normalised(n), std::sqrt(to_center.squared_length())};
 }
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -23,6 +23,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 // Where a primitive is, as measured: an axis, a direction at a right angle to it, and a point. It may be any point of
 // the axis; then this one is taken where no other one is simpler.
@@ -188,6 +189,7 @@ private:
   }
 };
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

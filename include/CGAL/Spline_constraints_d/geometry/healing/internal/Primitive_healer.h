@@ -14,9 +14,11 @@
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/Known_frames.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/closed_splines.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/exact_shapes.h>
+#include <CGAL/Spline_constraints_d/geometry/healing/internal/healed_splines.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/measured_shapes.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/movement_bound.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
@@ -31,16 +33,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-template <class Spline>
-struct Healed_spline
-{
-  Spline spline;
-  Primitive_kind kind = Primitive_kind::UNDECIDED;
-  double displacement = 0;
-
-  bool is_done() const { return kind != Primitive_kind::UNDECIDED; }
-};
+namespace Healing {
 
 // Curves in d-space, and surfaces if that is space, that are made exact together.
 template <int d>
@@ -90,15 +83,11 @@ public:
       close_general(m_tolerance / extent, frames);
   }
 
-  // In the order of those that were given.
-  std::vector<Healed_spline<Curve>> curves() const { return results<Healed_spline<Curve>>(m_curves); }
-  std::vector<Healed_spline<Exact_surface>> surfaces() const
+  Healed_splines<d> result() const
   {
-    return results<Healed_spline<Exact_surface>>(m_surfaces);
+    return {results<Healed_spline<Curve>>(m_curves), results<Healed_spline<Exact_surface>>(m_surfaces), m_frame.axes(),
+            m_frame.origin()};
   }
-
-  // The system of coordinates in which their numbers are simplest.
-  const Rational_frame& frame() const { return m_frame; }
 
 private:
   template <class Spline>
@@ -314,6 +303,20 @@ private:
   }
 };
 
+CGAL_SPLINE_CONSTRAINTS_INLINE Healed_splines<2> healed_splines(std::vector<Bspline_curve<Exact_kernel, 2>> curves,
+                                                                double tolerance, Run_control& control)
+{
+  return Primitive_healer<2>(std::move(curves), {}, tolerance, control).result();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Healed_splines<3> healed_splines(std::vector<Bspline_curve<Exact_kernel, 3>> curves,
+                                                                std::vector<Bspline_surface_3<Exact_kernel>> surfaces,
+                                                                double tolerance, Run_control& control)
+{
+  return Primitive_healer<3>(std::move(curves), std::move(surfaces), tolerance, control).result();
+}
+
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -24,6 +24,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 // What is measured on rounded data is in this kernel; nothing that is proved is.
 using Rounded_kernel = CGAL::Simple_cartesian<double>;
@@ -155,6 +156,7 @@ public:
   Exact_kernel::Point_3 point(const std::array<Exact_rational, 3>& x) const { return m_origin + vector(x); }
 };
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

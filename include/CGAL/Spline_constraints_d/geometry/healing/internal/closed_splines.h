@@ -26,6 +26,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 template <int d>
 using Exact_coordinates = std::array<Exact_rational, d>;
@@ -202,6 +203,7 @@ private:
   }
 };
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -28,6 +28,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 // Exact curves and surfaces of the shapes that were measured, on the domains of the given ones.
 
@@ -256,6 +257,7 @@ std::optional<Bspline_curve<Exact_kernel, d>> exact_line(const Bspline_curve<Exa
   return Bspline_curve<Exact_kernel, d>(with_control_points(curve.representation(), points));
 }
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

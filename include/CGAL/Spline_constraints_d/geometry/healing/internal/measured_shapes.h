@@ -25,6 +25,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 /*
 What curves and surfaces look like when samples of them are looked at in doubles. Nothing is decided here: the exact
@@ -242,6 +243,7 @@ inline std::optional<Measured_pose> measured_plane(const std::vector<Rounded_poi
   return Measured_pose{axis, edge == points.end() ? normalised(u) : normalised(across(*edge - p, axis)), p, false};
 }
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

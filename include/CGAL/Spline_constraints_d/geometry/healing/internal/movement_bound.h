@@ -24,6 +24,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+namespace Healing {
 
 // A double that is not less than the root.
 inline double root_rounded_up(const Exact_rational& square)
@@ -71,6 +72,7 @@ std::optional<double> movement_bound(const Homogeneous_spline<Exact_rational, d>
   return root_rounded_up(greatest);
 }
 
+} // namespace Healing
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
