@@ -39,10 +39,10 @@ alternating signs. Where all of these are zero, the curves are singular.
 */
 class Curve_polynomials
 {
-  std::vector<Power_polynomial> m_equations, m_tangent;   // the latter per unknown
+  std::vector<Power_polynomial> m_equations, m_tangent; // the latter per unknown
   Polynomials_with_gradients<Exact_rational> m_exact;   // all of them
   Polynomials_with_gradients<double> m_rounded;
-  std::size_t m_work_of_step = 100;   // elimination, and evaluations
+  std::size_t m_work_of_step = 100; // elimination, and evaluations
 
 public:
   // The system has no breaks.
@@ -76,9 +76,10 @@ public:
   // Of the Gauss-Newton method, about in additions of coefficients.
   std::size_t work_of_step() const { return m_work_of_step; }
 
-  // A box with the only singular point in a box: of several there is no answer.
+  // A box with the only singular point in a box: of several there is no answer, nor after many nodes, as of a continuum.
   std::optional<Exact_ranges> singular_point_in(const Exact_ranges& box) const
   {
+    constexpr std::size_t most_nodes = 1000;
     Constraint_system_d system(box);
     for (const auto* polynomials : {&m_equations, &m_tangent})
       for (const Power_polynomial& polynomial : *polynomials)
@@ -86,7 +87,8 @@ public:
           system.add(polynomial, Relation::EQUAL);
     if (system.equalities().size() < dimension())
       return std::nullopt;
-    const Solution_set_d<double> points = Subdivision_solver_d<Certified_solver_traits>()(system);
+    const Solution_set_d<double> points =
+        Subdivision_solver_d<Certified_solver_traits>({.node_limit = most_nodes})(system);
     if (points.size() != 1 || !points.is_complete() || points.begin()->kind() == Solution_kind::CONTINUUM)
       return std::nullopt;
     return points.begin()->exact_box();
