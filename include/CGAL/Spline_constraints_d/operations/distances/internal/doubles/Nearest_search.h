@@ -121,6 +121,7 @@ public:
     }
     std::erase_if(candidates(), [&](const Candidate& c) { return c.squared_distance.inf() > m_search.upper(); });
     keep_common_candidates(a, b);
+    m_is_decided = m_is_decided && !candidates().empty();
   }
 
   // Whether all nearest points are candidates.

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
 #include <CGAL/Spline_constraints_d/number/Double_word.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/number/two_words.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/interval_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -76,7 +77,7 @@ public:
   }
   friend Residue operator*(const Residue& a, const Residue& b)
   {
-    const __uint128_t product = static_cast<__uint128_t>(a.m_value) * b.m_value;
+    const Unsigned_two_words product = static_cast<Unsigned_two_words>(a.m_value) * b.m_value;
     const std::uint64_t sum = static_cast<std::uint64_t>(product & prime) + static_cast<std::uint64_t>(product >> 61);
     return {Reduced(), sum >= prime ? sum - prime : sum};
   }
