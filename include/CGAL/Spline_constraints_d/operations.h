@@ -45,10 +45,13 @@
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_curve.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_sample.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_piece_3.h>
 #include <CGAL/Spline_constraints_d/operations/loci/alpha_sectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/point_curve_bisector_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/rational_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/Minkowski_sum_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/Minkowski_sum_boundary_2.h>

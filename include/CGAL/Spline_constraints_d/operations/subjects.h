@@ -23,7 +23,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `surface_curves`: silhouettes, sections, parabolic lines, umbilics and accessible directions of surfaces.
 - `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
 - `distances`: closest points, distances of curves, surfaces and regions.
-- `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
+- `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes; rational bisectors in space.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
 - `joints`: ends of curves that nearly meet, joined exactly.
 - `convex_hull`: convex hulls of curves.

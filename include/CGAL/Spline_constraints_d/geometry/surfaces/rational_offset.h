@@ -12,8 +12,8 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
-#include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
 #include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
@@ -28,37 +28,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// The numerators and the weight of a piece of a surface, in two parameters that run from 0 to 1.
-using Homogeneous_polynomials = std::vector<Power_polynomial>;
-
-inline Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& piece)
-{
-  return polynomial_of_powers(piece.degrees(), piece.power_coefficients(),
-                              [](std::size_t axis) { return Power_polynomial::variable(static_cast<int>(axis)); });
-}
-
-inline Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, const std::vector<int>& degrees)
-{
-  const std::size_t columns = static_cast<std::size_t>(degrees[1]) + 1;
-  std::vector<Exact_rational> coefficients((static_cast<std::size_t>(degrees[0]) + 1) * columns, Exact_rational(0));
-  for (const auto& [monomial, coefficient] : f.terms())
-    coefficients[static_cast<std::size_t>(monomial.exponent(0)) * columns +
-                 static_cast<std::size_t>(monomial.exponent(1))] = coefficient;
-  return Bernstein_tensor<Exact_rational>::from_power(degrees, std::move(coefficients));
-}
-
-inline Exact_rational value_at(const Power_polynomial& f, const Exact_rational& u, const Exact_rational& v)
-{
-  return f(std::array<Exact_rational, 2>{u, v});
-}
-
-inline std::vector<Power_polynomial> without_common_factors(std::vector<Power_polynomial> polynomials)
-{
-  while (auto common = common_factor(polynomials))
-    polynomials = std::move(common->cofactors);
-  return polynomials;
-}
 
 // A polynomial with the square f, if there is one and its factors are found. \pre f is not zero.
 inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
@@ -80,25 +49,6 @@ inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
 inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n)
 {
   return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-}
-
-// The cross product of the derivatives of P / w, times w^3.
-inline std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
-{
-  const auto derivative = [&](int axis) {
-    Homogeneous_polynomials result;
-    for (const Power_polynomial& f : p)
-      result.push_back(f.derivative(axis));
-    return result;
-  };
-  const Homogeneous_polynomials pu = derivative(0), pv = derivative(1);
-  std::vector<Power_polynomial> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const auto minor = [&](const auto& a, const auto& b) { return a[j] * b[k] - a[k] * b[j]; };
-    result.push_back(p[3] * minor(pu, pv) - pu[3] * minor(p, pv) - pv[3] * minor(pu, p));
-  }
-  return result;
 }
 
 // With a positive weight, if the surface has one. \pre the normal of the surface vanishes nowhere.

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
+
+#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Loci {
+
+using Bisector_range = Rational_bisector_piece_3::Range;
+using Polynomial_vector = std::array<Power_polynomial, 3>;
+
+// A polynomial piece of a curve or surface, in parameters that run from 0 to 1.
+struct Polynomial_piece
+{
+  std::vector<Bisector_range> domain;
+  Homogeneous_polynomials coordinates;
+
+  Polynomial_vector numerators() const { return {coordinates[0], coordinates[1], coordinates[2]}; }
+  const Power_polynomial& weight() const { return coordinates[3]; }
+};
+
+// All of them, in parameters numbered from `first` on.
+inline std::vector<Polynomial_piece> polynomial_pieces(const Exact_map<3>& map, int first = 0)
+{
+  std::vector<std::vector<Bisector_range>> boxes(1);
+  for (int axis = 0; axis < map.numerators[0].dimension(); ++axis) {
+    std::vector<Exact_rational> breaks = map.is_rational ? map.weight.breaks(axis) : map.numerators[0].breaks(axis);
+    for (const auto& f : map.numerators)
+      breaks = united(breaks, f.breaks(axis));
+    std::vector<std::vector<Bisector_range>> finer;
+    for (const auto& box : boxes)
+      for (std::size_t b = 1; b < breaks.size(); ++b) {
+        finer.push_back(box);
+        finer.back().emplace_back(breaks[b - 1], breaks[b]);
+      }
+    boxes = std::move(finer);
+  }
+  std::vector<Polynomial_piece> result;
+  for (const auto& box : boxes) {
+    const auto within_box = [&](Bspline_function<Exact_rational> f) {
+      for (std::size_t axis = 0; axis < box.size(); ++axis)
+        f = f.restricted(static_cast<int>(axis), box[axis].first, box[axis].second);
+      return polynomial_of(f.bezier_pieces().front(), first);
+    };
+    Polynomial_piece& piece = result.emplace_back(Polynomial_piece{box, {}});
+    for (const auto& f : map.numerators)
+      piece.coordinates.push_back(within_box(f));
+    piece.coordinates.push_back(map.is_rational ? within_box(map.weight) : Power_polynomial(1));
+  }
+  return result;
+}
+
+inline Power_polynomial dot(const Polynomial_vector& a, const Polynomial_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Polynomial_vector cross(const Polynomial_vector& a, const Polynomial_vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline Polynomial_vector operator*(const Power_polynomial& f, const Polynomial_vector& a)
+{
+  return {f * a[0], f * a[1], f * a[2]};
+}
+
+inline Polynomial_vector operator+(const Polynomial_vector& a, const Polynomial_vector& b)
+{
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+inline Polynomial_vector operator-(const Polynomial_vector& a, const Polynomial_vector& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline bool is_zero(const Polynomial_vector& a)
+{
+  return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
+}
+
+// In the lowest degree.
+inline Homogeneous_polynomials reduced(const Polynomial_vector& numerators, const Power_polynomial& weight)
+{
+  return without_common_factors({numerators[0], numerators[1], numerators[2], weight});
+}
+
+inline Homogeneous_polynomials constant_polynomials(const Exact_kernel::Point_3& q)
+{
+  return {Power_polynomial(q.x()), Power_polynomial(q.y()), Power_polynomial(q.z()), Power_polynomial(1)};
+}
+
+inline Polynomial_vector vector_to(const Exact_kernel::Point_3& q)
+{
+  return {Power_polynomial(q.x()), Power_polynomial(q.y()), Power_polynomial(q.z())};
+}
+
+// The derivative of a curve X / w by its own parameter, times w^2.
+inline Polynomial_vector scaled_tangent(const Polynomial_piece& curve, int parameter)
+{
+  const auto& [begin, end] = curve.domain[0];
+  const Power_polynomial slope(Exact_rational(1 / Exact_rational(end - begin)));
+  const Power_polynomial &w = curve.weight(), dw = slope * w.derivative(parameter);
+  Polynomial_vector result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = slope * w * curve.coordinates[i].derivative(parameter) - dw * curve.coordinates[i];
+  return result;
+}
+
+inline std::string in_words(const std::vector<Bisector_range>& domain)
+{
+  std::string result;
+  for (const auto& [begin, end] : domain)
+    result += (result.empty() ? "[" : " x [") + shortest_text(to_nearest_double(begin)) + ", " +
+        shortest_text(to_nearest_double(end)) + "]";
+  return result;
+}
+
+/*
+The point and the surface X / w: with e = X - w Q and the normal N in the lowest degree,
+
+  P = Q + (2 <e,N> e - |e|^2 N) / (2 w <e,N>).
+*/
+inline Homogeneous_polynomials bisector_of_point_and_surface(const Exact_kernel::Point_3& point,
+                                                             const Polynomial_piece& surface)
+{
+  const Homogeneous_polynomials normal = normal_of(surface.coordinates);
+  if (is_zero({normal[0], normal[1], normal[2]}))
+    throw Invalid_input("point_surface_bisector: the piece " + in_words(surface.domain) + " is a curve or a point");
+  const Homogeneous_polynomials direction = without_common_factors(normal);
+  const Polynomial_vector n{direction[0], direction[1], direction[2]}, q = vector_to(point);
+  const Polynomial_vector e = surface.numerators() - surface.weight() * q;
+  const Power_polynomial height = Power_polynomial(2) * dot(e, n), weight = surface.weight() * height;
+  if (height.is_zero())
+    throw Invalid_input("point_surface_bisector: all tangent planes of the piece " + in_words(surface.domain) +
+                        " pass through the point");
+  return reduced(weight * q + height * e - dot(e, e) * n, weight);
+}
+
+/*
+The point and the curve X / w: with e = X - w Q, the tangent t and d = t x e, the direction of the lines of the
+bisector,
+
+  P = Q + (<e,t> |e|^2 t + (|t|^2 |e|^2 - 2 <e,t>^2) e) / (2 w |d|^2) + lambda d.
+*/
+inline Homogeneous_polynomials bisector_of_point_and_curve(const Exact_kernel::Point_3& point,
+                                                           const Polynomial_piece& curve, const Bisector_range& lambda)
+{
+  const Polynomial_vector q = vector_to(point), e = curve.numerators() - curve.weight() * q;
+  const Polynomial_vector t = scaled_tangent(curve, 0), d = cross(t, e);
+  if (is_zero(d))
+    throw Invalid_input("point_curve_bisector_surface: the piece " + in_words(curve.domain) +
+                        " is on a line through the point");
+  const Power_polynomial step = Power_polynomial(lambda.first) +
+      Power_polynomial(Exact_rational(lambda.second - lambda.first)) * Power_polynomial::variable(1);
+  const Power_polynomial et = dot(e, t), ee = dot(e, e), weight = Power_polynomial(2) * curve.weight() * dot(d, d);
+  return reduced(weight * (q + step * d) + et * ee * t + (dot(t, t) * ee - Power_polynomial(2) * et * et) * e, weight);
+}
+
+/*
+Two curves X / w and Y / v with tangents s, t: the point in both normal planes and in the plane in the middle of X / w
+and Y / v,
+
+  w <P,s> = <X,s>,   v <P,t> = <Y,t>,   2 w v <P, v X - w Y> = v^2 |X|^2 - w^2 |Y|^2,
+
+by Cramer's rule.
+*/
+inline Homogeneous_polynomials bisector_of_curves(const Polynomial_piece& first, const Polynomial_piece& second)
+{
+  const Polynomial_vector x = first.numerators(), y = second.numerators();
+  const Power_polynomial &w = first.weight(), &v = second.weight();
+  const Polynomial_vector s = scaled_tangent(first, 0), t = scaled_tangent(second, 1);
+  const Polynomial_vector a = w * s, b = v * t, c = Power_polynomial(2) * w * v * (v * x - w * y), bc = cross(b, c);
+  const Power_polynomial determinant = dot(a, bc);
+  if (determinant.is_zero())
+    throw Invalid_input("curve_bisector_surface: the pieces " + in_words(first.domain) + " and " +
+                        in_words(second.domain) + " are in one plane, or one of them is a point; "
+                        "in a plane, bisector_curves() is the operation for them");
+  return reduced(dot(x, s) * bc + dot(y, t) * cross(c, a) + (v * v * dot(x, x) - w * w * dot(y, y)) * cross(a, b),
+                 determinant);
+}
+
+inline Rational_bisector_piece_3::Coordinates bernstein_coordinates(const Homogeneous_polynomials& f)
+{
+  std::vector<int> degrees(2, 0);
+  for (const Power_polynomial& coordinate : f)
+    for (const int axis : {0, 1})
+      degrees[axis] = (std::max)(degrees[axis], coordinate.degree(axis));
+  return {tensor_of(f[0], degrees), tensor_of(f[1], degrees), tensor_of(f[2], degrees), tensor_of(f[3], degrees)};
+}
+
+inline Rational_bisector_piece_3 bisector_piece(const Bisector_range& u, const Bisector_range& v,
+                                                const Homogeneous_polynomials& bisector,
+                                                const Homogeneous_polynomials& first,
+                                                const Homogeneous_polynomials& second)
+{
+  return {{u, v}, bernstein_coordinates(bisector), {bernstein_coordinates(first), bernstein_coordinates(second)}};
+}
+
+inline Rational_bisector_3 point_surface_bisector_of(const Exact_kernel::Point_3& point, const Exact_map<3>& surface)
+{
+  std::vector<Rational_bisector_piece_3> result;
+  for (const Polynomial_piece& piece : polynomial_pieces(surface))
+    result.push_back(bisector_piece(piece.domain[0], piece.domain[1], bisector_of_point_and_surface(point, piece),
+                                    constant_polynomials(point), piece.coordinates));
+  return Rational_bisector_3(std::move(result));
+}
+
+inline Rational_bisector_3 point_curve_bisector_of(const Exact_kernel::Point_3& point, const Exact_map<3>& curve,
+                                                   const Bisector_range& lambda)
+{
+  std::vector<Rational_bisector_piece_3> result;
+  for (const Polynomial_piece& piece : polynomial_pieces(curve))
+    result.push_back(bisector_piece(piece.domain[0], lambda, bisector_of_point_and_curve(point, piece, lambda),
+                                    constant_polynomials(point), piece.coordinates));
+  return Rational_bisector_3(std::move(result));
+}
+
+inline Rational_bisector_3 curve_bisector_of(const Exact_map<3>& first, const Exact_map<3>& second)
+{
+  const std::vector<Polynomial_piece> pieces_of_first = polynomial_pieces(first),
+                                      pieces_of_second = polynomial_pieces(second, 1);
+  std::vector<Rational_bisector_piece_3> result;
+  for (const Polynomial_piece& a : pieces_of_first)
+    for (const Polynomial_piece& b : pieces_of_second)
+      result.push_back(
+          bisector_piece(a.domain[0], b.domain[0], bisector_of_curves(a, b), a.coordinates, b.coordinates));
+  return Rational_bisector_3(std::move(result));
+}
+
+} // namespace Loci
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
