@@ -35,7 +35,7 @@ class Scene
   std::vector<Patch> m_patches, m_hidden;
   CGAL::Bbox_2 m_box;
 
-  static constexpr int tiles = 28;   // per axis
+  static constexpr int default_tiles = 28;   // per axis
   static constexpr double turn = 0.52, rise = 0.6;
 
 public:
@@ -45,11 +45,11 @@ public:
     return {-std::cos(rise) * std::sin(turn), -std::cos(rise) * std::cos(turn), std::sin(rise)};
   }
 
-  void add(const Surface& surface, const std::array<double, 3>& color)
+  void add(const Surface& surface, const std::array<double, 3>& color, int tiles = default_tiles)
   {
     const auto point = [&](int i, int j) {
       const auto at = [&](int axis, int k) {
-        return surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * k / tiles;
+        return std::lerp(surface.domain(axis).first, surface.domain(axis).second, static_cast<double>(k) / tiles);
       };
       return surface(at(0, i), at(1, j));
     };
@@ -66,7 +66,7 @@ public:
   void add(const std::vector<K::Point_3>& polyline, const std::string& color, double width = 3,
            bool shows_hidden = false)
   {
-    const double tile = (m_box.xmax() - m_box.xmin()) / tiles;
+    const double tile = (m_box.xmax() - m_box.xmin()) / default_tiles;
     for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
       add_patch({polyline[i], polyline[i + 1]}, color, 1.5 * tile, width);
       if (shows_hidden)

@@ -140,6 +140,15 @@ TEST(Rational_bisectors_3, point_and_sphere_have_an_ellipsoid_or_a_hyperboloid)
   }));
 }
 
+TEST(Rational_bisectors_3, point_on_a_sphere_has_its_center)
+{
+  const auto bisector = SC::point_surface_bisector(Point(0, 1, 0), SC::sphere_surface(Point(0, 0, 0), Number(1)));
+  EXPECT_EQ(degrees(bisector), Degrees(0, 0));
+  check_centers(bisector);
+  ASSERT_TRUE(bisector.is_free_of_poles());
+  EXPECT_EQ(bisector.pieces()[0].surface()(Number(1, 2), Number(1, 3)), Point(0, 0, 0));
+}
+
 TEST(Rational_bisectors_3, point_on_the_axis_of_a_cylinder_a_cone_and_a_torus)
 {
   const auto tube = SC::point_surface_bisector(Point(0, 0, 1), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5));
