@@ -76,7 +76,8 @@ public:
   // Of the Gauss-Newton method, about in additions of coefficients.
   std::size_t work_of_step() const { return m_work_of_step; }
 
-  // A box with the only singular point in a box: of several there is no answer, nor after many nodes, as of a continuum.
+  // A box with the only singular point in a box: of several there is no answer, nor after many nodes, as of a
+  // continuum.
   std::optional<Exact_ranges> singular_point_in(const Exact_ranges& box) const
   {
     constexpr std::size_t most_nodes = 1000;
