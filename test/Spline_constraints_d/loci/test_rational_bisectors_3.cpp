@@ -50,6 +50,7 @@ Tensor squared_length(const std::array<Tensor, 3>& a) { return squared(a[0]) + s
 // As polynomials: both feet are at the same distance, and the vectors to them are normal to the operands.
 void check_centers(const SC::Rational_bisector_3& bisector)
 {
+  ASSERT_TRUE(bisector.is_complete());
   ASSERT_FALSE(bisector.pieces().empty());
   for (const Piece& piece : bisector.pieces()) {
     EXPECT_FALSE(is_zero(piece.coordinates()[3]));
@@ -355,6 +356,31 @@ TEST(Rational_bisectors_3, what_has_no_bisector_surface_is_refused)
   const Surface segment = bezier_surface(1, 1, {{0, 0, 0}, {0, 0, 0}, {3, 2, 0}, {3, 2, 0}});
   EXPECT_NE(message_of([&] { SC::point_surface_bisector(Point(0, 0, 1), segment); }).find("is a curve or a point"),
             std::string::npos);
+}
+
+TEST(Rational_bisectors_3, limits_end_with_the_pieces_that_were_found)
+{
+  const Surface sphere = SC::sphere_surface(Point(0, 0, 0), Number(1));
+  const Point q(Number(1, 2), 0, 0);
+  const auto whole = SC::point_surface_bisector(q, sphere, {.time_limit = 1000, .node_limit = 1000});
+  check_centers(whole);
+  EXPECT_EQ(whole.summary().nodes, whole.pieces().size());
+
+  const auto partial = SC::point_surface_bisector(q, sphere, {.node_limit = 3});
+  EXPECT_FALSE(partial.is_complete());
+  EXPECT_FALSE(partial.is_free_of_poles());
+  EXPECT_EQ(partial.pieces().size(), 3u);
+  EXPECT_EQ(partial.summary().why_not, SC::Undecided_reason::NODES);
+  ASSERT_EQ(partial.undecided().size(), whole.pieces().size() - 3);
+  const auto& part = partial.undecided().front();
+  ASSERT_EQ(part.parameters.size(), 1u);
+  EXPECT_EQ(part.parameters[0].operand, 1u);
+  EXPECT_EQ(part.parameters[0].ranges.size(), 2u);
+  EXPECT_FALSE(part.reason.empty());
+  const auto& missing = whole.pieces()[3].domain();
+  EXPECT_THROW(partial.part(missing), SC::Invalid_input);
+
+  EXPECT_TRUE(SC::point_surface_bisector(q, sphere, {.time_limit = 1e-9}).pieces().empty());
 }
 
 } // namespace rational_bisectors_3_test

@@ -8,7 +8,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_3_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_3_H
 
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_piece_3.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <algorithm>
 #include <array>
@@ -34,13 +37,29 @@ public:
 
 private:
   std::vector<Rational_bisector_piece_3> m_pieces;
+  std::vector<Undecided_part> m_undecided;
+  Summary m_summary;
 
 public:
-  //! the bisector of these pieces, of which there is at least one.
-  explicit Rational_bisector_3(std::vector<Rational_bisector_piece_3> pieces) : m_pieces(std::move(pieces)) {}
+  //! what an operation has found.
+  Rational_bisector_3(std::vector<Rational_bisector_piece_3> pieces, std::vector<Undecided_part> undecided,
+                      const Summary& work)
+    : m_pieces(std::move(pieces)), m_undecided(std::move(undecided)), m_summary(work)
+  {
+    m_summary.is_complete = m_undecided.empty();
+  }
 
   //! the pieces.
   const std::vector<Rational_bisector_piece_3>& pieces() const { return m_pieces; }
+
+  //! whether all pieces are there, which only a limit or a visitor prevents.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the pairs of pieces of the operands whose bisector was not computed.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+  //! the work: its nodes are pieces.
+  const Summary& summary() const { return m_summary; }
 
   //! the largest degree of a piece in a parameter.
   int degree(int axis) const
@@ -51,19 +70,19 @@ public:
     return result;
   }
 
-  //! whether this is proved for all pieces. \sa Rational_bisector_piece_3::is_free_of_poles()
+  //! whether all pieces are there and this is proved for each. \sa Rational_bisector_piece_3::is_free_of_poles()
   bool is_free_of_poles() const
   {
-    return std::ranges::all_of(m_pieces, [](const auto& piece) { return piece.is_free_of_poles(); });
+    return is_complete() && std::ranges::all_of(m_pieces, [](const auto& piece) { return piece.is_free_of_poles(); });
   }
 
-  //! the point at parameters. \throws Invalid_input when they are outside of the domain, or at a pole.
+  //! the point at parameters. \throws Invalid_input when they are outside of all pieces, or at a pole.
   Kernel::Point_3 point(const Exact_rational& u, const Exact_rational& v) const
   {
     return piece_with({Range(u, u), Range(v, v)}).point(u, v);
   }
 
-  //! the foot on operand 0 or 1 at parameters. \throws Invalid_input when they are outside of the domain.
+  //! the foot on operand 0 or 1 at parameters. \throws Invalid_input when they are outside of all pieces.
   Kernel::Point_3 foot(int operand, const Exact_rational& u, const Exact_rational& v) const
   {
     return piece_with({Range(u, u), Range(v, v)}).foot(operand, u, v);

@@ -14,11 +14,25 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisector_pieces.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <array>
 #include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+namespace Loci {
+
+template <class Kernel>
+Exact_map<3> exact_map_of_point(const CGAL::Point_3<Kernel>& point)
+{
+  const Exact_kernel::Point_3 q = exact_object(point);
+  return Common::exact_map<3>(std::array<Exact_rational, 3>{q.x(), q.y(), q.z()});
+}
+
+} // namespace Loci
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDLoci
@@ -29,23 +43,29 @@ surface. It is a rational surface with the parameters of the given one, \f$S\f$,
 Its coefficients are exact. Factors that all homogeneous coordinates, or all coordinates of the normal, have in common
 are divided out, as far as `common_factor()` finds them; so poles of spheres and tips of cones are no exception. The
 degree is (2,2) for planes, and for spheres, cylinders, cones and tori as this package makes them. It is at most
-\f$4p-1\f$ in each parameter for a polynomial surface of degree \f$p\f$, and as a rule so, as (11,11) for a bicubic one.
+\f$4p-1\f$ in each parameter for a polynomial surface of degree \f$p\f$, and as a rule so, as (11,11) for a bicubic one;
+and \f$5p-2\f$ for a rational one.
 
 Poles are where the tangent plane passes through the point: the silhouettes of the surface from there. Points of the
 surface that are the point itself are treated as poles. The feet are the point, operand 0, and the surface, operand 1.
 
 \tparam S a model of `ParametricSurface_3`.
+\param point the point.
+\param surface the surface.
+\param options the limits and the visitor count, which are asked before each polynomial piece.
 \throws Invalid_input when all tangent planes of a polynomial piece pass through the point, as those of a plane or cone
-through it do; when a piece is a curve or a point; and when a coordinate is not finite.
+through it do; when a piece is a curve or a point; when a coordinate is not finite; and when
+an option makes no sense.
 
 Complexity: products and greatest common divisors of polynomials of about five times the degrees, for each polynomial
 piece. Source: \cgalCite{ek-crb-99}, eq. 6-9.
 */
 template <ParametricSurface_3 S>
-Rational_bisector_3 point_surface_bisector(const typename S::Kernel::Point_3& point, const S& surface)
+Rational_bisector_3 point_surface_bisector(const typename S::Kernel::Point_3& point, const S& surface,
+                                           const Solver_options& options = {})
 {
-  return internal::Loci::point_surface_bisector_of(internal::exact_object(point),
-                                                   internal::Common::exact_map<3>(surface));
+  return internal::Loci::In_space::point_surface_bisector(internal::Loci::exact_map_of_point(point),
+                                                          internal::Common::exact_map<3>(surface), options);
 }
 
 /*!
@@ -65,8 +85,9 @@ operand 0, and the curve, operand 1.
 \param point the point.
 \param curve the curve.
 \param range the range of \f$\lambda\f$.
+\param options as for `point_surface_bisector()`.
 \throws Invalid_input when the range is empty, a polynomial piece of the curve is on a line through the point, or a
-number is not finite.
+number is not finite, or an option makes no sense.
 
 Complexity: products and greatest common divisors of polynomials, for each polynomial piece. Source:
 \cgalCite{ek-crb-99}.
@@ -74,14 +95,15 @@ Complexity: products and greatest common divisors of polynomials, for each polyn
 template <ParametricCurve_3 C>
 Rational_bisector_3
 point_curve_bisector_surface(const typename C::Kernel::Point_3& point, const C& curve,
-                             const std::pair<typename C::Kernel::FT, typename C::Kernel::FT>& range)
+                             const std::pair<typename C::Kernel::FT, typename C::Kernel::FT>& range,
+                             const Solver_options& options = {})
 {
   const Rational_bisector_3::Range lambda{internal::converted_number<Exact_rational>(range.first),
                                           internal::converted_number<Exact_rational>(range.second)};
   if (!(lambda.first < lambda.second))
     throw Invalid_input("point_curve_bisector_surface: the range of lambda is empty");
-  return internal::Loci::point_curve_bisector_of(internal::exact_object(point), internal::Common::exact_map<3>(curve),
-                                                 lambda);
+  return internal::Loci::In_space::point_curve_bisector(internal::Loci::exact_map_of_point(point),
+                                                        internal::Common::exact_map<3>(curve), lambda, options);
 }
 
 /*!
@@ -99,17 +121,20 @@ curve, operand 0, and on the second, operand 1.
 
 \tparam C1 a model of `ParametricCurve_3`.
 \tparam C2 a model of `ParametricCurve_3`.
+\param first the first curve.
+\param second the second curve.
+\param options as for `point_surface_bisector()`.
 \throws Invalid_input when a polynomial piece of one curve and one of the other are in one plane, where the bisector is
-a curve, or rather its cylinder: see `bisector_curves()`.
+a curve, or rather its cylinder: see `bisector_curves()`; and when an option makes no sense.
 
 Complexity: products and greatest common divisors of polynomials of about three times the degrees, five times for
 rational curves, for each pair of polynomial pieces. Source: \cgalCite{ek-crb-99}.
 */
 template <ParametricCurve_3 C1, ParametricCurve_3 C2>
-Rational_bisector_3 curve_bisector_surface(const C1& first, const C2& second)
+Rational_bisector_3 curve_bisector_surface(const C1& first, const C2& second, const Solver_options& options = {})
 {
-  return internal::Loci::curve_bisector_of(internal::Common::exact_map<3>(first),
-                                           internal::Common::exact_map<3>(second));
+  return internal::Loci::In_space::curve_bisector(internal::Common::exact_map<3>(first),
+                                                  internal::Common::exact_map<3>(second), options);
 }
 
 } // namespace Spline_constraints

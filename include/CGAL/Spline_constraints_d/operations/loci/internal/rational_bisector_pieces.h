@@ -14,8 +14,13 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <algorithm>
 #include <array>
@@ -28,11 +33,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Loci {
+namespace In_space {
 
 using Bisector_range = Rational_bisector_piece_3::Range;
 using Polynomial_vector = std::array<Power_polynomial, 3>;
 
-// A polynomial piece of a curve or surface, in parameters that run from 0 to 1.
+// A point, or a polynomial piece of a curve or surface, in parameters that run from 0 to 1.
 struct Polynomial_piece
 {
   std::vector<Bisector_range> domain;
@@ -43,7 +49,7 @@ struct Polynomial_piece
 };
 
 // All of them, in parameters numbered from `first` on.
-inline std::vector<Polynomial_piece> polynomial_pieces(const Exact_map<3>& map, int first = 0)
+inline std::vector<Polynomial_piece> pieces_in_powers(const Exact_map<3>& map, int first = 0)
 {
   std::vector<std::vector<Bisector_range>> boxes(1);
   for (int axis = 0; axis < map.numerators[0].dimension(); ++axis) {
@@ -109,16 +115,6 @@ inline Homogeneous_polynomials reduced(const Polynomial_vector& numerators, cons
   return without_common_factors({numerators[0], numerators[1], numerators[2], weight});
 }
 
-inline Homogeneous_polynomials constant_polynomials(const Exact_kernel::Point_3& q)
-{
-  return {Power_polynomial(q.x()), Power_polynomial(q.y()), Power_polynomial(q.z()), Power_polynomial(1)};
-}
-
-inline Polynomial_vector vector_to(const Exact_kernel::Point_3& q)
-{
-  return {Power_polynomial(q.x()), Power_polynomial(q.y()), Power_polynomial(q.z())};
-}
-
 // The derivative of a curve X / w by its own parameter, times w^2.
 inline Polynomial_vector scaled_tangent(const Polynomial_piece& curve, int parameter)
 {
@@ -131,7 +127,7 @@ inline Polynomial_vector scaled_tangent(const Polynomial_piece& curve, int param
   return result;
 }
 
-inline std::string in_words(const std::vector<Bisector_range>& domain)
+inline std::string ranges_in_words(const std::vector<Bisector_range>& domain)
 {
   std::string result;
   for (const auto& [begin, end] : domain)
@@ -145,18 +141,19 @@ The point and the surface X / w: with e = X - w Q and the normal N in the lowest
 
   P = Q + (2 <e,N> e - |e|^2 N) / (2 w <e,N>).
 */
-inline Homogeneous_polynomials bisector_of_point_and_surface(const Exact_kernel::Point_3& point,
+inline Homogeneous_polynomials bisector_of_point_and_surface(const Polynomial_piece& point,
                                                              const Polynomial_piece& surface)
 {
   const Homogeneous_polynomials normal = normal_of(surface.coordinates);
   if (is_zero({normal[0], normal[1], normal[2]}))
-    throw Invalid_input("point_surface_bisector: the piece " + in_words(surface.domain) + " is a curve or a point");
+    throw Invalid_input("point_surface_bisector: the piece " + ranges_in_words(surface.domain) +
+                        " is a curve or a point");
   const Homogeneous_polynomials direction = without_common_factors(normal);
-  const Polynomial_vector n{direction[0], direction[1], direction[2]}, q = vector_to(point);
+  const Polynomial_vector n{direction[0], direction[1], direction[2]}, q = point.numerators();
   const Polynomial_vector e = surface.numerators() - surface.weight() * q;
   const Power_polynomial height = Power_polynomial(2) * dot(e, n), weight = surface.weight() * height;
   if (height.is_zero())
-    throw Invalid_input("point_surface_bisector: all tangent planes of the piece " + in_words(surface.domain) +
+    throw Invalid_input("point_surface_bisector: all tangent planes of the piece " + ranges_in_words(surface.domain) +
                         " pass through the point");
   return reduced(weight * q + height * e - dot(e, e) * n, weight);
 }
@@ -167,13 +164,13 @@ bisector,
 
   P = Q + (<e,t> |e|^2 t + (|t|^2 |e|^2 - 2 <e,t>^2) e) / (2 w |d|^2) + lambda d.
 */
-inline Homogeneous_polynomials bisector_of_point_and_curve(const Exact_kernel::Point_3& point,
+inline Homogeneous_polynomials bisector_of_point_and_curve(const Polynomial_piece& point,
                                                            const Polynomial_piece& curve, const Bisector_range& lambda)
 {
-  const Polynomial_vector q = vector_to(point), e = curve.numerators() - curve.weight() * q;
+  const Polynomial_vector q = point.numerators(), e = curve.numerators() - curve.weight() * q;
   const Polynomial_vector t = scaled_tangent(curve, 0), d = cross(t, e);
   if (is_zero(d))
-    throw Invalid_input("point_curve_bisector_surface: the piece " + in_words(curve.domain) +
+    throw Invalid_input("point_curve_bisector_surface: the piece " + ranges_in_words(curve.domain) +
                         " is on a line through the point");
   const Power_polynomial step = Power_polynomial(lambda.first) +
       Power_polynomial(Exact_rational(lambda.second - lambda.first)) * Power_polynomial::variable(1);
@@ -197,8 +194,8 @@ inline Homogeneous_polynomials bisector_of_curves(const Polynomial_piece& first,
   const Polynomial_vector a = w * s, b = v * t, c = Power_polynomial(2) * w * v * (v * x - w * y), bc = cross(b, c);
   const Power_polynomial determinant = dot(a, bc);
   if (determinant.is_zero())
-    throw Invalid_input("curve_bisector_surface: the pieces " + in_words(first.domain) + " and " +
-                        in_words(second.domain) + " are in one plane, or one of them is a point; "
+    throw Invalid_input("curve_bisector_surface: the pieces " + ranges_in_words(first.domain) + " and " +
+                        ranges_in_words(second.domain) + " are in one plane, or one of them is a point; "
                         "in a plane, bisector_curves() is the operation for them");
   return reduced(dot(x, s) * bc + dot(y, t) * cross(c, a) + (v * v * dot(x, x) - w * w * dot(y, y)) * cross(a, b),
                  determinant);
@@ -213,45 +210,71 @@ inline Rational_bisector_piece_3::Coordinates bernstein_coordinates(const Homoge
   return {tensor_of(f[0], degrees), tensor_of(f[1], degrees), tensor_of(f[2], degrees), tensor_of(f[3], degrees)};
 }
 
-inline Rational_bisector_piece_3 bisector_piece(const Bisector_range& u, const Bisector_range& v,
-                                                const Homogeneous_polynomials& bisector,
-                                                const Homogeneous_polynomials& first,
-                                                const Homogeneous_polynomials& second)
+inline Undecided_part undecided_part(const Polynomial_piece& first, const Polynomial_piece& second,
+                                     Undecided_reason reason)
 {
-  return {{u, v}, bernstein_coordinates(bisector), {bernstein_coordinates(first), bernstein_coordinates(second)}};
+  Undecided_part result{{}, {}, in_words(reason)};
+  for (const std::size_t operand : {0, 1}) {
+    const Polynomial_piece& piece = operand == 0 ? first : second;
+    if (piece.domain.empty())
+      continue;
+    result.parameters.push_back({operand, {}});
+    for (const Bisector_range& range : piece.domain)
+      result.parameters.back().ranges.push_back(double_range(range));
+  }
+  return result;
 }
 
-inline Rational_bisector_3 point_surface_bisector_of(const Exact_kernel::Point_3& point, const Exact_map<3>& surface)
+// `formula(first, second)` for all pairs of pieces; `own` are the ranges of parameters that no operand has.
+template <class Formula>
+Rational_bisector_3 bisector_of_pieces(const std::vector<Polynomial_piece>& first_pieces,
+                                       const std::vector<Polynomial_piece>& second_pieces,
+                                       const std::vector<Bisector_range>& own, const Formula& formula,
+                                       const Solver_options& options)
 {
+  Run_of_steps run(options);
   std::vector<Rational_bisector_piece_3> result;
-  for (const Polynomial_piece& piece : polynomial_pieces(surface))
-    result.push_back(bisector_piece(piece.domain[0], piece.domain[1], bisector_of_point_and_surface(point, piece),
-                                    constant_polynomials(point), piece.coordinates));
-  return Rational_bisector_3(std::move(result));
+  std::vector<Undecided_part> undecided;
+  for (const Polynomial_piece& first : first_pieces)
+    for (const Polynomial_piece& second : second_pieces) {
+      if (run.must_stop()) {
+        undecided.push_back(undecided_part(first, second, run.reason()));
+        continue;
+      }
+      std::vector<Bisector_range> domain = first.domain;
+      domain.insert(domain.end(), second.domain.begin(), second.domain.end());
+      domain.insert(domain.end(), own.begin(), own.end());
+      result.push_back({{domain[0], domain[1]}, bernstein_coordinates(formula(first, second)),
+                        {bernstein_coordinates(first.coordinates), bernstein_coordinates(second.coordinates)}});
+      run.add_progress(1.0 / static_cast<double>(first_pieces.size() * second_pieces.size()));
+    }
+  const Summary summary = run.summary(undecided.empty());
+  return {std::move(result), std::move(undecided), summary};
 }
 
-inline Rational_bisector_3 point_curve_bisector_of(const Exact_kernel::Point_3& point, const Exact_map<3>& curve,
-                                                   const Bisector_range& lambda)
+inline Rational_bisector_3 point_surface_bisector(const Exact_map<3>& point, const Exact_map<3>& surface,
+                                                  const Solver_options& options)
 {
-  std::vector<Rational_bisector_piece_3> result;
-  for (const Polynomial_piece& piece : polynomial_pieces(curve))
-    result.push_back(bisector_piece(piece.domain[0], lambda, bisector_of_point_and_curve(point, piece, lambda),
-                                    constant_polynomials(point), piece.coordinates));
-  return Rational_bisector_3(std::move(result));
+  return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(surface), {}, bisector_of_point_and_surface,
+                            options);
 }
 
-inline Rational_bisector_3 curve_bisector_of(const Exact_map<3>& first, const Exact_map<3>& second)
+inline Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_map<3>& curve,
+                                                const Bisector_range& lambda, const Solver_options& options)
 {
-  const std::vector<Polynomial_piece> pieces_of_first = polynomial_pieces(first),
-                                      pieces_of_second = polynomial_pieces(second, 1);
-  std::vector<Rational_bisector_piece_3> result;
-  for (const Polynomial_piece& a : pieces_of_first)
-    for (const Polynomial_piece& b : pieces_of_second)
-      result.push_back(
-          bisector_piece(a.domain[0], b.domain[0], bisector_of_curves(a, b), a.coordinates, b.coordinates));
-  return Rational_bisector_3(std::move(result));
+  const auto formula = [&](const Polynomial_piece& first, const Polynomial_piece& second) {
+    return bisector_of_point_and_curve(first, second, lambda);
+  };
+  return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(curve), {lambda}, formula, options);
 }
 
+inline Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
+                                          const Solver_options& options)
+{
+  return bisector_of_pieces(pieces_in_powers(first), pieces_in_powers(second, 1), {}, bisector_of_curves, options);
+}
+
+} // namespace In_space
 } // namespace Loci
 } // namespace internal
 } // namespace Spline_constraints
