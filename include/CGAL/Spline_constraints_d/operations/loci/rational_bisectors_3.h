@@ -13,8 +13,11 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
-#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisector_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisector_pieces.h>
+#endif
 
 #include <array>
 #include <utility>

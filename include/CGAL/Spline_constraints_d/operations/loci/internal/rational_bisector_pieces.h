@@ -11,12 +11,14 @@
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -35,7 +37,6 @@ namespace internal {
 namespace Loci {
 namespace In_space {
 
-using Bisector_range = Rational_bisector_piece_3::Range;
 using Polynomial_vector = std::array<Power_polynomial, 3>;
 
 // A point, or a polynomial piece of a curve or surface, in parameters that run from 0 to 1.
@@ -252,15 +253,18 @@ Rational_bisector_3 bisector_of_pieces(const std::vector<Polynomial_piece>& firs
   return {std::move(result), std::move(undecided), summary};
 }
 
-inline Rational_bisector_3 point_surface_bisector(const Exact_map<3>& point, const Exact_map<3>& surface,
-                                                  const Solver_options& options)
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_surface_bisector(const Exact_map<3>& point,
+                                                                          const Exact_map<3>& surface,
+                                                                          const Solver_options& options)
 {
   return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(surface), {}, bisector_of_point_and_surface,
                             options);
 }
 
-inline Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_map<3>& curve,
-                                                const Bisector_range& lambda, const Solver_options& options)
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point,
+                                                                        const Exact_map<3>& curve,
+                                                                        const Bisector_range& lambda,
+                                                                        const Solver_options& options)
 {
   const auto formula = [&](const Polynomial_piece& first, const Polynomial_piece& second) {
     return bisector_of_point_and_curve(first, second, lambda);
@@ -268,8 +272,8 @@ inline Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const
   return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(curve), {lambda}, formula, options);
 }
 
-inline Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
-                                          const Solver_options& options)
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
+                                                                  const Solver_options& options)
 {
   return bisector_of_pieces(pieces_in_powers(first), pieces_in_powers(second, 1), {}, bisector_of_curves, options);
 }

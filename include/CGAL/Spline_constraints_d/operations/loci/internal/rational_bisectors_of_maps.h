@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
+
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Loci {
+namespace In_space {
+
+using Bisector_range = Rational_bisector_piece_3::Range;
+
+// Defined in rational_bisector_pieces.h; the compiled library has them.
+Rational_bisector_3 point_surface_bisector(const Exact_map<3>& point, const Exact_map<3>& surface,
+                                           const Solver_options& options);
+Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_map<3>& curve,
+                                         const Bisector_range& lambda, const Solver_options& options);
+Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
+                                   const Solver_options& options);
+
+} // namespace In_space
+} // namespace Loci
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
