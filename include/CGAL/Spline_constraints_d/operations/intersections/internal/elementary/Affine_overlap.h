@@ -137,7 +137,7 @@ private:
       Interval step(0);
       for (std::size_t i = 0; i < d; ++i)
         step += direction[i] * (Interval(curve.coefficients[i][j + 1]) - Interval(curve.coefficients[i][j]));
-      const int own = sign_of(step);
+      const int own = known_sign(step);
       if ((own == 0 && !step.is_same(Interval(0))) || (own != 0 && own == -sign))
         return false;
       sign = own != 0 ? own : sign;

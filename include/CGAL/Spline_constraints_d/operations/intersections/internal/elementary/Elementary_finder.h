@@ -118,7 +118,7 @@ private:
     if (!has_side(other))
       return false;
     const Interval bounds = side(Interval());
-    const int sign = is_certain(bounds) ? sign_of(bounds) : sign_of(side(Exact_rational()));
+    const int sign = is_certain(bounds) ? known_sign(bounds) : known_sign(side(Exact_rational()));
     if (sign != 0)
       return true;
     const Point place = coordinates_of<Interval>(m_operands[point]);
@@ -137,7 +137,7 @@ private:
   {
     const auto a = affine_line<Number>(m_operands[first]), b = affine_line<Number>(m_operands[second]);
     const Number area = determinant(a.direction, b.direction);
-    if (sign_of(area) == 0)
+    if (known_sign(area) == 0)
       return std::nullopt;
     const auto between = difference(b.origin, a.origin);
     return Meeting{enclosure_of(Number(determinant(between, b.direction) / area)),
@@ -167,7 +167,7 @@ private:
   {
     const Operand &a = m_operands[first], &b = m_operands[second];
     const Interval volume = volume_between_lines<Interval>(a, b);
-    if (sign_of(volume) != 0 || (!is_certain(volume) && volume_between_lines<Exact_rational>(a, b) != 0))
+    if (known_sign(volume) != 0 || (!is_certain(volume) && volume_between_lines<Exact_rational>(a, b) != 0))
       return true;
     const auto meeting = meeting_in_plane(a, b);
     if (!meeting)
@@ -203,16 +203,16 @@ private:
     };
     auto [a, b, c] = equation(Interval());
     Interval discriminant = CGAL::square(b) - a * c;
-    int sign = sign_of(discriminant);
+    int sign = known_sign(discriminant);
     if (!is_certain(discriminant)) {
       const auto exact = equation(Exact_rational());
       const Exact_rational value(exact[1] * exact[1] - exact[0] * exact[2]);
       a = enclosure_of(exact[0]);
       b = enclosure_of(exact[1]);
       discriminant = enclosure_of(value);
-      sign = sign_of(value);
+      sign = known_sign(value);
     }
-    if (sign_of(a) == 0)
+    if (known_sign(a) == 0)
       return false;
     const auto points = affine_line<Interval>(m_operands[line]);
     const Turned_segment<Interval> form(m_operands[surface]);
@@ -251,7 +251,7 @@ private:
   {
     const Point center = coordinates_of<Interval>(m_operands[first]),
                 between = difference(center, coordinates_of<Interval>(m_operands[second]));
-    if (sign_of(squared_length(between)) == 0)
+    if (known_sign(squared_length(between)) == 0)
       return false;
     const auto form = [&]<class Number>(const Number&) {
       return radical_line<Number>(this->m_operands[first], this->m_operands[second]);
@@ -271,13 +271,13 @@ private:
   static bool for_roots_on_sphere(const Form& form, const Operand& sphere, const Function& function)
   {
     Sphere_equation<Interval, d> f = sphere_equation(form(Interval()), sphere);
-    int sign = sign_of(f.discriminant);
-    if (!is_certain(f.discriminant) || sign_of(f.a) == 0) {
+    int sign = known_sign(f.discriminant);
+    if (!is_certain(f.discriminant) || known_sign(f.a) == 0) {
       const auto exact = sphere_equation(form(Exact_rational()), sphere);
       if (exact.a == 0)
         return false;
       f = enclosure_of(exact);
-      sign = sign_of(exact.discriminant);
+      sign = known_sign(exact.discriminant);
     }
     if (sign < 0)
       return true;
@@ -310,7 +310,7 @@ private:
   template <class Form>
   static void settle_zero(const Form& form, const Operand& sphere, const Interval& t, Interval& x, std::size_t i)
   {
-    if (sign_of(x) != 0 || x.is_same(Interval(0)))
+    if (known_sign(x) != 0 || x.is_same(Interval(0)))
       return;
     const auto f = sphere_equation(form(Exact_rational()), sphere);
     if (f.v[i] == 0) {
@@ -366,12 +366,12 @@ private:
         const auto exact_piece = piece_of<Exact_rational>(curve, first_knot);
         value = enclosure_of(side_of(other, side == 0 ? exact_piece.front() : exact_piece.back()));
       }
-      is_root_at_end[side] = sign_of(value) == 0;
+      is_root_at_end[side] = known_sign(value) == 0;
       if (is_root_at_end[side] && (range[side] != curve.domain[0][side] || is_closed(curve)))
         return false;
     }
     f = without_roots_at_ends(std::move(f), is_root_at_end);
-    if (f.empty() || sign_of(f.front()) == 0 || sign_of(f.back()) == 0)
+    if (f.empty() || known_sign(f.front()) == 0 || known_sign(f.back()) == 0)
       return false;
     const auto add_root = [&](const Interval& t, int multiplicity) {
       const Point point = point_of_curve(piece, t);

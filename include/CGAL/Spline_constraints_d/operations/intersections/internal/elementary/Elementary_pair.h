@@ -108,14 +108,14 @@ protected:
   {
     if constexpr (d == 2)
       if (is_line(k))
-        return sign_of(squared_length(affine_line<Interval>(m_operands[k]).direction)) > 0;
+        return known_sign(squared_length(affine_line<Interval>(m_operands[k]).direction)) > 0;
     if constexpr (d == 3) {
       if (is_plane(k))
         return true;
       if (is_turned(k))
         return is_turned_segment(m_operands[k]);
       if (is_triangle(k))
-        return sign_of(squared_length(Triangle_frame<Interval>(m_operands[k]).normal())) > 0;
+        return known_sign(squared_length(Triangle_frame<Interval>(m_operands[k]).normal())) > 0;
     }
     return is_sphere(k);
   }

@@ -77,13 +77,13 @@ inline std::optional<Interval> turn_parameter(const Interval& cosine, const Inte
 {
   if (sine.is_same(Interval(0)) && cosine.inf() > 0)
     return Interval(0);
-  if (cosine.sup() >= 0 && sign_of(sine) == 0)
+  if (cosine.sup() >= 0 && known_sign(sine) == 0)
     return std::nullopt;
   std::optional<Interval> result;
   if (cosine.inf() < 0)
     result = Interval(2) - sine / (r - cosine);
   if (cosine.sup() >= 0) {
-    const Interval half = sine / (r + cosine), turn = sign_of(sine) < 0 ? Interval(4) + half : half;
+    const Interval half = sine / (r + cosine), turn = known_sign(sine) < 0 ? Interval(4) + half : half;
     result = result ? hull(*result, turn) : turn;
   }
   return common_part(*result, Interval(0, 4));
@@ -112,7 +112,7 @@ inline Decided_place place_on_sphere(const Elementary_operand<3>& sphere, const 
 {
   const auto& [x, y, z] = arm;
   if (x.is_same(Interval(0)) && y.is_same(Interval(0)))
-    return {sign_of(z) == 0 ? Decided_place::State::UNDECIDED : Decided_place::State::FOUND,
+    return {known_sign(z) == 0 ? Decided_place::State::UNDECIDED : Decided_place::State::FOUND,
             {{Interval(0, 4), Interval(z.inf() < 0 ? 0 : 2)}, {false, true}, true}};
   const Interval radius = CGAL::sqrt(Interval(sphere.numbers[3])),
                  distance = CGAL::sqrt(Interval(CGAL::square(x) + CGAL::square(y)));

@@ -120,7 +120,7 @@ inline bool is_turned_segment(const Elementary_operand<3>& surface)
   const std::vector<Interval> bounds = residuals(Interval());
   std::vector<Exact_rational> values;
   for (std::size_t k = 0; k < bounds.size(); ++k) {
-    if (sign_of(bounds[k]) != 0)
+    if (known_sign(bounds[k]) != 0)
       return false;
     if (bounds[k].is_same(Interval(0)))
       continue;
@@ -133,9 +133,9 @@ inline bool is_turned_segment(const Elementary_operand<3>& surface)
   const auto is_less = [](const Interval& x) { return x.sup() < 0; };
   const Interval arms = inner_product(form.arm[0], form.arm[1]),
                  quarters = inner_product(form.quarter_arm[0], form.quarter_arm[1]);
-  return sign_of(form.squared_length_of_axis) > 0 && !is_less(arms) && !is_less(quarters) &&
-      (sign_of(arms) > 0) == (sign_of(quarters) > 0) &&
-      (sign_of(squared_length(form.arm[0])) > 0 || sign_of(squared_length(form.arm[1])) > 0);
+  return known_sign(form.squared_length_of_axis) > 0 && !is_less(arms) && !is_less(quarters) &&
+      (known_sign(arms) > 0) == (known_sign(quarters) > 0) &&
+      (known_sign(squared_length(form.arm[0])) > 0 || known_sign(squared_length(form.arm[1])) > 0);
 }
 
 // The parameters of a point that is on the surface, or on the other points of its cylinder or cone.

@@ -70,7 +70,7 @@ std::optional<Meeting_with_triangle> meeting_with_triangle(const Elementary_oper
   const Coordinates<Number, 3> w = difference(points.origin, frame.corner), &v = points.direction,
                                normal = frame.normal();
   const Number volume = inner_product(normal, v);
-  if (sign_of(volume) == 0)
+  if (known_sign(volume) == 0)
     return std::nullopt;
   const Number first = triple_product(w, frame.second, v), second = triple_product(w, v, frame.first);
   return Meeting_with_triangle{enclosure_of(Number(-inner_product(normal, w) / volume)),

@@ -42,11 +42,11 @@ struct Unit_root
 inline Interval enclosure_of(const Interval& x) { return x; }
 inline Interval enclosure_of(const Exact_rational& x) { return Interval(to_double_interval(x)); }
 
-inline int sign_of(const Interval& x) { return certain_sign(x); }
-inline int sign_of(const Exact_rational& x) { return static_cast<int>(CGAL::sign(x)); }
+inline int known_sign(const Interval& x) { return certain_sign(x); }
+inline int known_sign(const Exact_rational& x) { return static_cast<int>(CGAL::sign(x)); }
 
 // Whether the sign is known: also where the enclosure is exact and zero.
-inline bool is_certain(const Interval& x) { return sign_of(x) != 0 || x.is_same(Interval(0)); }
+inline bool is_certain(const Interval& x) { return known_sign(x) != 0 || x.is_same(Interval(0)); }
 
 // Its value by de Casteljau's scheme.
 inline Interval value_at(Bernstein_bounds f, const Interval& t)
@@ -97,15 +97,15 @@ template <class Exact_coefficients>
 std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coefficients& exact)
 {
   Interval discriminant = CGAL::square(f[1]) - f[0] * f[2];
-  int sign = sign_of(discriminant);
+  int sign = known_sign(discriminant);
   if (!is_certain(discriminant)) {
     const std::vector<Exact_rational> g = exact();
     const Exact_rational value(g[1] * g[1] - g[0] * g[2]);
-    sign = sign_of(value);
+    sign = known_sign(value);
     discriminant = enclosure_of(value);
     std::transform(g.begin(), g.end(), f.begin(), [](const Exact_rational& x) { return enclosure_of(x); });
   }
-  const int first = sign_of(f[0]), middle = sign_of(f[1]), last = sign_of(f[2]);
+  const int first = known_sign(f[0]), middle = known_sign(f[1]), last = known_sign(f[2]);
   if (sign < 0 || (first == last && middle != -first))
     return {};
   if (sign == 0)
@@ -153,7 +153,7 @@ private:
     }
     for (const double part : {0.5, 0.4375}) {   // a root may be at one of them
       const auto [left, right] = halves(f, part);
-      if (sign_of(left.back()) != 0)
+      if (known_sign(left.back()) != 0)
         return isolate(left, begin, width * Interval(part)) &&
             isolate(right, begin + width * Interval(part), width * Interval(1 - part));
     }
@@ -176,9 +176,9 @@ private:
   // Of the signs that are certain, and with the others as they may be.
   static std::pair<int, int> numbers_of_variations(const Bernstein_bounds& f)
   {
-    int least = 0, uncertain = 0, last = sign_of(f[0]);
+    int least = 0, uncertain = 0, last = known_sign(f[0]);
     for (const Interval& x : f) {
-      const int sign = sign_of(x);
+      const int sign = known_sign(x);
       if (sign == 0)
         ++uncertain;
       else if (sign != last) {
@@ -187,19 +187,19 @@ private:
       }
     }
     // one that lies between two of the same sign may add two, between two others none
-    int most = least, before = sign_of(f[0]);
+    int most = least, before = known_sign(f[0]);
     for (std::size_t i = 1; uncertain > 0 && i < f.size(); ++i) {
-      if (sign_of(f[i]) != 0) {
-        before = sign_of(f[i]);
+      if (known_sign(f[i]) != 0) {
+        before = known_sign(f[i]);
         continue;
       }
       std::size_t next = i;
-      while (sign_of(f[next]) == 0)
+      while (known_sign(f[next]) == 0)
         ++next;
       const int run = static_cast<int>(next - i);
-      most += sign_of(f[next]) == before ? 2 * ((run + 1) / 2) : 2 * (run / 2);
+      most += known_sign(f[next]) == before ? 2 * ((run + 1) / 2) : 2 * (run / 2);
       i = next;
-      before = sign_of(f[next]);
+      before = known_sign(f[next]);
     }
     return {least, most};
   }
@@ -218,9 +218,9 @@ private:
         const Interval value = value_at(f, Interval(middle));
         if (value.is_same(Interval(0)))
           return Interval(middle);
-        if (const int sign = sign_of(value); sign != 0)
-          next = common_part(next, sign == sign_of(f[0]) ? Interval(middle, t.sup()) : Interval(t.inf(), middle));
-        if (sign_of(derivative) != 0)
+        if (const int sign = known_sign(value); sign != 0)
+          next = common_part(next, sign == known_sign(f[0]) ? Interval(middle, t.sup()) : Interval(t.inf(), middle));
+        if (known_sign(derivative) != 0)
           next = common_part(next, Interval(middle) - value / derivative);
         if (next.sup() - next.inf() < 0.75 * (t.sup() - t.inf()))
           break;
@@ -239,7 +239,7 @@ std::optional<std::vector<Unit_root>> unit_roots(const Bernstein_bounds& f, cons
   if (f.size() == 1)
     return std::vector<Unit_root>();
   if (f.size() == 2)
-    return sign_of(f[0]) == sign_of(f[1]) ? std::vector<Unit_root>()
+    return known_sign(f[0]) == known_sign(f[1]) ? std::vector<Unit_root>()
                                           : std::vector<Unit_root>{{f[0] / (f[0] - f[1])}};
   if (f.size() == 3)
     return roots_of_quadratic(f, exact);
