@@ -131,7 +131,7 @@ template <int d, class A, class B>
 void compare(const A& a, const B& b, Counts& counts, const std::string& what)
 {
   ++counts.inputs;
-  const auto found = nearest_points_in_doubles(Distance_operand_of<A>::get(a), Distance_operand_of<B>::get(b));
+  const auto found = nearest_points_in_doubles(Distance_operand_of<A>::get(a), Distance_operand_of<B>::get(b), {});
   if (!found)
     return;
   ++counts.decided;
@@ -163,7 +163,7 @@ template <int d, class A>
 void compare_feet(const Point<d>& p, const A& a, Counts& counts, const std::string& what)
 {
   ++counts.inputs;
-  const auto found = projections_in_doubles(Distance_operand_of<Point<d>>::get(p), Distance_operand_of<A>::get(a));
+  const auto found = projections_in_doubles(Distance_operand_of<Point<d>>::get(p), Distance_operand_of<A>::get(a), {});
   if (!found)
     return;
   ++counts.decided;
@@ -270,7 +270,7 @@ TEST(Nearest_points_in_doubles, AtBreaks)
   compare<2>(Point<2>(2, 2), square, counts, "another corner");
   EXPECT_EQ(counts.decided, 3);
   const auto found = nearest_points_in_doubles(Distance_operand_of<Point<2>>::get(Point<2>(-1, -1)),
-                                               Distance_operand_of<SC::Bspline_curve_2<K>>::get(square));
+                                               Distance_operand_of<SC::Bspline_curve_2<K>>::get(square), {});
   ASSERT_TRUE(found);
   ASSERT_EQ(found->pairs.size(), 1u);
   EXPECT_EQ(found->pairs[0].distance.ranges[1][0].second, 0);
@@ -283,7 +283,7 @@ TEST(Nearest_points_in_doubles, NothingIsDecidedOfAContinuum)
 {
   const SC::Bspline_curve_2<K> quarter(2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 1}, {0, 1}}, {1, 1, 2});
   EXPECT_FALSE(nearest_points_in_doubles(Distance_operand_of<Point<2>>::get(Point<2>(0, 0)),
-                                         Distance_operand_of<SC::Bspline_curve_2<K>>::get(quarter)));
+                                         Distance_operand_of<SC::Bspline_curve_2<K>>::get(quarter), {}));
 }
 
 } // namespace nearest_points_in_doubles_test

@@ -197,9 +197,9 @@ requires internal::Common::Spline_operands<Point, Object> &&
   };
   options.check();
   if constexpr (internal::Distances::Has_coordinates<Object>)
-    if (auto found =
-            internal::Distances::projections_in_doubles(internal::Distances::Distance_operand_of<Point>::get(point),
-                                                        internal::Distances::Distance_operand_of<Object>::get(object)))
+    if (auto found = internal::Distances::projections_in_doubles(
+            internal::Distances::Distance_operand_of<Point>::get(point),
+            internal::Distances::Distance_operand_of<Object>::get(object), options))
       return with_feet(std::move(*found));
   return with_feet(internal::Distances::projections_of<d>(internal::Common::Spline_operand<Point>::map(point),
                                                           Operand::map(object), options));
@@ -252,8 +252,9 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
   };
   options.check();
   if constexpr (internal::Distances::Has_coordinates<A> && internal::Distances::Has_coordinates<B>)
-    if (auto found = internal::Distances::nearest_points_in_doubles(
-            internal::Distances::Distance_operand_of<A>::get(a), internal::Distances::Distance_operand_of<B>::get(b)))
+    if (auto found = internal::Distances::nearest_points_in_doubles(internal::Distances::Distance_operand_of<A>::get(a),
+                                                                    internal::Distances::Distance_operand_of<B>::get(b),
+                                                                    options))
       return with_points(std::move(*found));
   return with_points(
       internal::Distances::nearest_points_of<d>(Operand::map(a), internal::Common::Spline_operand<B>::map(b), options));

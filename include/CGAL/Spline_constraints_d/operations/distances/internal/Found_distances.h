@@ -61,17 +61,19 @@ Found_distances<d> nearest_points_of(const Exact_map<d>& first, const Exact_map<
 // The same where doubles decide; defined in doubles/nearest_points_in_doubles.h.
 template <class NT, int d>
 std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_operand<NT, d>& first,
-                                                            const Distance_operand<NT, d>& second);
+                                                            const Distance_operand<NT, d>& second,
+                                                            const Solver_options& options);
 
 template <class NT, int d>
 std::optional<Found_distances<d>> projections_in_doubles(const Distance_operand<NT, d>& point,
-                                                         const Distance_operand<NT, d>& object);
+                                                         const Distance_operand<NT, d>& object,
+                                                         const Solver_options& options);
 
 #define CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(EXTERN, NT, d)                                               \
-  EXTERN template std::optional<Found_distances<d>> nearest_points_in_doubles<NT, d>(const Distance_operand<NT, d>&,   \
-                                                                                     const Distance_operand<NT, d>&);  \
-  EXTERN template std::optional<Found_distances<d>> projections_in_doubles<NT, d>(const Distance_operand<NT, d>&,      \
-                                                                                  const Distance_operand<NT, d>&);
+  EXTERN template std::optional<Found_distances<d>> nearest_points_in_doubles<NT, d>(                                  \
+      const Distance_operand<NT, d>&, const Distance_operand<NT, d>&, const Solver_options&);                          \
+  EXTERN template std::optional<Found_distances<d>> projections_in_doubles<NT, d>(                                     \
+      const Distance_operand<NT, d>&, const Distance_operand<NT, d>&, const Solver_options&);
 
 // The Hausdorff distance of two curves, or that of the first one from the second one.
 template <int d>

@@ -229,10 +229,11 @@ struct Second_jet
 };
 
 // By de Casteljau's algorithm: value, first and second derivative of a polynomial of degree n at x, from coefficients
-// that are overwritten.
+// that are overwritten. Errors of coefficients do not grow, as their weights are positive.
 template <class Number, class Parameter>
 std::array<Number, 3> univariate_jet(Number* c, int n, const Parameter& x)
 {
+  const Number before = Number(1) - Number(x);
   Number second(0), first(0);
   for (int r = n; r > 0; --r) {
     if (r == 2)
@@ -240,7 +241,7 @@ std::array<Number, 3> univariate_jet(Number* c, int n, const Parameter& x)
     if (r == 1)
       first = Number(n) * (c[1] - c[0]);
     for (int k = 0; k < r; ++k)
-      c[k] = c[k] + x * (c[k + 1] - c[k]);
+      c[k] = before * c[k] + x * c[k + 1];
   }
   return {c[0], first, second};
 }

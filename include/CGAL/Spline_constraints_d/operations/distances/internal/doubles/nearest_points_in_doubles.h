@@ -14,6 +14,8 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Exact_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Foot_search.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <algorithm>
 #include <array>
@@ -68,11 +70,14 @@ std::optional<Found_distances<d>> found_distances(const std::array<Located_opera
   return result;
 }
 
-// The nearest points of two operands, or nothing where doubles do not decide.
+// The nearest points of two operands, or nothing where doubles do not decide or the run ends before.
 template <class NT, int d>
 std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_operand<NT, d>& first,
-                                                            const Distance_operand<NT, d>& second)
+                                                            const Distance_operand<NT, d>& second,
+                                                            const Solver_options& options)
 {
+  if (Run_control(options).must_stop(true))
+    return std::nullopt;
   thread_local Nearest_search<d> search; // for its storage
   const std::array operands{Located_operand<NT, d>(first), Located_operand<NT, d>(second)};
   if (!visit_prepared(operands, [&](const auto& a, const auto& b) { search.find(a, b); }) || !search.is_decided())
@@ -88,8 +93,11 @@ std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_opera
 // The feet of all perpendiculars from a point, or nothing where doubles do not decide.
 template <class NT, int d>
 std::optional<Found_distances<d>> projections_in_doubles(const Distance_operand<NT, d>& point,
-                                                         const Distance_operand<NT, d>& object)
+                                                         const Distance_operand<NT, d>& object,
+                                                         const Solver_options& options)
 {
+  if (Run_control(options).must_stop(true))
+    return std::nullopt;
   thread_local Foot_search<d> search; // for its storage
   const std::array operands{Located_operand<NT, d>(point), Located_operand<NT, d>(object)};
   const auto find = [&](const auto& p, const auto& spline) {
