@@ -6,6 +6,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -14,8 +15,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace nearest_points_in_doubles_test {
@@ -110,6 +115,35 @@ struct Counts
   int inputs = 0, decided = 0;
 };
 
+// Both points of a pair are those of the operands at the parameters in the middle of its ranges, but for rounding, and as
+// far from each other as it says.
+template <int d>
+void expect_points(const Located_distance<d>& pair, const SC::internal::Common::Exact_map<d>& a,
+                   const SC::internal::Common::Exact_map<d>& b, const std::string& what)
+{
+  std::array<std::array<double, d>, 2> points{};
+  std::visit(
+      [&](const auto& known) {
+        for (const std::size_t operand : {0, 1})
+          for (int i = 0; i < d; ++i)
+            points[operand][i] = CGAL::to_double(known[operand][i]);
+      },
+      pair.points);
+  const std::array maps{&a, &b};
+  double square = 0;
+  for (int i = 0; i < d; ++i)
+    square += (points[0][i] - points[1][i]) * (points[0][i] - points[1][i]);
+  double size = 0;
+  for (const std::size_t operand : {0, 1}) {
+    const auto exact = SC::internal::Common::Spline_patch<d>(*maps[operand])(pair.distance.sample[operand]);
+    for (int i = 0; i < d; ++i) {
+      size = std::max({size, std::abs(points[0][i]), std::abs(points[1][i])});
+      EXPECT_NEAR(points[operand][i], CGAL::to_double(exact[i]), 1e-10 * (size + 1)) << what;
+    }
+  }
+  EXPECT_NEAR(square, CGAL::to_double(pair.distance.squared_distance.upper), 1e-10 * (size + 1) * (size + 1)) << what;
+}
+
 bool meet(const std::pair<SC::Exact_rational, SC::Exact_rational>& a,
           const std::pair<SC::Exact_rational, SC::Exact_rational>& b)
 {
@@ -148,6 +182,7 @@ void compare(const A& a, const B& b, Counts& counts, const std::string& what)
       return is_same<d>(x.distance, pair.distance);
     })) << what;
   for (const auto& pair : found->pairs) {
+    expect_points<d>(pair, Spline_operand<A>::map(a), Spline_operand<B>::map(b), what);
     const Critical_distance& distance = pair.distance;
     EXPECT_EQ(distance.kind, SC::Solution_kind::CERTIFIED);
     for (const std::size_t operand : {0, 1})
@@ -172,6 +207,8 @@ void compare_feet(const Point<d>& p, const A& a, Counts& counts, const std::stri
   if (!exact.summary.is_complete)
     return;
   ASSERT_EQ(found->pairs.size(), exact.pairs.size()) << what;
+  for (const auto& pair : found->pairs)
+    expect_points<d>(pair, Spline_operand<Point<d>>::map(p), Spline_operand<A>::map(a), what);
   for (const auto& pair : exact.pairs)
     EXPECT_TRUE(std::any_of(found->pairs.begin(), found->pairs.end(), [&](const auto& x) {
       return is_same<d>(x.distance, pair.distance) &&

@@ -209,6 +209,7 @@ private:
       }
     }
     result.distance.squared_distance = squared_distance_of(candidate);
+    result.points = points;
     return result;
   }
 

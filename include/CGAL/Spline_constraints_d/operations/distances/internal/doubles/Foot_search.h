@@ -26,9 +26,9 @@ namespace Distances {
 
 /*
 All feet of perpendiculars from a point to a spline: parameters inside of its pieces where the gradient of the squared
-distance is zero. A part on which a derivative has one sign has none. Newton's method in intervals, with the second
-derivatives of a whole part, either leaves the part, which has no foot then, or stays inside of it, so that there is
-exactly one. Feet at breaks are not decided.
+distance is zero. A part on which a derivative has one sign has none. Where Newton's method in intervals, with the
+second derivatives of a whole part, stays inside of it, there is exactly one; other parts are divided. Feet at breaks
+are not decided.
 */
 template <int d>
 class Foot_search
