@@ -115,8 +115,8 @@ struct Counts
   int inputs = 0, decided = 0;
 };
 
-// Both points of a pair are those of the operands at the parameters that are in its ranges, but for rounding, and as far
-// from each other as it says.
+// Both points of a pair are those of the operands at its parameters, but for rounding, and as far from each other as it
+// says.
 template <int d>
 void expect_points(const Located_distance<d>& pair, const SC::internal::Common::Exact_map<d>& a,
                    const SC::internal::Common::Exact_map<d>& b, const std::string& what)
