@@ -81,8 +81,8 @@ public:
     return to_nearest_double(m_distance.sample[operand][axis]);
   }
 
-  //! the point of an operand with parameters in the middle of the ranges; of a segment of solutions, in its middle.
-  //! Where the ranges are numbers and the kernel is exact, the point itself.
+  //! the point of an operand with parameters in the ranges, rounded where doubles have found it; of a segment of
+  //! solutions, in its middle. Where the ranges are numbers and the kernel is exact, the point itself.
   const Point& point(std::size_t operand) const { return m_points[operand]; }
 
   //! the square of the distance lies between these numbers.
