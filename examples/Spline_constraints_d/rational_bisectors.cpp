@@ -7,7 +7,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/loci/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 

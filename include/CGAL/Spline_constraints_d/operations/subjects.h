@@ -23,7 +23,8 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `surface_curves`: silhouettes, sections, parabolic lines, umbilics and accessible directions of surfaces.
 - `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
 - `distances`: closest points, distances of curves, surfaces and regions.
-- `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes; rational bisectors in space.
+- `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
+- `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
 - `joints`: ends of curves that nearly meet, joined exactly.
 - `convex_hull`: convex hulls of curves.
@@ -63,6 +64,12 @@ using namespace Regions;
 namespace Loci {
 using namespace Common;
 using namespace Intersections;
+}
+namespace Rational_bisectors {
+using namespace Common;
+using namespace Intersections;
+using namespace Surface_curves;
+using namespace Distances;
 }
 namespace Curve_features {
 using namespace Common;

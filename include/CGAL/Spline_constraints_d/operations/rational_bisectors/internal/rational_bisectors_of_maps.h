@@ -5,19 +5,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spline_constraints_d authors
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
-#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-namespace Loci {
-namespace In_space {
+namespace Rational_bisectors {
 
 using Bisector_range = Rational_bisector_piece_3::Range;
 
@@ -29,10 +28,9 @@ Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_
 Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
                                    const Solver_options& options);
 
-} // namespace In_space
-} // namespace Loci
+} // namespace Rational_bisectors
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H

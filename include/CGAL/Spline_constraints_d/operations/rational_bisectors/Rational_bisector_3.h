@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spline_constraints_d authors
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_3_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_3_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_3_H
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_piece_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_piece_3.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDLoci
+\ingroup PkgSplineConstraintsDRationalBisectors
 
 A rational bisector in space, untrimmed, with exact coefficients: one piece for each pair of polynomial pieces of the
 operands, by increasing parameters, those of the second one fastest.
@@ -115,4 +115,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_3_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_3_H

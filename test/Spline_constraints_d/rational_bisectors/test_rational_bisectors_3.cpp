@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/loci/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -164,7 +164,7 @@ TEST(Rational_bisectors_3, point_on_the_axis_of_a_cylinder_a_cone_and_a_torus)
   EXPECT_EQ(degrees(of_cone), Degrees(2, 2));
   check_centers(of_cone);
   EXPECT_TRUE(satisfies(of_cone, [](const auto& x, const auto& y, const auto& z, const auto& w) {
-    const Tensor square = x * x + y * y;   // of the distance from the axis
+    const Tensor square = x * x + y * y; // of the distance from the axis
     return squared(Number(9) * (z * z - square) - Number(25) * squared(z - Number(2) * w)) -
         Number(576) * z * z * square;
   }));
@@ -194,10 +194,10 @@ TEST(Rational_bisectors_3, quadrics_and_tori_keep_the_lowest_degree_in_general_p
                                          2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b), 1,
                                          2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d, 2, n);
     const Point q(Number(1, 3), Number(-2, 5), Number(7 + k, 4));
-    for (const Surface& surface : {SC::sphere_surface(Point(0, 0, 0), Number(3, 2)),
-                                   SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5),
-                                   SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)),
-                                   SC::torus_surface<K>(Point(0, 0, 0), 3, 1)}) {
+    for (const Surface& surface :
+         {SC::sphere_surface(Point(0, 0, 0), Number(3, 2)), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5),
+          SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)),
+          SC::torus_surface<K>(Point(0, 0, 0), 3, 1)}) {
       const auto bisector = SC::point_surface_bisector(q, surface.transformed(motion));
       EXPECT_EQ(degrees(bisector), Degrees(2, 2));
       check_centers(bisector);
@@ -209,9 +209,16 @@ TEST(Rational_bisectors_3, polynomial_surfaces)
 {
   // z = u^2 + v^2.
   const Number half(1, 2);
-  const Surface bowl = bezier_surface(2, 2, {{0, 0, 0}, {0, half, 0}, {0, 1, 1},
-                                             {half, 0, 0}, {half, half, 0}, {half, 1, 1},
-                                             {1, 0, 1}, {1, half, 1}, {1, 1, 2}});
+  const Surface bowl = bezier_surface(2, 2,
+                                      {{0, 0, 0},
+                                       {0, half, 0},
+                                       {0, 1, 1},
+                                       {half, 0, 0},
+                                       {half, half, 0},
+                                       {half, 1, 1},
+                                       {1, 0, 1},
+                                       {1, half, 1},
+                                       {1, 1, 2}});
   const auto of_bowl = SC::point_surface_bisector(Point(0, 0, 1), bowl);
   EXPECT_EQ(degrees(of_bowl), Degrees(5, 5));
   check_centers(of_bowl);
@@ -342,10 +349,13 @@ TEST(Rational_bisectors_3, what_has_no_bisector_surface_is_refused)
   EXPECT_NE(message_of([&] { SC::curve_bisector_surface(line, parallel); }).find("bisector_curves()"),
             std::string::npos);
   const std::pair<Number, Number> range(0, 1);
-  EXPECT_NE(message_of([&] { SC::point_curve_bisector_surface(Point(3, 3, 3), line, range); })
-                .find("on a line through the point"),
+  EXPECT_NE(message_of([&] {
+              SC::point_curve_bisector_surface(Point(3, 3, 3), line, range);
+            }).find("on a line through the point"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { SC::point_curve_bisector_surface(Point(3, 3, 4), line, {1, 1}); }).find("empty"),
+  EXPECT_NE(message_of([&] {
+              SC::point_curve_bisector_surface(Point(3, 3, 4), line, {1, 1});
+            }).find("empty"),
             std::string::npos);
   const Surface plane = bezier_surface(1, 1, {{-1, -1, 0}, {-1, 2, 0}, {3, -1, 0}, {3, 2, 0}});
   EXPECT_NE(message_of([&] { SC::point_surface_bisector(Point(7, 8, 0), plane); }).find("pass through the point"),

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spline_constraints_d authors
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_PIECE_3_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_PIECE_3_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_PIECE_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_PIECE_3_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Spline_constraints {
 
 /*!
-\ingroup PkgSplineConstraintsDLoci
+\ingroup PkgSplineConstraintsDRationalBisectors
 
 A piece of a rational bisector in space that is one rational function of two parameters, with exact coefficients. Where
 its weight is zero it has poles: the bisector goes to infinity there and may come back from the other side.
@@ -151,4 +151,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTOR_PIECE_3_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTOR_PIECE_3_H

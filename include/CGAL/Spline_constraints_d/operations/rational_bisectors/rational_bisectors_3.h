@@ -5,18 +5,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spline_constraints_d authors
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTORS_3_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTORS_3_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTORS_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTORS_3_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
-#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
-#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisectors_of_maps.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisector_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisector_pieces.h>
 #endif
 
 #include <array>
@@ -25,7 +25,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-namespace Loci {
+namespace Rational_bisectors {
 
 template <class Kernel>
 Exact_map<3> exact_map_of_point(const CGAL::Point_3<Kernel>& point)
@@ -34,11 +34,11 @@ Exact_map<3> exact_map_of_point(const CGAL::Point_3<Kernel>& point)
   return Common::exact_map<3>(std::array<Exact_rational, 3>{q.x(), q.y(), q.z()});
 }
 
-} // namespace Loci
+} // namespace Rational_bisectors
 } // namespace internal
 
 /*!
-\ingroup PkgSplineConstraintsDLoci
+\ingroup PkgSplineConstraintsDRationalBisectors
 
 the bisector of a point \f$Q\f$ and a surface, untrimmed: the centers of all spheres through the point that touch the
 surface. It is a rational surface with the parameters of the given one, \f$S\f$, whose normal is \f$N\f$:
@@ -67,12 +67,12 @@ template <ParametricSurface_3 S>
 Rational_bisector_3 point_surface_bisector(const typename S::Kernel::Point_3& point, const S& surface,
                                            const Solver_options& options = {})
 {
-  return internal::Loci::In_space::point_surface_bisector(internal::Loci::exact_map_of_point(point),
-                                                          internal::Common::exact_map<3>(surface), options);
+  return internal::Rational_bisectors::point_surface_bisector(internal::Rational_bisectors::exact_map_of_point(point),
+                                                              internal::Common::exact_map<3>(surface), options);
 }
 
 /*!
-\ingroup PkgSplineConstraintsDLoci
+\ingroup PkgSplineConstraintsDRationalBisectors
 
 the bisector of a point \f$Q\f$ and a curve in space, untrimmed: the centers of all spheres through the point that touch
 the curve. It is a ruled surface: for each parameter \f$t\f$ of the curve \f$C = X/w\f$, the line in which its normal
@@ -96,21 +96,20 @@ Complexity: products and greatest common divisors of polynomials, for each polyn
 \cgalCite{ek-crb-99}.
 */
 template <ParametricCurve_3 C>
-Rational_bisector_3
-point_curve_bisector_surface(const typename C::Kernel::Point_3& point, const C& curve,
-                             const std::pair<typename C::Kernel::FT, typename C::Kernel::FT>& range,
-                             const Solver_options& options = {})
+Rational_bisector_3 point_curve_bisector_surface(const typename C::Kernel::Point_3& point, const C& curve,
+                                                 const std::pair<typename C::Kernel::FT, typename C::Kernel::FT>& range,
+                                                 const Solver_options& options = {})
 {
   const Rational_bisector_3::Range lambda{internal::converted_number<Exact_rational>(range.first),
                                           internal::converted_number<Exact_rational>(range.second)};
   if (!(lambda.first < lambda.second))
     throw Invalid_input("point_curve_bisector_surface: the range of lambda is empty");
-  return internal::Loci::In_space::point_curve_bisector(internal::Loci::exact_map_of_point(point),
-                                                        internal::Common::exact_map<3>(curve), lambda, options);
+  return internal::Rational_bisectors::point_curve_bisector(internal::Rational_bisectors::exact_map_of_point(point),
+                                                            internal::Common::exact_map<3>(curve), lambda, options);
 }
 
 /*!
-\ingroup PkgSplineConstraintsDLoci
+\ingroup PkgSplineConstraintsDRationalBisectors
 
 the bisector of two curves in space, untrimmed: the centers of all spheres that touch both. It is a rational surface
 whose parameters are those of the curves: the point in which both normal planes meet the plane in the middle of
@@ -136,11 +135,11 @@ rational curves, for each pair of polynomial pieces. Source: \cgalCite{ek-crb-99
 template <ParametricCurve_3 C1, ParametricCurve_3 C2>
 Rational_bisector_3 curve_bisector_surface(const C1& first, const C2& second, const Solver_options& options = {})
 {
-  return internal::Loci::In_space::curve_bisector(internal::Common::exact_map<3>(first),
-                                                  internal::Common::exact_map<3>(second), options);
+  return internal::Rational_bisectors::curve_bisector(internal::Common::exact_map<3>(first),
+                                                      internal::Common::exact_map<3>(second), options);
 }
 
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_RATIONAL_BISECTORS_3_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_RATIONAL_BISECTORS_3_H

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Spline_constraints_d authors
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTOR_PIECES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTOR_PIECES_H
 
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
@@ -17,8 +17,8 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
-#include <CGAL/Spline_constraints_d/operations/loci/Rational_bisector_3.h>
-#include <CGAL/Spline_constraints_d/operations/loci/internal/rational_bisectors_of_maps.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -34,8 +34,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-namespace Loci {
-namespace In_space {
+namespace Rational_bisectors {
 
 using Polynomial_vector = std::array<Power_polynomial, 3>;
 
@@ -105,10 +104,7 @@ inline Polynomial_vector operator-(const Polynomial_vector& a, const Polynomial_
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-inline bool is_zero(const Polynomial_vector& a)
-{
-  return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
-}
+inline bool is_zero(const Polynomial_vector& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 
 // In the lowest degree.
 inline Homogeneous_polynomials reduced(const Polynomial_vector& numerators, const Power_polynomial& weight)
@@ -165,8 +161,8 @@ bisector,
 
   P = Q + (<e,t> |e|^2 t + (|t|^2 |e|^2 - 2 <e,t>^2) e) / (2 w |d|^2) + lambda d.
 */
-inline Homogeneous_polynomials bisector_of_point_and_curve(const Polynomial_piece& point,
-                                                           const Polynomial_piece& curve, const Bisector_range& lambda)
+inline Homogeneous_polynomials bisector_of_point_and_curve(const Polynomial_piece& point, const Polynomial_piece& curve,
+                                                           const Bisector_range& lambda)
 {
   const Polynomial_vector q = point.numerators(), e = curve.numerators() - curve.weight() * q;
   const Polynomial_vector t = scaled_tangent(curve, 0), d = cross(t, e);
@@ -196,7 +192,8 @@ inline Homogeneous_polynomials bisector_of_curves(const Polynomial_piece& first,
   const Power_polynomial determinant = dot(a, bc);
   if (determinant.is_zero())
     throw Invalid_input("curve_bisector_surface: the pieces " + ranges_in_words(first.domain) + " and " +
-                        ranges_in_words(second.domain) + " are in one plane, or one of them is a point; "
+                        ranges_in_words(second.domain) +
+                        " are in one plane, or one of them is a point; "
                         "in a plane, bisector_curves() is the operation for them");
   return reduced(dot(x, s) * bc + dot(y, t) * cross(c, a) + (v * v * dot(x, x) - w * w * dot(y, y)) * cross(a, b),
                  determinant);
@@ -245,7 +242,8 @@ Rational_bisector_3 bisector_of_pieces(const std::vector<Polynomial_piece>& firs
       std::vector<Bisector_range> domain = first.domain;
       domain.insert(domain.end(), second.domain.begin(), second.domain.end());
       domain.insert(domain.end(), own.begin(), own.end());
-      result.push_back({{domain[0], domain[1]}, bernstein_coordinates(formula(first, second)),
+      result.push_back({{domain[0], domain[1]},
+                        bernstein_coordinates(formula(first, second)),
                         {bernstein_coordinates(first.coordinates), bernstein_coordinates(second.coordinates)}});
       run.add_progress(1.0 / static_cast<double>(first_pieces.size() * second_pieces.size()));
     }
@@ -278,10 +276,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 curve_bisector(const Exact_ma
   return bisector_of_pieces(pieces_in_powers(first), pieces_in_powers(second, 1), {}, bisector_of_curves, options);
 }
 
-} // namespace In_space
-} // namespace Loci
+} // namespace Rational_bisectors
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_INTERNAL_RATIONAL_BISECTOR_PIECES_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTOR_PIECES_H
