@@ -3,9 +3,11 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/dupin_cyclides.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 
@@ -14,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace surface_constructors_test {
@@ -145,7 +148,8 @@ TEST(Sphere_surface, satisfies_its_equation)
       [](const Point& p) { return FT(CGAL::squared_distance(p, Point(1, 2, 3)) - FT(25) / FT(4)); }, 5);
   // The radius is the root of 14.
   const Surface sphere = SC::sphere_surface(Point(0, 0, 0), Point(1, 2, 3));
-  check_implicit(sphere, [](const Point& p) { return FT(CGAL::squared_distance(p, Point(0, 0, 0)) - 14); }, 6);
+  check_implicit(
+      sphere, [](const Point& p) { return FT(CGAL::squared_distance(p, Point(0, 0, 0)) - 14); }, 6);
   EXPECT_EQ(sphere.degree(0), 2);
   EXPECT_EQ(sphere.degree(1), 2);
   EXPECT_EQ(sphere(1, 2), Point(1, 2, 3));
@@ -168,7 +172,8 @@ TEST(Cylinder_and_cone, satisfy_their_equations)
   };
   const FT radius = squared_distance(Point(2, 0, 1));
   const Surface cylinder = SC::cylinder_surface(Point(0, 0, 1), axis, Point(2, 0, 1));
-  check_implicit(cylinder, [&](const Point& p) { return FT(squared_distance(p) - radius); }, 8);
+  check_implicit(
+      cylinder, [&](const Point& p) { return FT(squared_distance(p) - radius); }, 8);
   EXPECT_EQ(cylinder(0, 0), Point(2, 0, 1));
   EXPECT_EQ(cylinder(0, 1), Point(3, 1, 2));
   EXPECT_EQ(cylinder.gaussian_curvature(FT(1) / 5, FT(1) / 7), 0);
@@ -188,7 +193,8 @@ TEST(Torus_surface, satisfies_its_equation)
               FT(4) * R2 * (square(p.x()) + square(p.y())));
   };
   const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(3), FT(1));
-  check_implicit(torus, [&](const Point& p) { return torus_equation(p, 9, 1); }, 10);
+  check_implicit(
+      torus, [&](const Point& p) { return torus_equation(p, 9, 1); }, 10);
   EXPECT_EQ(torus(0, 0), Point(4, 0, 0));
   EXPECT_EQ(torus(0, 1), Point(3, 0, 1));
   EXPECT_EQ(torus(1, 2), Point(0, 2, 0));
@@ -321,5 +327,56 @@ TEST(Surface_constructors, reject_bad_input)
 }
 
 } // namespace
+
+TEST(Surface_constructors, dupin_cyclide)
+{
+  for (const auto& [a, b, c, mu] :
+       {std::array<FT, 4>{5, 4, 3, 4}, std::array<FT, 4>{13, 12, 5, 6}, std::array<FT, 4>{3, 3, 0, 1}}) {
+    const Surface cyclide = SC::dupin_cyclide_surface<Exact_cartesian>(a, b, c, mu);
+    EXPECT_EQ(cyclide.degree(0), 2);
+    EXPECT_EQ(cyclide.degree(1), 2);
+    EXPECT_TRUE(cyclide.is_closed(0) && cyclide.is_closed(1));
+    check_implicit(
+        cyclide,
+        [&](const Point& p) {
+          return FT(square((p - CGAL::ORIGIN).squared_length() - mu * mu + b * b) - 4 * square(a * p.x() - c * mu) -
+                    4 * b * b * p.y() * p.y());
+        },
+        12);
+  }
+  EXPECT_THROW(SC::dupin_cyclide_surface<Exact_cartesian>(5, 4, 2, 4), SC::Invalid_input);
+  EXPECT_THROW(SC::dupin_cyclide_surface<Double_cartesian>(5, 4, std::numeric_limits<double>::quiet_NaN(), 4),
+               SC::Invalid_input);
+}
+
+TEST(Surface_constructors, rational_unit_normals)
+{
+  Random_geometry random(23);
+  const Surface sphere = SC::sphere_surface<Exact_cartesian>(Point(1, 2, 3), FT(2)),
+                cone = SC::cone_surface<Exact_cartesian>(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)),
+                cyclide = SC::dupin_cyclide_surface<Exact_cartesian>(5, 4, 3, 4);
+  for (const Surface& surface : {sphere, cone, cyclide, SC::torus_surface<Exact_cartesian>(Point(0, 0, 0), 3, 1)}) {
+    const auto normal = SC::rational_unit_normal(surface);
+    ASSERT_TRUE(normal);
+    for (int i = 0; i < rounds; ++i) {
+      const auto [u, v] = random_parameters(random, surface);
+      const Vector n = (*normal)(u, v) - CGAL::ORIGIN, expected = surface.normal(u, v);
+      EXPECT_EQ(n.squared_length(), 1);
+      EXPECT_EQ(CGAL::cross_product(n, expected), CGAL::NULL_VECTOR);
+      EXPECT_GE(n * expected, 0);
+    }
+  }
+  // Poles and tips have normals, too, and an offset of a whole sphere is one.
+  EXPECT_EQ((*SC::rational_unit_normal(sphere))(1, 2), Point(0, 0, 1));
+  EXPECT_EQ((*SC::rational_unit_normal(cone))(0, 0), Point(FT(4, 5), 0, FT(-3, 5)));
+  EXPECT_TRUE(*SC::rational_offset(sphere, FT(3)) == SC::sphere_surface<Exact_cartesian>(Point(1, 2, 3), FT(5)));
+  EXPECT_TRUE(*SC::rational_offset(cyclide, FT(1, 2)) == SC::dupin_cyclide_surface<Exact_cartesian>(5, 4, 3, FT(9, 2)));
+  // An edge of a roof has none, nor has a plane whose unit normal is not rational.
+  const Surface roof({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1},
+                     {{0, 0, 0}, {0, 1, 0}, {3, 0, 4}, {3, 1, 4}, {6, 0, 0}, {6, 1, 0}});
+  EXPECT_FALSE(SC::rational_unit_normal(roof));
+  EXPECT_FALSE(
+      SC::rational_unit_normal(SC::plane_patch<Exact_cartesian>(Point(0, 0, 0), Vector(1, 1, 0), Vector(0, 0, 1))));
+}
 
 } // namespace surface_constructors_test

@@ -6,7 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/dupin_cyclides.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -90,6 +93,15 @@ Surface bezier_surface(int p, int q, const std::vector<Point>& points)
   u.resize(2 * p + 2, Number(1));
   v.resize(2 * q + 2, Number(1));
   return Surface({p, q}, u, v, points);
+}
+
+// The rotation of a quaternion of integers, and a translation.
+K::Aff_transformation_3 rotation(int a, int b, int c, int d)
+{
+  return {a * a + b * b - c * c - d * d, 2 * (b * c - a * d),           2 * (b * d + a * c),           a,
+          2 * (b * c + a * d),           a * a - b * b + c * c - d * d, 2 * (c * d - a * b),           1,
+          2 * (b * d - a * c),           2 * (c * d + a * b),           a * a - b * b - c * c + d * d, 2,
+          a * a + b * b + c * c + d * d};
 }
 
 template <class Function>
@@ -182,22 +194,84 @@ TEST(Rational_bisectors_3, point_on_the_axis_of_a_cylinder_a_cone_and_a_torus)
   }));
 }
 
+TEST(Rational_bisectors_3, two_spheres)
+{
+  const Surface first = SC::sphere_surface(Point(-2, 0, 0), Number(1));
+  const Point center(2, 0, 0);
+  const auto one_sheet = SC::sphere_surface_bisector(center, Number(2), first);
+  EXPECT_EQ(degrees(one_sheet), Degrees(2, 2));
+  check_centers(one_sheet);
+  EXPECT_TRUE(satisfies(one_sheet, [](const auto& x, const auto& y, const auto& z, const auto& w) {
+    return Number(60) * x * x - Number(4) * (y * y + z * z) - Number(15) * w * w;
+  }));
+  // Between the spheres, outside of both.
+  EXPECT_EQ(one_sheet.point(3, 1), Point(Number(-1, 2), 0, 0));
+  EXPECT_EQ(one_sheet.foot(0, 3, 1), Point(0, 0, 0));
+  EXPECT_EQ(one_sheet.foot(1, 3, 1), Point(-1, 0, 0));
+
+  const auto other_sheet = SC::sphere_surface_bisector(center, Number(-2), first);
+  check_centers(other_sheet);
+  EXPECT_TRUE(satisfies(other_sheet, [](const auto& x, const auto& y, const auto& z, const auto& w) {
+    return Number(28) * x * x - Number(36) * (y * y + z * z) - Number(63) * w * w;
+  }));
+
+  const auto plane = SC::sphere_surface_bisector(center, Number(1), first);
+  check_centers(plane);
+  EXPECT_TRUE(satisfies(plane, [](const auto& x, const auto&, const auto&, const auto&) { return x; }));
+}
+
+TEST(Rational_bisectors_3, spheres_and_surfaces_with_rational_normals)
+{
+  std::mt19937 random(17);
+  std::uniform_int_distribution<int> integer(-4, 4);
+  const Point q(Number(1, 3), Number(-2, 5), Number(7, 4));
+  for (int k = 0; k < 2; ++k) {
+    const K::Aff_transformation_3 motion = rotation(1 + k, integer(random), integer(random), integer(random));
+    for (const Surface& surface :
+         {SC::plane_patch<K>(Point(0, 0, 0), Vector(1, 0, 0), Vector(0, 2, 0)),
+          SC::sphere_surface(Point(0, 0, 0), Number(3, 2)), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5),
+          SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)), SC::torus_surface<K>(Point(0, 0, 0), 3, 1),
+          SC::dupin_cyclide_surface<K>(5, 4, 3, 4)})
+      for (const Number& radius : {Number(1, 2), Number(-3, 4)}) {
+        const Surface moved = surface.transformed(motion);
+        const auto bisector = SC::sphere_surface_bisector(q, radius, moved);
+        EXPECT_EQ(degrees(bisector), Degrees(2, 2));
+        check_centers(bisector);
+        // Of the center and the offset.
+        const auto offset = SC::rational_offset(moved, Number(-radius));
+        ASSERT_TRUE(offset);
+        const auto of_offset = SC::point_surface_bisector(q, *offset);
+        for (const Piece& piece : bisector.pieces()) {
+          const Number u = (piece.domain()[0].first * 3 + piece.domain()[0].second) / 4,
+                       v = (piece.domain()[1].first * 2 + piece.domain()[1].second) / 3;
+          EXPECT_EQ(bisector.point(u, v), of_offset.point(u, v));
+          EXPECT_EQ((bisector.foot(0, u, v) - q).squared_length(), Number(radius * radius));
+        }
+      }
+  }
+  EXPECT_NE(message_of([&] {
+              SC::sphere_surface_bisector(Point(0, 0, 5), Number(1),
+                                          bezier_surface(1, 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}}));
+            }).find("the piece [0, 1] x [0, 1] has no rational unit normal"),
+            std::string::npos);
+  // A sphere that touches a cylinder from inside: the offset is its axis.
+  EXPECT_NE(message_of([&] {
+              SC::sphere_surface_bisector(Point(0, 0, 1), Number(2), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5));
+            }).find("pass through the point"),
+            std::string::npos);
+}
+
 TEST(Rational_bisectors_3, quadrics_and_tori_keep_the_lowest_degree_in_general_position)
 {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> integer(-4, 4);
-  for (int k = 0; k < 5; ++k) {
-    // The rotation of a quaternion of integers.
-    const int a = 1 + k, b = integer(random), c = integer(random), d = integer(random),
-              n = a * a + b * b + c * c + d * d;
-    const K::Aff_transformation_3 motion(a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c), k,
-                                         2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b), 1,
-                                         2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d, 2, n);
+  for (int k = 0; k < 20; ++k) {
+    const K::Aff_transformation_3 motion = rotation(1 + k, integer(random), integer(random), integer(random));
     const Point q(Number(1, 3), Number(-2, 5), Number(7 + k, 4));
     for (const Surface& surface :
          {SC::sphere_surface(Point(0, 0, 0), Number(3, 2)), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5),
-          SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)),
-          SC::torus_surface<K>(Point(0, 0, 0), 3, 1)}) {
+          SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)), SC::torus_surface<K>(Point(0, 0, 0), 3, 1),
+          SC::dupin_cyclide_surface<K>(5, 4, 3, 4)}) {
       const auto bisector = SC::point_surface_bisector(q, surface.transformed(motion));
       EXPECT_EQ(degrees(bisector), Degrees(2, 2));
       check_centers(bisector);

@@ -11,10 +11,10 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
-#include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 
@@ -29,55 +29,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A polynomial with the square f, if there is one and its factors are found. \pre f is not zero.
-inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
-{
-  Power_polynomial root(1);
-  const std::vector<Power_polynomial> factors = square_free_factors(f);
-  for (std::size_t k = 0; k < factors.size(); ++k)   // factors[k] has the exponent k + 1
-    if (!factors[k].is_constant()) {
-      if (k % 2 == 0)
-        return std::nullopt;
-      root *= pow(factors[k], static_cast<int>(k + 1) / 2);
-    }
-  const Power_polynomial square = root * root;
-  const Exact_rational ratio = f.terms().rbegin()->second / square.terms().rbegin()->second;
-  const std::optional<Exact_rational> scale = rational_square_root(ratio);
-  return scale && square * Power_polynomial(ratio) == f ? std::optional(root * Power_polynomial(*scale)) : std::nullopt;
-}
-
-inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n)
-{
-  return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-}
-
-// With a positive weight, if the surface has one. \pre the normal of the surface vanishes nowhere.
-inline std::optional<Homogeneous_polynomials> rational_offset(const Homogeneous_polynomials& surface,
-                                                              const Exact_rational& distance)
-{
-  const Exact_rational half = Exact_rational(1) / 2;
-  const std::vector<Power_polynomial> normal = normal_of(surface);
-  // Most surfaces fail in a first point.
-  if (!rational_square_root(value_at(squared_length(normal), half, Exact_rational(1) / 3)))
-    return std::nullopt;
-  const std::vector<Power_polynomial> direction = without_common_factors(normal);
-  const std::optional<Power_polynomial> length = square_root(squared_length(direction));
-  if (!length)
-    return std::nullopt;
-  // Neither the length nor the factor between normal and direction has a zero, so their signs are those in the middle.
-  Exact_rational cosine(0);
-  for (std::size_t i = 0; i < 3; ++i)
-    cosine += value_at(normal[i], half, half) * value_at(direction[i], half, half);
-  const bool is_negative = value_at(*length, half, half) < 0;
-  const Power_polynomial weight = is_negative ? -*length : *length,
-                         step(cosine < 0 ? Exact_rational(-distance) : distance);
-  Homogeneous_polynomials result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result.push_back(surface[i] * weight + step * direction[i] * surface[3]);
-  result.push_back(surface[3] * weight);
-  return result;
-}
-
 /*
 The continuous surface with these pieces on the cells of a grid, in row-major order, each of which may be multiplied by
 a constant: that which makes it fit the one before. None if their homogeneous coordinates do not fit.
@@ -89,9 +40,11 @@ joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std
   for (std::size_t c = 1; c < pieces.size(); ++c) {
     const bool is_first_in_row = c % columns == 0;
     const Homogeneous_polynomials& before = pieces[is_first_in_row ? c - columns : c - 1];
-    const Exact_rational factor = is_first_in_row
-        ? Exact_rational(value_at(before[3], 1, 0) / value_at(pieces[c][3], 0, 0))
-        : Exact_rational(value_at(before[3], 0, 1) / value_at(pieces[c][3], 0, 0));
+    const Exact_rational weight = value_at(pieces[c][3], 0, 0),
+                         weight_before = is_first_in_row ? value_at(before[3], 1, 0) : value_at(before[3], 0, 1);
+    if (weight == 0)
+      return std::nullopt;
+    const Exact_rational factor(weight_before / weight);
     for (Power_polynomial& f : pieces[c])
       f *= Power_polynomial(factor);
   }
@@ -118,51 +71,105 @@ joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std
                                                                        coordinates[3]);
 }
 
+/*
+The surface whose pieces `change(piece, unit normal)` makes of those of a surface that has a rational unit normal, in
+the lowest degree if they fit together then.
+*/
+template <class Change>
+std::optional<Bspline_surface_3<Exact_kernel>> surface_of_unit_normals(const Bspline_surface_3<Exact_kernel>& surface,
+                                                                       const Change& change)
+{
+  const auto numerators = surface.homogeneous_coordinates();
+  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> coordinates{
+      numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
+  const auto weights = surface.is_rational()
+      ? surface.weight().bezier_pieces()
+      : std::vector(coordinates[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
+  std::vector<Homogeneous_polynomials> pieces, simpler;
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    Homogeneous_polynomials piece;
+    for (const auto& coordinate : coordinates)
+      piece.push_back(polynomial_of(coordinate[c]));
+    piece.push_back(polynomial_of(weights[c]));
+    const std::optional<Unit_normal> normal = unit_normal(piece);
+    if (!normal)
+      return std::nullopt;
+    pieces.push_back(change(piece, *normal));
+    simpler.push_back(without_common_factors(pieces.back()));
+  }
+  const std::array<std::vector<Exact_rational>, 2> breaks{surface.breaks(0), surface.breaks(1)};
+  if (auto result = joined_surface(std::move(simpler), breaks))
+    return result;
+  return joined_surface(std::move(pieces), breaks);
+}
+
 } // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDGeometry
 
-an offset as a rational surface with the same parameters, exactly, where it is one: where on each piece the squared
-length of the normal is the square of a polynomial with rational coefficients, up to squares. So it is for parts of
-spheres, cylinders and tori with rational radii, as functions of this package make them, for cones whose angle has a
-rational sine and cosine, planes with a rational unit normal, and other surfaces with a Pythagorean normal. Otherwise,
-or if common factors are not found by `common_factor()`, nothing.
+the unit normal of a surface as a rational function of its parameters, exactly, where it is one; points stand for the
+vectors from the origin to them. So it is where on each piece the squared length of the normal is the square of a
+polynomial with rational coefficients, up to squares: for spheres, cylinders and tori as functions of this package make
+them, for cones whose angle has a rational sine and cosine, Dupin cyclides, canal surfaces, planes with a rational unit
+normal, and other surfaces with a Pythagorean normal. Otherwise, or if common factors are not found by
+`common_factor()`, or the normal is not continuous, nothing.
 
-All that is known of rational surfaces can be done with it, also what is not supported for `Offset_surface_3`. Its
-degrees are as low as common factors of homogeneous coordinates allow, if the pieces then fit together.
+Factors that all coordinates of \f$S_u \times S_v\f$ have in common are divided out, so that poles of spheres and tips
+of cones have normals, too. The normal is on the side of \f$S_u \times S_v\f$ in the middle of each piece, and on the
+other side where such a factor has another sign: beyond the tip of a double cone.
+
+\tparam Kernel a `SplineKernel`.
+\throws Invalid_input when the weight is not proved to have one sign.
 
 Complexity: greatest common divisors of polynomials of three times the degrees, for each piece of the surface; one
 evaluation, if the length of the normal in one point is not rational.
 
 Source: Pottmann, Rational curves and surfaces with rational offsets, 1995.
 */
+template <SplineKernel Kernel>
+std::optional<Bspline_surface_3<CGAL::Simple_cartesian<Exact_rational>>>
+rational_unit_normal(const Bspline_surface_3<Kernel>& surface)
+{
+  return internal::surface_of_unit_normals(
+      Bspline_surface_3<internal::Exact_kernel>(surface),
+      [](const internal::Homogeneous_polynomials&, const internal::Unit_normal& normal) {
+        return internal::Homogeneous_polynomials{normal.direction[0], normal.direction[1], normal.direction[2],
+                                                 normal.length};
+      });
+}
+
+/*!
+\ingroup PkgSplineConstraintsDGeometry
+
+the offset of a surface at a signed distance along its `rational_unit_normal()`, as a rational surface with the same
+parameters, exactly, where there is one. Its degrees are as low as common factors of homogeneous coordinates allow, if
+the pieces then fit together.
+
+\tparam Kernel a `SplineKernel`.
+\throws Invalid_input as `rational_unit_normal()`, and when the distance is not finite.
+
+Complexity: that of `rational_unit_normal()`.
+*/
+template <SplineKernel Kernel>
+std::optional<Bspline_surface_3<CGAL::Simple_cartesian<Exact_rational>>>
+rational_offset(const Bspline_surface_3<Kernel>& surface, const typename Kernel::FT& distance)
+{
+  const auto step = internal::converted_number<Exact_rational>(distance);
+  return internal::surface_of_unit_normals(
+      Bspline_surface_3<internal::Exact_kernel>(surface),
+      [&](const internal::Homogeneous_polynomials& piece, const internal::Unit_normal& normal) {
+        return internal::piece_at_distance(piece, normal, step);
+      });
+}
+
+//! \ingroup PkgSplineConstraintsDGeometry
+//! an offset as a rational surface, as above. All that is known of rational surfaces can be done with it, also what is
+//! not supported for `Offset_surface_3`.
 inline std::optional<Bspline_surface_3<CGAL::Simple_cartesian<Exact_rational>>>
 rational_offset(const Offset_surface_3& offset)
 {
-  const auto& surface = offset.rational_surface();
-  const auto numerators = surface.homogeneous_coordinates();
-  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> pieces{
-      numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
-  const auto weights = surface.is_rational()
-      ? surface.weight().bezier_pieces()
-      : std::vector(pieces[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
-  std::vector<internal::Homogeneous_polynomials> offsets, simpler;
-  for (std::size_t c = 0; c < weights.size(); ++c) {
-    internal::Homogeneous_polynomials piece;
-    for (const auto& coordinate : pieces)
-      piece.push_back(internal::polynomial_of(coordinate[c]));
-    piece.push_back(internal::polynomial_of(weights[c]));
-    const auto own = internal::rational_offset(piece, offset.distance());
-    if (!own)
-      return std::nullopt;
-    offsets.push_back(*own);
-    simpler.push_back(internal::without_common_factors(*own));
-  }
-  const std::array<std::vector<Exact_rational>, 2> breaks{surface.breaks(0), surface.breaks(1)};
-  if (auto result = internal::joined_surface(std::move(simpler), breaks))
-    return result;
-  return internal::joined_surface(std::move(offsets), breaks);
+  return rational_offset(offset.rational_surface(), offset.distance());
 }
 
 } // namespace Spline_constraints

@@ -45,9 +45,9 @@ surface. It is a rational surface with the parameters of the given one, \f$S\f$,
 \f[ P = S - \frac{|S-Q|^2}{2\,\langle S-Q, N\rangle}\, N. \f]
 Its coefficients are exact. Factors that all homogeneous coordinates, or all coordinates of the normal, have in common
 are divided out, as far as `common_factor()` finds them; so poles of spheres and tips of cones are no exception. The
-degree is (2,2) for planes, and for spheres, cylinders, cones and tori as this package makes them. It is at most
-\f$4p-1\f$ in each parameter for a polynomial surface of degree \f$p\f$, and as a rule so, as (11,11) for a bicubic one;
-and \f$5p-2\f$ for a rational one.
+degree is (2,2) for planes, and for spheres, cylinders, cones, tori and Dupin cyclides as this package makes them. It is
+at most \f$4p-1\f$ in each parameter for a polynomial surface of degree \f$p\f$, and as a rule so, as (11,11) for a
+bicubic one; and \f$5p-2\f$ for a rational one.
 
 Poles are where the tangent plane passes through the point: the silhouettes of the surface from there. Points of the
 surface that are the point itself are treated as poles. The feet are the point, operand 0, and the surface, operand 1.
@@ -69,6 +69,46 @@ Rational_bisector_3 point_surface_bisector(const typename S::Kernel::Point_3& po
 {
   return internal::Rational_bisectors::point_surface_bisector(internal::Rational_bisectors::exact_map_of_point(point),
                                                               internal::Common::exact_map<3>(surface), options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDRationalBisectors
+
+a sheet of the bisector of a sphere and a surface that has a rational unit normal, untrimmed. With the center \f$Q\f$,
+the radius \f$r\f$, the surface \f$S\f$ and its unit normal \f$n\f$ it is \f$P = S + x\,n\f$ where
+\f$|P-Q| = |x+r|\f$: the bisector of the center and the offset of the surface at the distance \f$-r\f$,
+\f[ x + r = -\frac{|E|^2}{2\,\langle E, n\rangle}, \quad E = S - r\,n - Q. \f]
+Where \f$x \ge 0\f$ it has the same distance from the surface, on the side of its normal, and from the sphere, which it
+is outside of. For \f$-r \le x \le 0\f$ it has so inside of the sphere, on the other side of the surface. For
+\f$x < -r\f$ its distance from the surface is that from the farthest point of the sphere. The other sheet belongs to
+the radius \f$-r\f$: there are the points outside of the sphere on the other side of the surface, and those inside on
+the side of the normal. All radii around one center are a family of surfaces with the same parameters; that of radius 0
+is `point_surface_bisector()`.
+
+The degree is (2,2) for planes, and for spheres, cylinders, cones, tori and Dupin cyclides as this package makes them.
+The feet are on the sphere, operand 0, in the direction from its center to the point (from the point to its center,
+where \f$x < -r\f$), and on the surface, operand 1. Poles and coefficients are those of `point_surface_bisector()`.
+
+\tparam S a model of `ParametricSurface_3`.
+\param center the center of the sphere.
+\param radius the radius, with its sign.
+\param surface the surface.
+\param options as for `point_surface_bisector()`.
+\throws Invalid_input when a piece has no rational unit normal, see `rational_unit_normal()` (the message names it);
+when the offset of a piece has tangent planes through the center only, as for a sphere that touches a cylinder from
+inside all along a circle around its center; when a number is not finite; and when an option makes no sense.
+
+Complexity: that of `point_surface_bisector()` for the offset. Source: \cgalCite{ek-crb-99}, section "Bisector of a
+sphere and a surface with rational offsets".
+*/
+template <ParametricSurface_3 S>
+Rational_bisector_3 sphere_surface_bisector(const typename S::Kernel::Point_3& center,
+                                            const typename S::Kernel::FT& radius, const S& surface,
+                                            const Solver_options& options = {})
+{
+  return internal::Rational_bisectors::sphere_surface_bisector(internal::Rational_bisectors::exact_map_of_point(center),
+                                                               internal::converted_number<Exact_rational>(radius),
+                                                               internal::Common::exact_map<3>(surface), options);
 }
 
 /*!

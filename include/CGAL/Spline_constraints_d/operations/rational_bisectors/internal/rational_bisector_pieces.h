@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -134,10 +136,22 @@ inline std::string ranges_in_words(const std::vector<Bisector_range>& domain)
 }
 
 /*
-The point and the surface X / w: with e = X - w Q and the normal N in the lowest degree,
+A point Q and a surface X / w with a normal n: with e = X - w Q,
 
-  P = Q + (2 <e,N> e - |e|^2 N) / (2 w <e,N>).
+  P = Q + (2 <e,n> e - |e|^2 n) / (2 w <e,n>).
 */
+inline Homogeneous_polynomials bisector_of_point_and_surface(const Polynomial_vector& q, const Polynomial_vector& x,
+                                                             const Power_polynomial& w, const Polynomial_vector& n,
+                                                             const std::string& who)
+{
+  const Polynomial_vector e = x - w * q;
+  const Power_polynomial height = Power_polynomial(2) * dot(e, n), weight = w * height;
+  if (height.is_zero())
+    throw Invalid_input(who + " pass through the point");
+  return reduced(weight * q + height * e - dot(e, e) * n, weight);
+}
+
+// With the normal in the lowest degree.
 inline Homogeneous_polynomials bisector_of_point_and_surface(const Polynomial_piece& point,
                                                              const Polynomial_piece& surface)
 {
@@ -146,13 +160,39 @@ inline Homogeneous_polynomials bisector_of_point_and_surface(const Polynomial_pi
     throw Invalid_input("point_surface_bisector: the piece " + ranges_in_words(surface.domain) +
                         " is a curve or a point");
   const Homogeneous_polynomials direction = without_common_factors(normal);
-  const Polynomial_vector n{direction[0], direction[1], direction[2]}, q = point.numerators();
-  const Polynomial_vector e = surface.numerators() - surface.weight() * q;
-  const Power_polynomial height = Power_polynomial(2) * dot(e, n), weight = surface.weight() * height;
-  if (height.is_zero())
-    throw Invalid_input("point_surface_bisector: all tangent planes of the piece " + ranges_in_words(surface.domain) +
-                        " pass through the point");
-  return reduced(weight * q + height * e - dot(e, e) * n, weight);
+  return bisector_of_point_and_surface(
+      point.numerators(), surface.numerators(), surface.weight(), {direction[0], direction[1], direction[2]},
+      "point_surface_bisector: all tangent planes of the piece " + ranges_in_words(surface.domain));
+}
+
+// A sheet of the bisector of a sphere and a surface, and its foot on the sphere.
+struct Sphere_bisector_piece
+{
+  Homogeneous_polynomials bisector, foot;
+};
+
+/*
+The sphere around Q of radius r, and a surface with the unit normal n / l: the bisector of Q and the offset X / w of the
+surface at the distance -r. With e = X - w Q, the foot on the sphere, at the distance r from Q towards P, is
+
+  Q + r (|e|^2 n - 2 <e,n> e) / (l |e|^2).
+*/
+inline Sphere_bisector_piece bisector_of_sphere_and_surface(const Polynomial_piece& center,
+                                                            const Exact_rational& radius,
+                                                            const Polynomial_piece& surface)
+{
+  const std::optional<Unit_normal> normal = unit_normal(surface.coordinates);
+  const std::string piece = "the piece " + ranges_in_words(surface.domain);
+  if (!normal)
+    throw Invalid_input("sphere_surface_bisector: " + piece + " has no rational unit normal");
+  const Homogeneous_polynomials offset =
+      without_common_factors(piece_at_distance(surface.coordinates, *normal, Exact_rational(-radius)));
+  const Polynomial_vector q = center.numerators(), x{offset[0], offset[1], offset[2]};
+  const Polynomial_vector n{normal->direction[0], normal->direction[1], normal->direction[2]}, e = x - offset[3] * q;
+  const Power_polynomial r(radius), squared_e = dot(e, e), weight = normal->length * squared_e;
+  return {bisector_of_point_and_surface(q, x, offset[3], n,
+                                        "sphere_surface_bisector: all tangent planes of the offset of " + piece),
+          reduced(weight * q + r * squared_e * n - Power_polynomial(2) * r * dot(e, n) * e, weight)};
 }
 
 /*
@@ -223,7 +263,17 @@ inline Undecided_part undecided_part(const Polynomial_piece& first, const Polyno
   return result;
 }
 
-// `formula(first, second)` for all pairs of pieces; `own` are the ranges of parameters that no operand has.
+// A piece whose feet are the points of the operands.
+inline Rational_bisector_piece_3 piece_of_operands(const std::array<Bisector_range, 2>& domain,
+                                                   const Homogeneous_polynomials& bisector,
+                                                   const Polynomial_piece& first, const Polynomial_piece& second)
+{
+  return {domain,
+          bernstein_coordinates(bisector),
+          {bernstein_coordinates(first.coordinates), bernstein_coordinates(second.coordinates)}};
+}
+
+// `formula(domain, first, second)` for all pairs of pieces; `own` are the ranges of parameters that no operand has.
 template <class Formula>
 Rational_bisector_3 bisector_of_pieces(const std::vector<Polynomial_piece>& first_pieces,
                                        const std::vector<Polynomial_piece>& second_pieces,
@@ -242,9 +292,7 @@ Rational_bisector_3 bisector_of_pieces(const std::vector<Polynomial_piece>& firs
       std::vector<Bisector_range> domain = first.domain;
       domain.insert(domain.end(), second.domain.begin(), second.domain.end());
       domain.insert(domain.end(), own.begin(), own.end());
-      result.push_back({{domain[0], domain[1]},
-                        bernstein_coordinates(formula(first, second)),
-                        {bernstein_coordinates(first.coordinates), bernstein_coordinates(second.coordinates)}});
+      result.push_back(formula({domain[0], domain[1]}, first, second));
       run.add_progress(1.0 / static_cast<double>(first_pieces.size() * second_pieces.size()));
     }
   const Summary summary = run.summary(undecided.empty());
@@ -255,8 +303,25 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_surface_bisector(const 
                                                                           const Exact_map<3>& surface,
                                                                           const Solver_options& options)
 {
-  return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(surface), {}, bisector_of_point_and_surface,
-                            options);
+  const auto formula = [](const std::array<Bisector_range, 2>& domain, const Polynomial_piece& first,
+                          const Polynomial_piece& second) {
+    return piece_of_operands(domain, bisector_of_point_and_surface(first, second), first, second);
+  };
+  return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(surface), {}, formula, options);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 sphere_surface_bisector(const Exact_map<3>& center,
+                                                                           const Exact_rational& radius,
+                                                                           const Exact_map<3>& surface,
+                                                                           const Solver_options& options)
+{
+  const auto formula = [&](const std::array<Bisector_range, 2>& domain, const Polynomial_piece& first,
+                           const Polynomial_piece& second) {
+    const auto [bisector, foot] = bisector_of_sphere_and_surface(first, radius, second);
+    return Rational_bisector_piece_3(domain, bernstein_coordinates(bisector),
+                                     {bernstein_coordinates(foot), bernstein_coordinates(second.coordinates)});
+  };
+  return bisector_of_pieces(pieces_in_powers(center), pieces_in_powers(surface), {}, formula, options);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point,
@@ -264,8 +329,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_curve_bisector(const Ex
                                                                         const Bisector_range& lambda,
                                                                         const Solver_options& options)
 {
-  const auto formula = [&](const Polynomial_piece& first, const Polynomial_piece& second) {
-    return bisector_of_point_and_curve(first, second, lambda);
+  const auto formula = [&](const std::array<Bisector_range, 2>& domain, const Polynomial_piece& first,
+                           const Polynomial_piece& second) {
+    return piece_of_operands(domain, bisector_of_point_and_curve(first, second, lambda), first, second);
   };
   return bisector_of_pieces(pieces_in_powers(point), pieces_in_powers(curve), {lambda}, formula, options);
 }
@@ -273,7 +339,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 point_curve_bisector(const Ex
 CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
                                                                   const Solver_options& options)
 {
-  return bisector_of_pieces(pieces_in_powers(first), pieces_in_powers(second, 1), {}, bisector_of_curves, options);
+  const auto formula = [](const std::array<Bisector_range, 2>& domain, const Polynomial_piece& a,
+                          const Polynomial_piece& b) {
+    return piece_of_operands(domain, bisector_of_curves(a, b), a, b);
+  };
+  return bisector_of_pieces(pieces_in_powers(first), pieces_in_powers(second, 1), {}, formula, options);
 }
 
 } // namespace Rational_bisectors

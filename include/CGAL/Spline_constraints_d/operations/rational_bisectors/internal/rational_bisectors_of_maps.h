@@ -23,6 +23,8 @@ using Bisector_range = Rational_bisector_piece_3::Range;
 // Defined in rational_bisector_pieces.h; the compiled library has them.
 Rational_bisector_3 point_surface_bisector(const Exact_map<3>& point, const Exact_map<3>& surface,
                                            const Solver_options& options);
+Rational_bisector_3 sphere_surface_bisector(const Exact_map<3>& center, const Exact_rational& radius,
+                                            const Exact_map<3>& surface, const Solver_options& options);
 Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_map<3>& curve,
                                          const Bisector_range& lambda, const Solver_options& options);
 Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
