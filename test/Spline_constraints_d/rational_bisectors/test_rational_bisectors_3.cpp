@@ -267,7 +267,7 @@ TEST(Rational_bisectors_3, quadrics_and_tori_keep_the_lowest_degree_in_general_p
   std::uniform_int_distribution<int> integer(-4, 4);
   for (int k = 0; k < 20; ++k) {
     const K::Aff_transformation_3 motion = rotation(1 + k, integer(random), integer(random), integer(random));
-    const Point q(Number(1, 3), Number(-2, 5), Number(7 + k, 4));
+    const Point q(Number(1, 3), Number(-2, 5), Number(Number(7 + k) / 4));
     for (const Surface& surface :
          {SC::sphere_surface(Point(0, 0, 0), Number(3, 2)), SC::cylinder_surface<K>(Point(0, 0, 0), 2, 5),
           SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4)), SC::torus_surface<K>(Point(0, 0, 0), 3, 1),
