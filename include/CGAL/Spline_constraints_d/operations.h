@@ -56,6 +56,7 @@
 #include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_piece_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/curves_on_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>

@@ -37,7 +37,7 @@ class Cell_functions
   using Functions = std::array<Exact_function, k>;
 
   std::array<std::vector<Exact_rational>, 2> m_breaks;
-  std::vector<Functions> m_cells;   // row-major
+  std::vector<Functions> m_cells; // row-major
 
 public:
   // By a function of the part of a patch that lies over a cell.
@@ -47,6 +47,18 @@ public:
     for (std::size_t i = 0; i < size(0); ++i)
       for (std::size_t j = 0; j < size(1); ++j)
         m_cells.push_back(elevated(make(patch.part({range(0, i), range(1, j)}))));
+  }
+
+  // Those of all cells, in row-major order.
+  Cell_functions(std::array<std::vector<Exact_rational>, 2> breaks, std::vector<Functions> cells)
+    : m_breaks(std::move(breaks)), m_cells(std::move(cells))
+  {
+    std::vector<int> degrees(2, 0);
+    for (const Functions& functions : m_cells)
+      raise(degrees, functions);
+    for (Functions& functions : m_cells)
+      for (Exact_function& f : functions)
+        f = f.elevated(degrees);
   }
 
   // One function of k others in each cell.
@@ -135,9 +147,7 @@ public:
     Break_grid<Exact_rational> grid(2);
     std::vector<int> degrees(2, 0);
     for (const Functions& functions : m_cells)
-      for (const Exact_function& f : functions)
-        for (std::size_t axis = 0; axis < 2; ++axis)
-          degrees[axis] = (std::max)(degrees[axis], f.degree(static_cast<int>(axis)));
+      raise(degrees, functions);
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (const Exact_rational& value : m_breaks[axis])
         grid[axis].push_back({value, degrees[axis]});
@@ -174,12 +184,18 @@ private:
   static Functions elevated(Functions functions)
   {
     std::vector<int> degrees(2, 0);
-    for (const Exact_function& f : functions)
-      for (int axis = 0; axis < 2; ++axis)
-        degrees[axis] = (std::max)(degrees[axis], f.degree(axis));
+    raise(degrees, functions);
     for (Exact_function& f : functions)
       f = f.elevated(degrees);
     return functions;
+  }
+
+  // To those of functions, where these are higher.
+  static void raise(std::vector<int>& degrees, const Functions& functions)
+  {
+    for (const Exact_function& f : functions)
+      for (int axis = 0; axis < 2; ++axis)
+        degrees[axis] = (std::max)(degrees[axis], f.degree(axis));
   }
 
   static bool is_zero(const Exact_function& f)
@@ -223,7 +239,7 @@ template <std::size_t k>
 struct Continuous_part
 {
   Cell_functions<k> functions;
-  std::vector<Constant_parameter> lines;   // where the factors vanish
+  std::vector<Constant_parameter> lines; // where the factors vanish
 };
 
 /*

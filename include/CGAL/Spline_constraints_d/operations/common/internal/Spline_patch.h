@@ -205,6 +205,8 @@ public:
     };
     if (!m_is_rational)
       return std::all_of(m_numerators.begin(), m_numerators.end(), is_constant);
+    if (m_weight.coefficients().front() == 0 || m_weight.coefficients().back() == 0)
+      return false; // at infinity, which only loci reach
     const std::array<Exact_rational, d> point = (*this)(first_corner());
     if (point != (*this)(last_corner()))
       return false;

@@ -8,10 +8,16 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_RATIONAL_BISECTORS_OF_MAPS_H
 
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Found_surface_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+
+#include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -29,6 +35,14 @@ Rational_bisector_3 point_curve_bisector(const Exact_map<3>& point, const Exact_
                                          const Bisector_range& lambda, const Solver_options& options);
 Rational_bisector_3 curve_bisector(const Exact_map<3>& first, const Exact_map<3>& second,
                                    const Solver_options& options);
+
+// A polynomial on the unit box of a piece.
+using Function_of_piece = std::function<Bernstein_tensor<Exact_rational>(const Rational_bisector_piece_3&)>;
+
+// The zeros of functions of all pieces, for each part of the bisector that is continuous; defined in
+// zeros_on_bisector.h.
+std::vector<Found_surface_curves> zeros_on_bisector(const Rational_bisector_3& bisector,
+                                                    const Function_of_piece& function, const Solver_options& options);
 
 } // namespace Rational_bisectors
 } // namespace internal

@@ -114,7 +114,12 @@ class Surface_zeros
 
 public:
   Surface_zeros(const Spline_patch<3>& patch, Operation_budget& budget)
-    : m_patch(patch), m_budget(budget), m_curves(place_on_surface(patch))
+    : Surface_zeros(patch, budget, place_on_surface(patch))
+  {}
+
+  // Of a surface that goes to infinity, where it is is not known from the patch.
+  Surface_zeros(const Spline_patch<3>& patch, Operation_budget& budget, Place_of_unknowns place)
+    : m_patch(patch), m_budget(budget), m_curves(std::move(place))
   {}
 
   const Found_surface_curves& curves() const { return m_curves.found(); }
