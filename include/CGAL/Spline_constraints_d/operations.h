@@ -60,6 +60,7 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/Polyline_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_region_streams_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
@@ -74,6 +75,10 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_face_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Kernel_edge_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Region_kernel_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Visible_edge_2.h>

@@ -23,6 +23,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `surface_curves`: silhouettes, sections, parabolic lines, umbilics and accessible directions of surfaces.
 - `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
 - `distances`: closest points, distances of curves, surfaces and regions.
+- `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
@@ -61,6 +62,13 @@ using namespace Common;
 using namespace Intersections;
 using namespace Regions;
 }
+namespace Surface_regions {
+using namespace Common;
+using namespace Intersections;
+using namespace Surface_curves;
+using namespace Regions;
+using namespace Distances;
+}
 namespace Loci {
 using namespace Common;
 using namespace Intersections;
@@ -69,6 +77,7 @@ namespace Rational_bisectors {
 using namespace Common;
 using namespace Intersections;
 using namespace Surface_curves;
+using namespace Surface_regions;
 using namespace Distances;
 }
 namespace Curve_features {

@@ -11,87 +11,19 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
+#include <CGAL/Spline_constraints_d/operations/regions/Polyline_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/polyline_arrangements.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
-#include <CGAL/Arr_consolidated_curve_data_traits_2.h>
-#include <CGAL/Arr_segment_traits_2.h>
-#include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include <cmath>
-#include <cstddef>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDRegions
-
-What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, from its point `chord` to the next one.
-The parameters there are those of the samples that the polyline was made of.
-*/
-struct Chord_label
-{
-  std::size_t curve;   ///< index of the polyline
-  std::size_t chord;   ///< index of its point where the chord begins
-
-  bool operator==(const Chord_label&) const = default;
-};
-
-namespace internal {
-namespace Regions {
-
-using Chord_segment_traits_2 = CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
-using Chord_traits_2 = CGAL::Arr_consolidated_curve_data_traits_2<Chord_segment_traits_2, Chord_label>;
-
-} // namespace Regions
-} // namespace internal
-
-//! \ingroup PkgSplineConstraintsDRegions
-//! an exact arrangement of chords; `edge->curve().data()` lists the labels of an edge, several where chords overlap.
-using Polyline_arrangement_2 = CGAL::Arrangement_2<internal::Regions::Chord_traits_2>;
-
-namespace internal {
-namespace Regions {
-
-template <class Arrangement, class Point>
-Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polylines)
-{
-  using Vertex = Chord_traits_2::Point_2;
-  std::vector<Chord_traits_2::Curve_2> chords;
-  std::vector<Vertex> single;
-  for (std::size_t c = 0; c < polylines.size(); ++c) {
-    std::vector<Vertex> points;
-    for (const Point& p : polylines[c]) {
-      const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-      if (!(std::abs(x) <= most_magnitude && std::abs(y) <= most_magnitude))   // sweeps fail with much greater ones
-        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) +
-                            " is not between -2^250 and 2^250");
-      points.emplace_back(x, y);
-    }
-    bool is_single = true;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      if (points[i] != points[i + 1]) {
-        chords.emplace_back(Chord_segment_traits_2::Curve_2(points[i], points[i + 1]), Chord_label{c, i});
-        is_single = false;
-      }
-    if (is_single && !points.empty())
-      single.push_back(points.front());
-  }
-  Arrangement result;
-  CGAL::insert(result, chords.begin(), chords.end());
-  for (const Vertex& point : single)
-    CGAL::insert_point(result, point);
-  return result;
-}
-
-} // namespace Regions
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDRegions
@@ -134,7 +66,7 @@ struct Solution_arrangement_2
 
   //! what is not decided of the solutions; of an arrangement that a limit ended, the box of all of them.
   std::vector<Undecided_part> undecided_parts = {};
-  Summary work = {};   ///< see `summary()`
+  Summary work = {}; ///< see `summary()`
 
   //! whether the faces are those of the curves, by proof.
   bool is_complete() const { return is_crossing_free && undecided_parts.empty(); }
@@ -155,20 +87,6 @@ inline std::vector<Undecided_part::Range> box_of(const Constraint_system_d& syst
   for (int i = 0; i < system.dimension(); ++i)
     result.push_back(to_double_range(system.domain(i)));
   return result;
-}
-
-// Whether chords meet in common end points only: then the sweep has made no other vertices, and has split no chord.
-template <class Arrangement, class Point>
-bool is_crossing_free(const Arrangement& arrangement, const std::vector<std::vector<Point>>& polylines)
-{
-  std::set<Point> points;
-  std::size_t chords = 0;
-  for (const auto& polyline : polylines) {
-    points.insert(polyline.begin(), polyline.end());
-    for (std::size_t i = 1; i < polyline.size(); ++i)
-      chords += polyline[i - 1] != polyline[i];
-  }
-  return arrangement.number_of_vertices() == points.size() && arrangement.number_of_edges() == chords;
 }
 
 } // namespace Regions

@@ -1,0 +1,8 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Regions on surfaces and their meshes. What other sources of the library have is only declared.
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED
+
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_by_zeros.h>

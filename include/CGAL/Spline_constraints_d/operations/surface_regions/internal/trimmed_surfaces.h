@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_TRIMMED_SURFACES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_TRIMMED_SURFACES_H
+
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Surface_regions {
+
+// Polynomials in two parameters, on the unit box.
+using Cell_polynomial = Bernstein_tensor<Exact_rational>;
+using Parameters = std::array<Exact_rational, 2>;
+
+// A part of the border of a cell between two neighbouring points of it where curves end, or corners: numbers that are
+// certainly between these points.
+struct Border_interval
+{
+  int axis, side; // where the parameter of the axis is at its lower or upper end
+  Surface_cell_3::Range range;
+  std::size_t face;
+};
+
+// The faces that the zeros of polynomials leave of a cell, in parameters of the unit box; or why they are not known.
+struct Cell_faces
+{
+  std::vector<Surface_face_3> faces = {};
+  std::vector<Border_interval> border = {};
+  std::vector<Undecided_part> undecided = {};
+  Cell_polynomial zeros = {}; // the product whose zeros are the curves
+};
+
+// Chords are at most `error` beside the arcs that they stand for, in the unit box. Zeros all along a side of the box do
+// not count, nor does it matter how often a polynomial vanishes. A polynomial that is zero leaves all undecided.
+// Defined in Cell_arrangement.h.
+Cell_faces faces_of_cell(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
+
+// What a surface is cut by and into.
+struct Trimming
+{
+  std::vector<Surface_cell_3> cells;
+  std::array<bool, 2> is_closed{}; // whether the ends of an axis are the same points
+
+  // The polynomials of a cell whose zeros bound faces, and the label at parameters in a cell. They may throw
+  // Run_stopped.
+  std::function<std::vector<Cell_polynomial>(std::size_t)> zeros;
+  std::function<std::optional<int>(std::size_t, const Parameters&)> label;
+};
+
+// Defined in trimmed_by_zeros.h.
+Trimmed_surface_3 trimmed_by_zeros(const Trimming& trimming, Operation_budget& budget, double error = 0x1p-11);
+
+} // namespace Surface_regions
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_TRIMMED_SURFACES_H
