@@ -9,11 +9,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_CURVES_ON_BISECTORS_3_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_CURVES_ON_BISECTORS_3_H
 
-#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/functions_on_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -23,8 +23,6 @@
 
 #include <CGAL/Sphere_3.h>
 
-#include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,20 +30,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
-
-// |P - F|^2 - r^2 times both squared weights, where F is a point of homogeneous coordinates.
-inline Bernstein_tensor<Exact_rational> power_of_distance(const Rational_bisector_piece_3::Coordinates& point,
-                                                          const Rational_bisector_piece_3::Coordinates& center,
-                                                          const Exact_rational& squared_radius)
-{
-  Bernstein_tensor<Exact_rational> weight = point[3] * center[3],
-                                   result = weight * weight * Exact_rational(-squared_radius);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Bernstein_tensor<Exact_rational> difference = point[i] * center[3] - center[i] * point[3];
-    result = result + difference * difference;
-  }
-  return result;
-}
 
 inline std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
 curves_on_bisector(const Rational_bisector_3& bisector, const Function_of_piece& function,
@@ -125,10 +109,8 @@ sphere_sections(const Rational_bisector_3& bisector, const CGAL::Sphere_3<Kernel
   const auto squared_radius = internal::converted_number<Exact_rational>(sphere.squared_radius());
   if (!(squared_radius > 0))
     throw Invalid_input("sphere_sections: the sphere is degenerate");
-  const auto center = internal::exact_object(sphere.center());
-  const auto constant = [](const Exact_rational& x) { return Bernstein_tensor<Exact_rational>::constant(2, x); };
-  const Rational_bisector_piece_3::Coordinates point{constant(center.x()), constant(center.y()), constant(center.z()),
-                                                     constant(Exact_rational(1))};
+  const Rational_bisector_piece_3::Coordinates point =
+      internal::Rational_bisectors::constant_coordinates(internal::exact_object(sphere.center()));
   const auto function = [&](const Rational_bisector_piece_3& piece) {
     return internal::Rational_bisectors::power_of_distance(piece.coordinates(), point, squared_radius);
   };

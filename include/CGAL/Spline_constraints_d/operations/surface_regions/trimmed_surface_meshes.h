@@ -10,6 +10,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
@@ -17,16 +18,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Surface_regions {
-
-// Defined in Cell_triangulation.h; the compiled library has it.
-Trimmed_surface_mesh_3 mesh_of_label(const Trimmed_surface_3& surface, int label, double error,
-                                     const Solver_options& options);
-
-} // namespace Surface_regions
-} // namespace internal
-
 /*!
 \ingroup PkgSplineConstraintsDSurfaceRegions
 

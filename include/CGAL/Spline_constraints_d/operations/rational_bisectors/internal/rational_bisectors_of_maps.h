@@ -11,12 +11,15 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Bisector_mesh_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Found_surface_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +46,19 @@ using Function_of_piece = std::function<Bernstein_tensor<Exact_rational>(const R
 // zeros_on_bisector.h.
 std::vector<Found_surface_curves> zeros_on_bisector(const Rational_bisector_3& bisector,
                                                     const Function_of_piece& function, const Solver_options& options);
+
+// A sphere that bisectors are cut at.
+struct Reach
+{
+  Rational_bisector_3::Kernel::Point_3 center;
+  Exact_rational squared_radius;
+};
+
+// Defined in parts_of_bisector.h.
+std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach,
+                                                 const Solver_options& options);
+Bisector_mesh_3 mesh_of_bisector(const Rational_bisector_3& bisector, const Trimmed_surface_3& part, int label,
+                                 double error, const Solver_options& options);
 
 } // namespace Rational_bisectors
 } // namespace internal

@@ -9,7 +9,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_ZEROS_ON_BISECTOR_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_ZEROS_ON_BISECTOR_H
 
-#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Cell_functions.h>
@@ -17,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/functions_on_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
@@ -34,23 +34,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
-
-// k functions of each piece of a bisector, on the grid of the pieces.
-template <std::size_t k, class Functions_of_piece>
-Cell_functions<k> functions_on_bisector(const Rational_bisector_3& bisector, const Functions_of_piece& functions)
-{
-  std::array<std::vector<Exact_rational>, 2> breaks;
-  std::vector<std::array<Exact_function, k>> cells;
-  for (const Rational_bisector_piece_3& piece : bisector.pieces()) {
-    for (const int axis : {0, 1})
-      breaks[axis] = internal::united(breaks[axis], {piece.domain()[axis].first, piece.domain()[axis].second});
-    const std::vector<Parameter_range> box(piece.domain().begin(), piece.domain().end());
-    std::array<Exact_function, k>& cell = cells.emplace_back();
-    std::ranges::transform(functions(piece), cell.begin(),
-                           [&](const auto& f) { return Exact_function::from_tensor(f, box); });
-  }
-  return {breaks, std::move(cells)};
-}
 
 // Over the cells of a part of the grid.
 inline Cell_functions<1> restricted(Cell_functions<1> functions, const Cell_functions<4>& part)
@@ -83,11 +66,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Found_surface_curves>
 zeros_on_bisector(const Rational_bisector_3& bisector, const Function_of_piece& function, const Solver_options& options)
 {
   Operation_budget budget(options);
-  const auto coordinates = functions_on_bisector<4>(bisector, [](const auto& piece) { return piece.coordinates(); });
   const auto functions =
       functions_on_bisector<1>(bisector, [&](const auto& piece) { return std::array{function(piece)}; });
   std::vector<Found_surface_curves> result;
-  for (const Continuous_part<4>& part : continuous_parts(coordinates, false)) {
+  for (const Continuous_part<4>& part : continuous_parts(coordinates_on_bisector(bisector), false)) {
     const auto [x, y, z, w] = part.functions.splines();
     const Spline_patch<3> patch({x, y, z}, w, true);
     Surface_zeros zeros(patch, budget, place_on_bisector(patch));

@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>
 
 #include <array>
 #include <cstddef>
@@ -64,6 +65,10 @@ struct Trimming
 
 // Defined in trimmed_by_zeros.h.
 Trimmed_surface_3 trimmed_by_zeros(const Trimming& trimming, Operation_budget& budget, double error = 0x1p-11);
+
+// The faces with a label as triangles; defined in Cell_triangulation.h.
+Trimmed_surface_mesh_3 mesh_of_label(const Trimmed_surface_3& surface, int label, double error,
+                                     const Solver_options& options);
 
 } // namespace Surface_regions
 } // namespace internal
