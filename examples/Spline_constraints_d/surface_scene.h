@@ -45,6 +45,9 @@ public:
     return {-std::cos(rise) * std::sin(turn), -std::cos(rise) * std::cos(turn), std::sin(rise)};
   }
 
+  // What goes to the right in the picture.
+  static K::Vector_3 to_the_right() { return {std::cos(turn), -std::sin(turn), 0}; }
+
   void add(const Surface& surface, const std::array<double, 3>& color, int tiles = default_tiles)
   {
     const auto point = [&](int i, int j) {

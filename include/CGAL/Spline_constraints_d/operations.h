@@ -69,12 +69,14 @@
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_circular_polygons_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_general_polygons_2.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/Silhouette_event_kind.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/locus_intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/parabolic_lines.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/plane_sections.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/self_intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/silhouette_events.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>

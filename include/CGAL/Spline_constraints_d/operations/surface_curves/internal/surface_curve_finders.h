@@ -14,11 +14,13 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Found_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/Silhouette_event_kind.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Found_surface_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -87,6 +89,25 @@ struct Found_umbilics
   Summary summary = {};
 };
 Found_umbilics umbilics_of(const Exact_map<3>& surface, const Solver_options& options);
+
+// Where and when silhouettes change while the eye moves along a path, or a direction does; defined in
+// Silhouette_event_finder.h.
+struct Found_silhouette_events
+{
+  struct Event
+  {
+    Silhouette_event_kind kind;
+    std::vector<std::pair<Exact_rational, Exact_rational>> box; // parameters and time
+    std::array<double, 3> point;
+  };
+  std::vector<Event> events = {};
+  std::pair<Exact_rational, Exact_rational> times = {};
+  std::vector<std::pair<std::vector<std::pair<Exact_rational, Exact_rational>>, Undecided_reason>> undecided_boxes = {};
+  std::vector<Undecided_part> undecided = {};
+  Summary summary = {};
+};
+Found_silhouette_events silhouette_events_of(const Exact_map<3>& surface, const Exact_map<3>& path, bool is_parallel,
+                                             const Solver_options& options);
 
 } // namespace Surface_curves
 } // namespace internal
