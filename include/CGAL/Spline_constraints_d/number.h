@@ -11,6 +11,7 @@
 
 // All of the floor of numbers: number types, their traits, enclosures, the rounding guard.
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Double_word.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>

@@ -135,27 +135,34 @@ void expect_points(const Located_distance<d>& pair, const SC::internal::Common::
     square += (points[0][i] - points[1][i]) * (points[0][i] - points[1][i]);
   double size = 0;
   for (const std::size_t operand : {0, 1}) {
-    const auto exact = SC::internal::Common::Spline_patch<d>(*maps[operand])(pair.distance.sample[operand]);
+    std::vector<SC::Exact_rational> sample;
+    for (const Located_parameter& parameter : pair.parameters[operand])
+      sample.push_back(parameter.sample.exact());
+    const auto exact = SC::internal::Common::Spline_patch<d>(*maps[operand])(sample);
     for (int i = 0; i < d; ++i) {
       size = std::max({size, std::abs(points[0][i]), std::abs(points[1][i])});
       EXPECT_NEAR(points[operand][i], CGAL::to_double(exact[i]), 1e-10 * (size + 1)) << what;
     }
   }
-  EXPECT_NEAR(square, CGAL::to_double(pair.distance.squared_distance.upper), 1e-10 * (size + 1) * (size + 1)) << what;
+  EXPECT_NEAR(square, pair.squared_distance.second.nearest(), 1e-10 * (size + 1) * (size + 1)) << what;
 }
 
-bool meet(const std::pair<SC::Exact_rational, SC::Exact_rational>& a,
-          const std::pair<SC::Exact_rational, SC::Exact_rational>& b)
+using Range = std::pair<SC::internal::Deferred_rational, SC::internal::Deferred_rational>;
+
+bool meet(const Range& a, const Range& b)
 {
-  return a.first <= b.second && b.first <= a.second;
+  return a.first.exact() <= b.second.exact() && b.first.exact() <= a.second.exact();
 }
 
 template <int d>
-bool is_same(const Critical_distance& a, const Critical_distance& b)
+bool is_same(const Located_distance<d>& a, const Located_distance<d>& b)
 {
+  const auto do_meet = [](const Located_parameter& x, const Located_parameter& y) {
+    return meet({x.lower, x.upper}, {y.lower, y.upper});
+  };
   for (const std::size_t operand : {0, 1})
-    if (!std::equal(a.ranges[operand].begin(), a.ranges[operand].end(), b.ranges[operand].begin(),
-                    b.ranges[operand].end(), meet))
+    if (!std::equal(a.parameters[operand].begin(), a.parameters[operand].end(), b.parameters[operand].begin(),
+                    b.parameters[operand].end(), do_meet))
       return false;
   return true;
 }
@@ -172,24 +179,21 @@ void compare(const A& a, const B& b, Counts& counts, const std::string& what)
   using namespace SC::internal::Common;
   const auto exact = nearest_points_of<d>(Spline_operand<A>::map(a), Spline_operand<B>::map(b), {});
   ASSERT_FALSE(found->pairs.empty()) << what;
-  EXPECT_LE(found->squared_distance.first, found->squared_distance.second) << what;
+  EXPECT_LE(found->squared_distance.first.exact(), found->squared_distance.second.exact()) << what;
   EXPECT_TRUE(meet(found->squared_distance, exact.squared_distance)) << what;
   if (!exact.summary.is_complete)
     return;
   EXPECT_EQ(found->pairs.size(), exact.pairs.size()) << what;
   for (const auto& pair : exact.pairs)
     EXPECT_TRUE(std::any_of(found->pairs.begin(), found->pairs.end(), [&](const auto& x) {
-      return is_same<d>(x.distance, pair.distance);
+      return is_same<d>(x, pair);
     })) << what;
   for (const auto& pair : found->pairs) {
     expect_points<d>(pair, Spline_operand<A>::map(a), Spline_operand<B>::map(b), what);
-    const Critical_distance& distance = pair.distance;
-    EXPECT_EQ(distance.kind, SC::Solution_kind::CERTIFIED);
+    EXPECT_EQ(pair.kind, SC::Solution_kind::CERTIFIED);
     for (const std::size_t operand : {0, 1})
-      for (std::size_t axis = 0; axis < distance.ranges[operand].size(); ++axis) {
-        const auto& [lower, upper] = distance.ranges[operand][axis];
-        EXPECT_TRUE(lower <= distance.sample[operand][axis] && distance.sample[operand][axis] <= upper) << what;
-      }
+      for (const Located_parameter& x : pair.parameters[operand])
+        EXPECT_TRUE(x.lower.exact() <= x.sample.exact() && x.sample.exact() <= x.upper.exact()) << what;
   }
 }
 
@@ -211,9 +215,7 @@ void compare_feet(const Point<d>& p, const A& a, Counts& counts, const std::stri
     expect_points<d>(pair, Spline_operand<Point<d>>::map(p), Spline_operand<A>::map(a), what);
   for (const auto& pair : exact.pairs)
     EXPECT_TRUE(std::any_of(found->pairs.begin(), found->pairs.end(), [&](const auto& x) {
-      return is_same<d>(x.distance, pair.distance) &&
-          x.distance.squared_distance.lower <= pair.distance.squared_distance.upper &&
-          pair.distance.squared_distance.lower <= x.distance.squared_distance.upper;
+      return is_same<d>(x, pair) && meet(x.squared_distance, pair.squared_distance);
     })) << what;
 }
 
@@ -310,9 +312,9 @@ TEST(Nearest_points_in_doubles, AtBreaks)
                                                Distance_operand_of<SC::Bspline_curve_2<K>>::get(square), {});
   ASSERT_TRUE(found);
   ASSERT_EQ(found->pairs.size(), 1u);
-  EXPECT_EQ(found->pairs[0].distance.ranges[1][0].second, 0);
-  EXPECT_EQ(found->squared_distance.first, 2);
-  EXPECT_EQ(found->squared_distance.second, 2);
+  EXPECT_EQ(found->pairs[0].parameters[1][0].upper.exact(), 0);
+  EXPECT_EQ(found->squared_distance.first.exact(), 2);
+  EXPECT_EQ(found->squared_distance.second.exact(), 2);
 }
 
 // The centre of a circle is as far from all of its points: nothing is decided, in a short time.

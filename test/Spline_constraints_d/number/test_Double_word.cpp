@@ -21,7 +21,8 @@ using CGAL::Spline_constraints::internal::Double_word;
 void expect_enclosed(const Double_word& x, const Exact_rational& exact, const Exact_rational& tolerance)
 {
   ASSERT_TRUE(x.is_finite());
-  const auto [lower, upper] = x.range();
+  const auto range = x.range();
+  const Exact_rational lower = range.first.exact(), upper = range.second.exact();
   EXPECT_LE(lower, exact);
   EXPECT_LE(exact, upper);
   EXPECT_LE(Exact_rational(upper - lower), tolerance);

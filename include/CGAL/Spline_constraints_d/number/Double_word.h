@@ -9,8 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_DOUBLE_WORD_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_DOUBLE_WORD_H
 
-#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 
 #include <cmath>
 #include <cstdint>
@@ -94,10 +93,10 @@ public:
   }
 
   // Bounds of the number, with a tolerance on both sides. \pre finite
-  std::pair<Exact_rational, Exact_rational> range(double tolerance = 0) const
+  std::pair<Deferred_rational, Deferred_rational> range(double tolerance = 0) const
   {
-    const Exact_rational value = to_rational(m_high) + to_rational(m_low), error = to_rational(error_with(tolerance));
-    return {Exact_rational(value - error), Exact_rational(value + error)};
+    const double error = error_with(tolerance);
+    return {Deferred_rational::sum(m_high, m_low, -error), Deferred_rational::sum(m_high, m_low, error)};
   }
 
   // Half the width of that range.

@@ -10,7 +10,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_CLOSEST_POINTS_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
@@ -21,6 +22,8 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>
 #endif
+
+#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <cstddef>
@@ -50,35 +53,45 @@ public:
   using Point = typename internal::Ambient_space<Kernel, d>::Point;
 
 private:
-  internal::Distances::Critical_distance m_distance;
+  using Parameter = internal::Distances::Located_parameter;
+
+  Solution_kind m_kind;
+  std::array<boost::container::small_vector<Parameter, 2>, 2> m_parameters;
+  std::pair<internal::Deferred_rational, internal::Deferred_rational> m_squared_distance;
   std::array<Point, 2> m_points;
+  std::optional<Solution_d<double>> m_solution;
 
 public:
   //! a pair of points that an operation has found.
   explicit Point_pair(internal::Distances::Located_distance<d> found)
-    : m_distance(std::move(found.distance)), m_points(std::visit(
-                                                 [](const auto& points) {
-                                                   return std::array{internal::kernel_object<Kernel, Point>(points[0]),
-                                                                     internal::kernel_object<Kernel, Point>(points[1])};
-                                                 },
-                                                 found.points))
+    : m_kind(found.kind), m_parameters(std::move(found.parameters)),
+      m_squared_distance(std::move(found.squared_distance)),
+      m_points(std::visit(
+          [](const auto& points) {
+            return std::array{internal::kernel_object<Kernel, Point>(points[0]),
+                              internal::kernel_object<Kernel, Point>(points[1])};
+          },
+          found.points)),
+      m_solution(std::move(found.solution))
   {}
 
   //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the
   //! derivatives of the distance are as they were asked for; in a `CONTINUUM` there are infinitely many; of `CLUSTER`
   //! and `UNDECIDED` see `Solution_kind`.
-  Solution_kind kind() const { return m_distance.kind; }
+  Solution_kind kind() const { return m_kind; }
 
-  //! the range of a parameter of the first (0) or second (1) operand; one number where it is known exactly.
-  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const
+  //! the range of a parameter of the first (0) or second (1) operand; one number where it is known exactly. As that of
+  //! the squared distance, it is made of doubles when it is asked for, where doubles have found it.
+  Range parameter_range(std::size_t operand, std::size_t axis = 0) const
   {
-    return m_distance.ranges[operand][axis];
+    const Parameter& parameter = m_parameters[operand][axis];
+    return {parameter.lower.exact(), parameter.upper.exact()};
   }
 
   //! a number in that range, rounded to double.
   double parameter(std::size_t operand, std::size_t axis = 0) const
   {
-    return to_nearest_double(m_distance.sample[operand][axis]);
+    return m_parameters[operand][axis].sample.nearest();
   }
 
   //! the point of an operand with parameters in the ranges, rounded where doubles have found it; of a segment of
@@ -86,14 +99,11 @@ public:
   const Point& point(std::size_t operand) const { return m_points[operand]; }
 
   //! the square of the distance lies between these numbers.
-  Range squared_distance_range() const
-  {
-    return {m_distance.squared_distance.lower, m_distance.squared_distance.upper};
-  }
+  Range squared_distance_range() const { return {m_squared_distance.first.exact(), m_squared_distance.second.exact()}; }
 
   //! the answer of the solver, with its proof; none where all parameters are ends of domains or knots, or where doubles
   //! with error bounds have proved it. The unknowns are the parameters that are none of these.
-  const std::optional<Solution_d<double>>& solution() const { return m_distance.solution; }
+  const std::optional<Solution_d<double>>& solution() const { return m_solution; }
 };
 
 /*!
@@ -124,13 +134,13 @@ public:
   using Range = std::pair<Exact_rational, Exact_rational>;
 
 private:
-  Range m_squared_distance;
+  std::pair<internal::Deferred_rational, internal::Deferred_rational> m_squared_distance;
 
 public:
-  //! these pairs, and a range of the square of the distance. Every pair of closest points is one of the pairs, or
-  //! belongs to a continuum that is one. Never empty.
+  //! pairs that an operation has found, and a range of the square of the distance. Every pair of closest points is one
+  //! of the pairs, or belongs to a continuum that is one. Never empty.
   Closest_points(std::vector<Point_pair<Kernel, d>> pairs, std::vector<Undecided_part> undecided, const Summary& work,
-                 Range squared_distance)
+                 std::pair<internal::Deferred_rational, internal::Deferred_rational> squared_distance)
     : Answer_list<Point_pair<Kernel, d>>(std::move(pairs), std::move(undecided), work),
       m_squared_distance(std::move(squared_distance))
   {}
@@ -139,7 +149,7 @@ public:
   bool is_unique() const { return this->size() == 1 && (*this)[0].kind() == Solution_kind::CERTIFIED; }
 
   //! the square of the distance of the operands lies between these numbers; they are equal where it is known exactly.
-  const Range& squared_distance_range() const { return m_squared_distance; }
+  Range squared_distance_range() const { return {m_squared_distance.first.exact(), m_squared_distance.second.exact()}; }
 
   //! the distance of the operands lies between these doubles.
   std::pair<double, double> distance_range() const { return internal::Distances::root_range(m_squared_distance); }

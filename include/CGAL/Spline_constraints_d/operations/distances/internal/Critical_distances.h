@@ -456,9 +456,11 @@ template <int d>
 Found_distances<d> located(const std::vector<Critical_distance>& answers, const Spline_patch<d>& first,
                            const Spline_patch<d>& second, const Critical_distances<d>& search)
 {
-  Found_distances<d> result{{}, search.least_squared_distance(), search.undecided(answers), search.summary(answers)};
+  const auto [least, upper] = search.least_squared_distance();
+  Found_distances<d> result{
+      {}, {Deferred_rational(least), Deferred_rational(upper)}, search.undecided(answers), search.summary(answers)};
   for (const Critical_distance& answer : answers)
-    result.pairs.push_back({answer, std::array{first(answer.sample[0]), second(answer.sample[1])}});
+    result.pairs.push_back(located<d>(answer, {first(answer.sample[0]), second(answer.sample[1])}));
   return result;
 }
 

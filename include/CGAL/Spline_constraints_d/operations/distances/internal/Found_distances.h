@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_FOUND_DISTANCES_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
@@ -18,6 +19,8 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <cstddef>
@@ -31,22 +34,50 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// Points of two operands with their distance; doubles next to them where they are not known exactly.
+// A range of a parameter, and a number in it.
+struct Located_parameter
+{
+  Deferred_rational lower, upper, sample;
+};
+
+// A pair of points of two operands; doubles next to them where they are not known exactly.
 template <int d>
 struct Located_distance
 {
   using Exact_points = std::array<std::array<Exact_rational, d>, 2>;
   using Double_points = std::array<std::array<double, d>, 2>;
 
-  Critical_distance distance;
+  Solution_kind kind;
+  std::array<boost::container::small_vector<Located_parameter, 2>, 2> parameters; // of each operand
+  std::pair<Deferred_rational, Deferred_rational> squared_distance;               // a range
   std::variant<Exact_points, Double_points> points;
+  std::optional<Solution_d<double>> solution;
 };
+
+// One that the solver has found, at points that have been made.
+template <int d>
+Located_distance<d> located(const Critical_distance& found, typename Located_distance<d>::Exact_points points)
+{
+  const Rational_interval& square = found.squared_distance;
+  Located_distance<d> result{found.kind,
+                             {},
+                             {Deferred_rational(square.lower), Deferred_rational(square.upper)},
+                             std::move(points),
+                             found.solution};
+  for (const std::size_t operand : {0, 1})
+    for (std::size_t axis = 0; axis < found.ranges[operand].size(); ++axis) {
+      const auto& [lower, upper] = found.ranges[operand][axis];
+      result.parameters[operand].push_back(
+          {Deferred_rational(lower), Deferred_rational(upper), Deferred_rational(found.sample[operand][axis])});
+    }
+  return result;
+}
 
 template <int d>
 struct Found_distances
 {
   std::vector<Located_distance<d>> pairs;
-  std::pair<Exact_rational, Exact_rational> squared_distance; // of the nearest ones
+  std::pair<Deferred_rational, Deferred_rational> squared_distance; // of the nearest ones
   std::vector<Undecided_part> undecided;
   Summary summary;
 };

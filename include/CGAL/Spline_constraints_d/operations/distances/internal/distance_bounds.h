@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DISTANCE_BOUNDS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DISTANCE_BOUNDS_H
 
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -49,18 +50,24 @@ inline std::pair<double, double> root_range(const std::pair<double, double>& squ
 }
 
 // The same of exact ends, the closest doubles or those beside them; \pre they are not negative.
-inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
+inline std::pair<double, double> root_range(const std::pair<Deferred_rational, Deferred_rational>& squares)
 {
-  const double low = to_double_interval(squares.first).first, high = to_double_interval(squares.second).second;
+  const double low = squares.first.double_interval().first, high = squares.second.double_interval().second;
   if (low > 0x1p-900 && high < 0x1p900)
     return root_range(std::pair(low, high));
   const auto square = [](double x) { return Exact_rational(to_rational(x) * to_rational(x)); };
-  double lower = near_root(squares.first), upper = near_root(squares.second);
-  while (std::isinf(lower) || (lower > 0 && square(lower) > squares.first))
+  const Exact_rational least = squares.first.exact(), greatest = squares.second.exact();
+  double lower = near_root(least), upper = near_root(greatest);
+  while (std::isinf(lower) || (lower > 0 && square(lower) > least))
     lower = std::nextafter(lower, 0.0);
-  while (!std::isinf(upper) && square(upper) < squares.second)
+  while (!std::isinf(upper) && square(upper) < greatest)
     upper = std::nextafter(upper, std::numeric_limits<double>::infinity());
   return {lower, upper};
+}
+
+inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
+{
+  return root_range(std::pair(Deferred_rational(squares.first), Deferred_rational(squares.second)));
 }
 
 } // namespace Distances

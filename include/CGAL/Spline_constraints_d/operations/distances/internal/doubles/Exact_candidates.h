@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 
+#include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_distances.h>
@@ -64,14 +65,16 @@ public:
   }
 
   // The parameter at a place in a cell.
-  Exact_rational parameter(int axis, int cell, Exact_rational place) const
+  Deferred_rational parameter(int axis, int cell, const Fraction& place) const
   {
     const std::vector<NT>& knots = m_operand.spline->functions()[0].knots(axis);
     const std::size_t span = span_of_cell(knots, m_operand.spline->functions()[0].degree(axis), cell);
-    if (knots[span] == NT(0) && knots[span + 1] == NT(1))
-      return place;
-    const auto begin = converted_number<Exact_rational>(knots[span]);
-    return Exact_rational(begin + place * (converted_number<Exact_rational>(knots[span + 1]) - begin));
+    if constexpr (std::is_same_v<NT, double>)
+      return Deferred_rational::between(knots[span], knots[span + 1], place.numerator, place.denominator);
+    else {
+      const Exact_rational in_cell = Deferred_rational::between(0, 1, place.numerator, place.denominator).exact();
+      return Deferred_rational(Exact_rational(knots[span] + in_cell * (knots[span + 1] - knots[span])));
+    }
   }
 
   // At a fraction of a cell along each axis.
@@ -114,7 +117,7 @@ public:
         return exact(candidate, *fractions, *points);
       const Jets<Exact_rational> jets = jets_of<Exact_rational>(candidate, *fractions);
       if (is_critical(candidate, jets))
-        return exact(candidate, *fractions, {point_of(jets[0]), point_of(jets[1])});
+        return exact(candidate, *fractions, std::array{point_of(jets[0]), point_of(jets[1])});
     }
     return enclosed(candidate);
   }
@@ -127,71 +130,82 @@ private:
     return static_cast<std::size_t>(operand == 0 ? axis : m_axes[0] + axis);
   }
 
-  static Located_distance<d> certified() { return {{Solution_kind::CERTIFIED, {}, {}, {}, std::nullopt}, {}}; }
-
-  using Exact_point = std::array<Exact_rational, d>;
-
-  static Exact_point point_of(const Spline_jet<Exact_rational, d>& jet)
+  static std::array<Exact_rational, d> point_of(const Spline_jet<Exact_rational, d>& jet)
   {
-    Exact_point result;
+    std::array<Exact_rational, d> result;
     for (int i = 0; i < d; ++i)
       result[i] = jet.value[i] / jet.value[d];
     return result;
   }
 
   // The points, if intervals prove that the derivatives are zero: where no operation is rounded, these are numbers.
-  std::optional<std::array<Exact_point, 2>> points_in_doubles(const Candidate& candidate,
-                                                              const Fractions& fractions) const
+  std::optional<std::array<std::array<double, d>, 2>> points_in_doubles(const Candidate& candidate,
+                                                                        const Fractions& fractions) const
   {
-    std::optional<std::array<Exact_point, 2>> result;
     if constexpr (std::is_same_v<NT, double>) {
-      std::array<std::array<Interval, d>, 2> points;
-      {
-        const Upward_rounding_guard rounding;
-        const Jets<Interval> jets = jets_of<Interval>(candidate, fractions);
-        if (!is_critical(candidate, jets))
-          return std::nullopt;
-        for (const std::size_t operand : {0, 1})
-          for (int i = 0; i < d; ++i) {
-            points[operand][i] = jets[operand].value[i] / jets[operand].value[d];
-            if (!points[operand][i].is_point())
-              return std::nullopt;
-          }
-      }
-      result.emplace();
+      const Upward_rounding_guard rounding;
+      const Jets<Interval> jets = jets_of<Interval>(candidate, fractions);
+      if (!is_critical(candidate, jets))
+        return std::nullopt;
+      std::array<std::array<double, d>, 2> result;
       for (const std::size_t operand : {0, 1})
-        for (int i = 0; i < d; ++i)
-          (*result)[operand][i] = to_rational(points[operand][i].inf());
-    }
-    return result;
+        for (int i = 0; i < d; ++i) {
+          const Interval x = jets[operand].value[i] / jets[operand].value[d];
+          if (!x.is_point())
+            return std::nullopt;
+          result[operand][i] = x.inf() + 0.0; // not -0
+        }
+      return result;
+    } else
+      return std::nullopt;
   }
 
-  Located_distance<d> exact(const Candidate& candidate, const Fractions& fractions,
-                            std::array<Exact_point, 2> points) const
+  // Where no operation is rounded, intervals have the sum.
+  static Deferred_rational squared_distance_of(const std::array<std::array<double, d>, 2>& points)
   {
-    Located_distance<d> result = certified();
+    {
+      const Upward_rounding_guard rounding;
+      Interval square(0);
+      for (int i = 0; i < d; ++i)
+        square += CGAL::square(Interval(points[0][i]) - Interval(points[1][i]));
+      if (square.is_point())
+        return Deferred_rational(square.inf());
+    }
+    std::array<std::array<Exact_rational, d>, 2> exact;
     for (const std::size_t operand : {0, 1})
-      for (int axis = 0; axis < m_axes[operand]; ++axis) {
-        const Fraction& x = fractions[parameter_of(operand, axis)];
-        const Exact_rational place =
-            x.denominator == 1 ? to_rational(x.numerator) : to_rational(x.numerator) / to_rational(x.denominator);
-        const Exact_rational parameter = m_operands[operand].parameter(axis, candidate.cells[operand][axis], place);
-        result.distance.ranges[operand].emplace_back(parameter, parameter);
-        result.distance.sample[operand].push_back(parameter);
-      }
+      for (int i = 0; i < d; ++i)
+        exact[operand][i] = to_rational(points[operand][i]);
+    return squared_distance_of(exact);
+  }
+
+  static Deferred_rational squared_distance_of(const std::array<std::array<Exact_rational, d>, 2>& points)
+  {
     Exact_rational square(0);
     for (int i = 0; i < d; ++i) {
       const Exact_rational difference = points[0][i] - points[1][i];
       square += difference * difference;
     }
-    result.distance.squared_distance = Rational_interval(square);
-    result.points = std::move(points);
+    return Deferred_rational(std::move(square));
+  }
+
+  template <class Number>
+  Located_distance<d> exact(const Candidate& candidate, const Fractions& fractions,
+                            const std::array<std::array<Number, d>, 2>& points) const
+  {
+    const Deferred_rational square = squared_distance_of(points);
+    Located_distance<d> result{Solution_kind::CERTIFIED, {}, {square, square}, points, std::nullopt};
+    for (const std::size_t operand : {0, 1})
+      for (int axis = 0; axis < m_axes[operand]; ++axis) {
+        const Deferred_rational parameter =
+            m_operands[operand].parameter(axis, candidate.cells[operand][axis], fractions[parameter_of(operand, axis)]);
+        result.parameters[operand].push_back({parameter, parameter, parameter});
+      }
     return result;
   }
 
   Located_distance<d> enclosed(const Candidate& candidate) const
   {
-    Located_distance<d> result = certified();
+    Located_distance<d> result{Solution_kind::CERTIFIED, {}, squared_distance_of(candidate), {}, std::nullopt};
     std::array<std::array<double, d>, 2> points;
     for (const std::size_t operand : {0, 1}) {
       for (int i = 0; i < d; ++i) {
@@ -201,21 +215,20 @@ private:
       for (int axis = 0; axis < m_axes[operand]; ++axis) {
         const std::size_t k = parameter_of(operand, axis);
         const auto parameter = [&](double x) {
-          return m_operands[operand].parameter(axis, candidate.cells[operand][axis], to_rational(x));
+          return m_operands[operand].parameter(axis, candidate.cells[operand][axis], Fraction{x});
         };
-        result.distance.ranges[operand].emplace_back(parameter(candidate.ranges[k].lower),
-                                                     parameter(candidate.ranges[k].upper));
-        result.distance.sample[operand].push_back(parameter(candidate.parameters[k]));
+        result.parameters[operand].push_back({parameter(candidate.ranges[k].lower),
+                                              parameter(candidate.ranges[k].upper),
+                                              parameter(candidate.parameters[k])});
       }
     }
-    result.distance.squared_distance = squared_distance_of(candidate);
     result.points = points;
     return result;
   }
 
   // In numbers with twice the digits of doubles at least: at the parameters that are known, it is greater or less by as
   // little as the square of their error.
-  Rational_interval squared_distance_of(const Candidate& candidate) const
+  std::pair<Deferred_rational, Deferred_rational> squared_distance_of(const Candidate& candidate) const
   {
     const Fractions at{Fraction{candidate.parameters[0]}, Fraction{candidate.parameters[1]}};
     if constexpr (std::is_same_v<NT, double>) {
@@ -223,13 +236,13 @@ private:
       const Double_word square = squared_distance_at(jets_of<Double_word>(candidate, at));
       const Interval& known = candidate.squared_distance;
       if (!(square.error_with(candidate.deviation) < (known.sup() - known.inf()) / 4))
-        return {to_rational(known.inf()), to_rational(known.sup())};
-      auto [lower, upper] = square.range(candidate.deviation);
-      return {std::move(lower), std::move(upper)};
+        return {Deferred_rational(known.inf()), Deferred_rational(known.sup())};
+      return square.range(candidate.deviation);
     } else {
       const Exact_rational square = squared_distance_at(jets_of<Exact_rational>(candidate, at)),
                            deviation = to_rational(candidate.deviation);
-      return {(std::max)(Exact_rational(square - deviation), Exact_rational(0)), Exact_rational(square + deviation)};
+      return {Deferred_rational((std::max)(Exact_rational(square - deviation), Exact_rational(0))),
+              Deferred_rational(Exact_rational(square + deviation))};
     }
   }
 

@@ -55,17 +55,16 @@ std::optional<Found_distances<d>> found_distances(const std::array<Located_opera
   auto& [least, upper] = result.squared_distance;
   for (const Nearest_candidate<d>& candidate : search.candidates()) {
     result.pairs.push_back(Exact_candidates<NT, d>(operands)(candidate));
-    const Rational_interval& range = result.pairs.back().distance.squared_distance;
-    if (range.lower <= 0 && range.upper > 0)
+    const auto& [own_least, own_upper] = result.pairs.back().squared_distance;
+    if (const Deferred_rational zero; !(zero < own_least) && zero < own_upper)
       return std::nullopt;
-    if (result.pairs.size() == 1 || range.upper < upper)
-      upper = range.upper;
+    if (result.pairs.size() == 1 || own_upper < upper)
+      upper = own_upper;
   }
-  std::stable_sort(result.pairs.begin(), result.pairs.end(), [&](const auto& x, const auto& y) {
-    return x.distance.squared_distance.lower < y.distance.squared_distance.lower;
-  });
+  std::stable_sort(result.pairs.begin(), result.pairs.end(),
+                   [&](const auto& x, const auto& y) { return x.squared_distance.first < y.squared_distance.first; });
   if (!result.pairs.empty())
-    least = result.pairs.front().distance.squared_distance.lower;
+    least = result.pairs.front().squared_distance.first;
   result.summary.nodes = search.number_of_parts();
   return result;
 }
@@ -85,7 +84,7 @@ std::optional<Found_distances<d>> nearest_points_in_doubles(const Distance_opera
   std::optional<Found_distances<d>> result = found_distances(operands, search);
   if (result)
     std::erase_if(result->pairs, [&](const Located_distance<d>& pair) {
-      return pair.distance.squared_distance.lower > result->squared_distance.second;
+      return result->squared_distance.second < pair.squared_distance.first;
     });
   return result;
 }
