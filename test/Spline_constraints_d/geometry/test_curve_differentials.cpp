@@ -5,8 +5,8 @@
 // circles, Taylor's theorem on random curves, breaks of splines.
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -87,6 +87,32 @@ TEST(Curve_differentials, exact_on_a_circle)
       SC::curve_differentials<CGAL::Interval_nt<false>>(circle, box_of({Rational(6, 5), Rational(8, 5)}), 0);
   ASSERT_TRUE(in_intervals);
   expect_in(-0.5, in_intervals->signed_curvature(), 1e-13);
+}
+
+// y = x^2, z = x^3: the torsion 12 / (36 x^4 + 36 x^2 + 4). A plane section has none, and a line no torsion at all.
+TEST(Curve_differentials, torsion)
+{
+  const auto cubic = system_of({x(1) - x(0) * x(0), x(2) - x(0) * x(1)}, 3);
+  for (const Rational& t : {Rational(0), Rational(1, 2), Rational(-6, 5)}) {
+    const auto at = SC::curve_differentials<Rational>(cubic, box_of({t, t * t, t * t * t}), 0);
+    ASSERT_TRUE(at);
+    EXPECT_EQ(at->third_derivative(), (std::vector<Rational>{0, 0, 6}));
+    EXPECT_EQ(at->torsion(), Rational(12 / (36 * t * t * t * t + 36 * t * t + 4)));
+    const auto by_height = SC::curve_differentials<Rational>(cubic, box_of({t, t * t, t * t * t}), 2);
+    EXPECT_EQ(by_height.has_value(), t != 0);
+    if (by_height) {
+      EXPECT_EQ(by_height->torsion(), at->torsion());
+    }
+    const auto u = SC::unknowns(3, {SC::Bound(-3), SC::Bound(3)});
+    // the same after a reflection, but for the sign
+    EXPECT_EQ(at->image(SC::Vector_expression<3>{u[1] / 1, u[0] / 1, u[2] / 1}).torsion(), Rational(-*at->torsion()));
+  }
+  const auto circle = system_of({x(0) * x(0) + x(1) * x(1) + x(2) * x(2) - 9, x(0) + x(1) - x(2) - 1}, 3);
+  EXPECT_EQ(SC::curve_differentials<Rational>(circle, box_of({2, 1, 2}))->torsion(), 0);
+  const auto line = system_of({x(1) - x(0), x(2) - x(0)}, 3);
+  EXPECT_FALSE(SC::curve_differentials<Rational>(line, box_of({1, 1, 1}))->torsion());
+  EXPECT_THROW(SC::curve_differentials<Rational>(system_of({x(0) - x(1)}, 2), box_of({1, 1}))->torsion(),
+               SC::Invalid_input);
 }
 
 TEST(Curve_differentials, curvature_of_Viviani)
@@ -173,8 +199,7 @@ TEST(Curve_differentials, random_curves_agree_with_their_second_order_expansion)
         }
         equations.push_back(f - f(p));
       }
-      const auto at =
-          SC::curve_differentials<Rational>(system_of(equations, n), box_of(p),
+      const auto at = SC::curve_differentials<Rational>(system_of(equations, n), box_of(p),
                                             round % 2 == 0 ? std::nullopt : std::optional(round % n));
       if (!at)
         continue;

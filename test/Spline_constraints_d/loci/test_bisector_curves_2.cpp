@@ -6,9 +6,12 @@
 
 #include "pair_locus_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +54,43 @@ TEST(Bisector_curves_2, two_cubics)
   for (const Locus::Curve& curve : locus.curves())
     ends += locus.ends_at_infinity(curve, 0) + locus.ends_at_infinity(curve, 1);
   EXPECT_EQ(ends, 2u);
+}
+
+// Of the line y = 0 and a circle around (0,2) with the radius 1: parabolas, 6y = x^2 + 3 outside of it and 2y = x^2 + 3
+// through it, with the signed curvatures a / (1 + (a x)^2)^(3/2) with a = 1/3 and a = 1.
+TEST(Bisector_curves_2, curvature_of_parabolas)
+{
+  const Curve line = SC::polyline_curve(std::vector<Point>{{-3, 0}, {3, 0}}),
+              circle = SC::circle_curve(Point(0, 2), Rational(1));
+  const Locus locus = SC::bisector_curves(line, circle);
+  ASSERT_TRUE(locus.is_complete());
+  const SC::Spline_map<1, 2> c1(line), c2(circle);
+  const auto [u, v] = SC::parameters(c1, c2);
+  const SC::Vector_expression<2> point = SC::meet(SC::normal_line(c1, u), SC::equidistant_hyperplane(c1(u), c2(v)));
+  std::array<std::size_t, 2> points{};
+  for (const Locus::Curve& curve : locus.curves())
+    for (const Locus::Arc& arc : curve.arcs)
+      for (const std::size_t i : locus.solutions(arc.part).curves()[arc.index].vertices()) {
+        const SC::Curve_vertex& vertex = locus.solutions(arc.part).vertices()[i];
+        const auto at = SC::curve_differentials(locus.system(arc.part), vertex);
+        if (!at)
+          continue;
+        const auto in_plane = at->image(point);
+        const auto p = in_plane.point();
+        const double px = CGAL::to_double(p[0].midpoint()), py = CGAL::to_double(p[1].midpoint());
+        if (!(std::abs(px) < 4))
+          continue;
+        const bool is_outer = std::abs(6 * py - px * px - 3) < 1e-6;
+        EXPECT_TRUE(is_outer || std::abs(2 * py - px * px - 3) < 1e-6) << px << ' ' << py;
+        const double a = is_outer ? 1.0 / 3 : 1, expected = a / std::pow(1 + a * px * a * px, 1.5);
+        const auto curvature = in_plane.curvature();
+        EXPECT_LE(curvature.inf(), expected + 1e-9);
+        EXPECT_GE(curvature.sup(), expected - 1e-9);
+        EXPECT_LT(curvature.sup() - curvature.inf(), 1e-3);
+        ++points[is_outer];
+      }
+  EXPECT_GT(points[0], 0u);
+  EXPECT_GT(points[1], 0u);
 }
 
 TEST(Bisector_curves_2, lines)

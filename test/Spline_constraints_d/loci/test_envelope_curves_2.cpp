@@ -6,9 +6,10 @@
 
 #include "pair_locus_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,9 @@ namespace {
 std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, bool has_same_direction)
 {
   std::size_t points = 0;
-  visit_points(locus, c1, c2, [&](const Vector& p, const std::array<Foot, 2>& feet) {
+  visit_points(
+      locus, c1, c2,
+      [&](const Vector& p, const std::array<Foot, 2>& feet) {
     ++points;
     const Vector &a = feet[0].direction, &b = feet[1].direction;
     for (const int k : {0, 1})
@@ -32,7 +35,8 @@ std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, b
     EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], 0, 1e-11);
     const double cosine = a[0] * b[0] + a[1] * b[1];
     EXPECT_NEAR(has_same_direction ? cosine : std::abs(cosine), 1, 1e-11);
-  }, 1e-2, 100);
+      },
+      1e-2, 100);
   return points;
 }
 
@@ -53,6 +57,43 @@ TEST(Envelope_curves_2, parabolas)
     EXPECT_NEAR(CGAL::to_double(sample.point.y()), 2 * x * x / 3, 1e-13);
     EXPECT_LE(std::abs(x), 1.5 + 1e-13);
   }
+}
+
+// The slope of y = x^2 is that of y = x + x^3 where u = (1 + 3 v^2) / 2, so that du/dv = 3v and d^2u/dv^2 = 3; and the
+// sums of circles have the curvature of one with the sum of the radii.
+TEST(Envelope_curves_2, derivatives)
+{
+  using Rational = SC::Exact_rational;
+  const Curve one = SC::bezier_curve(std::vector<Point>{{-2, 4}, {0, -4}, {2, 4}}),
+              two = SC::bezier_curve(std::vector<Point>{
+                  {0, 0}, {Rational(1, 3), Rational(1, 3)}, {Rational(2, 3), Rational(2, 3)}, {1, 2}});
+  const Locus locus = SC::envelope_curves(one, two);
+  ASSERT_EQ(locus.curves().size(), 1u);
+  for (const auto& sample : locus.polyline(locus.curves()[0], 1e-2, 10)) {
+    const auto at = SC::curve_differentials(locus.system(0), {sample.parameters[0], sample.parameters[1]}, 1);
+    ASSERT_TRUE(at);
+    const double v = sample.parameters[1]; // the first curve has the abscissa 4 u - 2
+    EXPECT_NEAR(CGAL::to_double(at->first_derivative()[0]), 3 * v / 4, 1e-12);
+    EXPECT_NEAR(CGAL::to_double(at->second_derivative()[0]), 3.0 / 4, 1e-12);
+  }
+  const Curve small = SC::circle_curve(Point(1, 2), Rational(1, 2)),
+              large = SC::circle_curve(Point(0, 0), Rational(3, 2));
+  const Locus sum = SC::envelope_curves(small, large);
+  ASSERT_EQ(sum.curves().size(), 1u);
+  const SC::Spline_map<1, 2> c1(small), c2(large);
+  const auto [u, v] = SC::parameters(c1, c2);
+  std::size_t points = 0;
+  for (const Locus::Arc& arc : sum.curves()[0].arcs)
+    for (const std::size_t i : sum.solutions(arc.part).curves()[arc.index].vertices()) {
+      const auto at = SC::curve_differentials(sum.system(arc.part), sum.solutions(arc.part).vertices()[i]);
+      ASSERT_TRUE(at);
+      const auto curvature = at->image(c1(u) + c2(v)).squared_curvature();
+      EXPECT_LE(curvature.lower(), Rational(1, 4));
+      EXPECT_GE(curvature.upper(), Rational(1, 4));
+      EXPECT_LT(Rational(curvature.upper() - curvature.lower()), Rational(1, 1000));
+      ++points;
+    }
+  EXPECT_GT(points, 1u);
 }
 
 // y = x^2 on [0,1] and y = -x^3/3 on [-1,1] are parallel where 2 x1 = -x2^2: in one point, on the edge of the domain.

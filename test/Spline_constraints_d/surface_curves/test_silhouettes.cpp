@@ -6,9 +6,11 @@
 
 #include "surface_test_names.h"
 
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
 #include <gtest/gtest.h>
 
@@ -113,6 +115,37 @@ TEST(Silhouettes, sphere)
   expect_in_plane(expect_silhouettes(sphere, center + to_eye, 1, 0),
                   K::Plane_3(to_eye.x(), to_eye.y(), to_eye.z(), -(to_eye * (center - CGAL::ORIGIN)) - 4));
   expect_silhouettes(sphere, center + Vector(1, 1, 1), 0, 0);   // from inside
+}
+
+// Circles by differentiation of the equation: their curvature, and no torsion, at vertices and along them.
+TEST(Silhouettes, curvature_and_torsion)
+{
+  const SC::Spline_map<2, 3> map(sphere);
+  auto [u, v] = SC::unknowns({map.domain(0).first, map.domain(0).second}, {map.domain(1).first, map.domain(1).second});
+  // r = 2 at the distance 3: the circle has the squared radius 4 (1 - 4/9)
+  for (const auto& [set, squared_curvature] :
+       {std::pair(SC::silhouettes(sphere, Vector(1, 2, 2)), Rational(1, 4)),
+        std::pair(SC::silhouettes(sphere, center + Vector(2, 1, -2)), Rational(9, 20))}) {
+    std::size_t points = 0;
+    for (const SC::Surface_curve& curve : set.curves()) {
+      for (const auto& sample : set.polyline(curve, 1e-2)) {
+        const auto at = SC::curve_differentials(set.system(curve.part), sample.parameters);
+        ASSERT_TRUE(at);
+        const auto in_space = at->image(map(u, v));
+        EXPECT_NEAR(CGAL::to_double(in_space.squared_curvature()), CGAL::to_double(squared_curvature), 1e-9);
+        EXPECT_NEAR(CGAL::to_double(*in_space.torsion()), 0, 1e-6);
+        ++points;
+      }
+      for (const SC::Curve_vertex& vertex : set.solutions(curve.part).vertices()) {
+        const auto at = SC::curve_differentials(set.system(curve.part), vertex);
+        ASSERT_TRUE(at);
+        const SC::Mpfr_interval curvature = at->image(map(u, v)).squared_curvature();
+        EXPECT_LE(curvature.lower(), squared_curvature);
+        EXPECT_GE(curvature.upper(), squared_curvature);
+      }
+    }
+    EXPECT_GT(points, 10u);
+  }
 }
 
 TEST(Silhouettes, torus)

@@ -38,7 +38,7 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A point of a curve with its first and second derivatives, and what they tell of the curve: tangent and curvature.
+A point of a curve with its first three derivatives, and what they tell of the curve: tangent, curvature and torsion.
 
 The derivatives are by one of the unknowns, the parameter. Where a square root is taken the result is a `Real`: an
 enclosure if `NT` is one, else a double.
@@ -73,13 +73,28 @@ public:
   int parameter() const { return m_parameter; }
 
   //! the point.
-  std::vector<NT> point() const { return coordinates([](const Jet& x) { return x.value; }); }
+  std::vector<NT> point() const
+  {
+    return coordinates([](const Jet& x) { return x.value; });
+  }
 
   //! the first derivative by the parameter.
-  std::vector<NT> first_derivative() const { return coordinates([](const Jet& x) { return x.first; }); }
+  std::vector<NT> first_derivative() const
+  {
+    return coordinates([](const Jet& x) { return x.first; });
+  }
 
   //! the second derivative by the parameter.
-  std::vector<NT> second_derivative() const { return coordinates([](const Jet& x) { return x.second; }); }
+  std::vector<NT> second_derivative() const
+  {
+    return coordinates([](const Jet& x) { return x.second; });
+  }
+
+  //! the third derivative by the parameter.
+  std::vector<NT> third_derivative() const
+  {
+    return coordinates([](const Jet& x) { return x.third; });
+  }
 
   //! the second derivative by the arc length: it is orthogonal to the tangent, and as long as the curvature.
   std::vector<NT> curvature_vector() const
@@ -123,6 +138,23 @@ public:
     const NT cross =
         m_coordinates[0].first * m_coordinates[1].second - m_coordinates[1].first * m_coordinates[0].second;
     return signed_root(cross, squared_curvature());
+  }
+
+  //! the torsion of a curve in space; nothing where the curvature is not proved to be positive.
+  //! \throws Invalid_input when there are not three coordinates.
+  std::optional<NT> torsion() const
+  {
+    if (dimension() != 3)
+      throw Invalid_input("Curve_differentials_d: a torsion in " + std::to_string(dimension()) + " dimensions");
+    [[maybe_unused]] const Guard guard;
+    NT volume = Number_traits<NT>::from_double(0), square = volume;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Jet &a = m_coordinates[(i + 1) % 3], &b = m_coordinates[(i + 2) % 3];
+      const NT binormal = a.first * b.second - b.first * a.second;
+      volume += binormal * m_coordinates[i].third;
+      square += binormal * binormal;
+    }
+    return Number_traits<NT>::enclosure(square).inf() > 0 ? std::optional<NT>(volume / square) : std::nullopt;
   }
 
   /*!
@@ -198,7 +230,8 @@ NT number_of_range(const std::pair<Exact_rational, Exact_rational>& range)
 
 /*
 The derivatives of the curve of solutions through a point: f(x(t)) = 0 with a tangent a = x' is J a = 0, and J x'' = -h
-where h = a^T H a is the second derivative of f along the straight line with the direction a.
+where h = a^T H a is the second derivative of f along the straight line with the direction a; in the same way J x''' =
+-k with the third derivative k of f along the parabola with the derivatives a and x''.
 */
 template <class NT>
 class Implicit_differentiation
@@ -231,20 +264,23 @@ public:
       return std::nullopt;
     // n - 1 if there is none
     const std::size_t free = static_cast<std::size_t>(std::find(row_of.begin(), row_of.end(), -1) - row_of.begin());
-    std::vector<NT> first(n, number(0)), second(n, number(0));
+    std::vector<NT> first(n, number(0)), second(n, number(0)), third(n, number(0));
     first[unknowns[free]] = number(1);
     for (std::size_t j = 0; j < n; ++j)
       if (j != free)
         first[unknowns[j]] = -rows[row_of[j] * length + free];
-    const Jets along_tangent = along(first);
+    const auto subtract_solution = [&](std::vector<NT>& x, const Jets& values, NT Jet<NT>::*right_side) {
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; j != free && i + 1 < n; ++i)
-        second[unknowns[j]] -= rows[row_of[j] * length + n + i] * along_tangent[i].second;
+          x[unknowns[j]] -= rows[row_of[j] * length + n + i] * values[i].*right_side;
+    };
+    subtract_solution(second, along(first), &Jet<NT>::second);
+    subtract_solution(third, along(first, second), &Jet<NT>::third);
     Jets result;
     for (std::size_t j = 0; j < n; ++j) {
       if (!std::isfinite(magnitude(first[j])) || !std::isfinite(magnitude(second[j])))
         return std::nullopt;
-      result.emplace_back(m_point[j], first[j], second[j]);
+      result.emplace_back(m_point[j], first[j], second[j], third[j]);
     }
     return Curve_differentials_d<NT>(m_place, std::move(result), static_cast<int>(unknowns[free]));
   }
@@ -285,12 +321,12 @@ private:
     return rows;
   }
 
-  // The equations along a straight line.
-  Jets along(const std::vector<NT>& direction) const
+  // The equations along a straight line, or a parabola.
+  Jets along(const std::vector<NT>& direction, const std::vector<NT>& second = {}) const
   {
     Jets line, result;
     for (std::size_t j = 0; j < m_point.size(); ++j)
-      line.emplace_back(m_point[j], direction[j], number(0));
+      line.emplace_back(m_point[j], direction[j], second.empty() ? number(0) : second[j]);
     for (const Spline_function& function : m_system.equalities())
       result.push_back(
           spline_value(function, std::span<const Exact_rational>(m_place), std::span<const Jet<NT>>(line)));
@@ -319,8 +355,8 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-derivatives, tangent and curvature of the curve of solutions through a point, by implicit differentiation of its
-equations. At a break of a spline they are those of the piece behind it.
+derivatives, tangent, curvature and torsion of the curve of solutions through a point, by implicit differentiation of
+its equations. At a break of a spline they are those of the piece behind it.
 
 With `NT = Exact_rational` all is exact, and belongs to the curve \f$f(x) = f(p)\f$ through the point \f$p\f$ given,
 which rounding has moved off the solutions a little. With an enclosure, `Mpfr_interval` or `CGAL::Interval_nt<false>`,
@@ -336,7 +372,7 @@ chosen parameter is stationary.
 \throws Invalid_input when the number of equalities or ranges is another one, there is no such parameter, or a range
 lies on both sides of a break.
 
-Complexity: \f$n + 1\f$ evaluations of the equations and an elimination. Source: \cgalCite{kes-gcps-05}, equations 9-17
+Complexity: \f$n + 2\f$ evaluations of the equations and an elimination. Source: \cgalCite{kes-gcps-05}, equations 9-17
 and 34-37, for any number of unknowns.
 */
 template <SplineNumberType NT>

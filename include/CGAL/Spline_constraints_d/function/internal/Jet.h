@@ -23,14 +23,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The value of a function of one variable with its first two derivatives. Evaluating a formula on such numbers
+// The value of a function of one variable with its first three derivatives. Evaluating a formula on such numbers
 // differentiates it along a curve, by the product rule.
 template <class NT>
 struct Jet
 {
-  NT value, first, second;
+  NT value, first, second, third;
 
-  Jet(NT value, NT first, NT second) : value(std::move(value)), first(std::move(first)), second(std::move(second)) {}
+  Jet(NT value, NT first, NT second) : Jet(std::move(value), std::move(first), std::move(second), number(0)) {}
+  Jet(NT value, NT first, NT second, NT third)
+    : value(std::move(value)), first(std::move(first)), second(std::move(second)), third(std::move(third))
+  {}
   explicit Jet(const Exact_rational& constant) : Jet(number(constant), number(0), number(0)) {}
 
   Jet& operator+=(const Jet& other) { return *this = *this + other; }
@@ -38,21 +41,24 @@ struct Jet
 
   friend Jet operator+(const Jet& f, const Jet& g)
   {
-    return {f.value + g.value, f.first + g.first, f.second + g.second};
+    return {f.value + g.value, f.first + g.first, f.second + g.second, f.third + g.third};
   }
 
   friend Jet operator*(const Jet& f, const Jet& g)
   {
-    const NT mixed = f.first * g.first;
+    const NT mixed = f.first * g.first, higher = f.second * g.first + f.first * g.second;
     return {f.value * g.value, f.first * g.value + f.value * g.first,
-            f.second * g.value + mixed + mixed + f.value * g.second};
+            f.second * g.value + mixed + mixed + f.value * g.second,
+            f.third * g.value + higher + higher + higher + f.value * g.third};
   }
 
   // From f = q g.
   friend Jet operator/(const Jet& f, const Jet& g)
   {
-    const NT value = f.value / g.value, first = (f.first - value * g.first) / g.value, mixed = first * g.first;
-    return {value, first, (f.second - mixed - mixed - value * g.second) / g.value};
+    const NT value = f.value / g.value, first = (f.first - value * g.first) / g.value, mixed = first * g.first,
+             second = (f.second - mixed - mixed - value * g.second) / g.value,
+             higher = second * g.first + first * g.second;
+    return {value, first, second, (f.third - higher - higher - higher - value * g.third) / g.value};
   }
 
 private:

@@ -96,6 +96,11 @@ public:
     return internal::Loci::solutions_of_part(m_found, part);
   }
 
+  //! the equations of a part, for `curve_differentials()`: with `image()` by a formula of a point in the unknowns, as
+  //! \f$C_1(u) + C_2(v)\f$ of an envelope, they give tangent and curvature of its curves. `Constraint_system_d.h` has
+  //! to be included for more than that.
+  const Constraint_system_d& system(std::size_t part) const { return internal::Loci::system_of_part(m_found, part); }
+
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
   bool ends_at_infinity(const Curve& curve, int side) const
   {

@@ -107,6 +107,14 @@ public:
     return internal::Surface_curves::solutions_of_part(m_found, part);
   }
 
+  //! the equations of a part, for `curve_differentials()`: with `image()` by the surface as a `Spline_map` of the first
+  //! two unknowns, they give tangent, curvature and torsion of its curves in space. A curve with a
+  //! `Surface_curve::line` is not on them. `Constraint_system_d.h` has to be included for more than that.
+  const Constraint_system_d& system(std::size_t part) const
+  {
+    return internal::Surface_curves::system_of_part(m_found, part);
+  }
+
   //! the point where the unknowns have these values; values outside of the domain are moved to its boundary.
   Point point(const std::vector<double>& unknowns) const
   {

@@ -26,6 +26,9 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+
+class Constraint_system_d;
+
 namespace internal {
 namespace Loci {
 
@@ -67,6 +70,7 @@ std::vector<std::pair<Double_pair, Double_pair>>
 samples_of_curve(const Found_pair_locus& found, const Curve_pair_curve& curve, double error, double radius);
 bool ends_at_infinity(const Found_pair_locus& found, const Curve_pair_curve& curve, int side);
 const Curve_solution_set_d& solutions_of_part(const Found_pair_locus& found, std::size_t part);
+const Constraint_system_d& system_of_part(const Found_pair_locus& found, std::size_t part);
 std::vector<Undecided_part> undecided_parts_of(const Found_pair_locus& found);
 
 // The loci of two curves, or of one; defined in pair_loci.h and self_bisector.h.

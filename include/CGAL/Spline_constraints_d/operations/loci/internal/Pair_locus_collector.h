@@ -78,8 +78,7 @@ public:
     const std::size_t multiple = rest.size();
     const Constraint_system_d system = system_of(constraints, unknowns);
     (*m_found.parts)
-        .push_back(
-            {parts, system, internal::Curve_cuts(curves_within_budget(system, budget))(poles, rest)});
+        .push_back({parts, system, internal::Curve_cuts(curves_within_budget(system, budget))(poles, rest)});
     const Curve_solution_set_d& set = (*m_found.parts).back().solutions;
     const Seam_joints joints(system, set, parts.closed_unknowns);
     const std::size_t part = (*m_found.parts).size() - 1;
@@ -279,6 +278,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE const Curve_solution_set_d& solutions_of_part(con
                                                                              std::size_t part)
 {
   return (*found.parts)[part].solutions;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const Constraint_system_d& system_of_part(const Found_pair_locus& found,
+                                                                         std::size_t part)
+{
+  return (*found.parts)[part].system;
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> undecided_parts_of(const Found_pair_locus& found)

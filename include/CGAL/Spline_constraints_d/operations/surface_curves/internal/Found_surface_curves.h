@@ -24,6 +24,9 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+
+class Constraint_system_d;
+
 namespace internal {
 namespace Surface_curves {
 
@@ -56,8 +59,9 @@ struct Found_surface_curves
 std::vector<std::pair<std::array<double, 3>, std::vector<double>>>
 samples_of_curve(const Found_surface_curves& found, const Surface_curve& curve, double error);
 
-// The curves of a part as the solver found them.
+// The curves of a part as the solver found them, and the system.
 const Curve_solution_set_d& solutions_of_part(const Found_surface_curves& found, std::size_t part);
+const Constraint_system_d& system_of_part(const Found_surface_curves& found, std::size_t part);
 
 // The regions with their places in space.
 std::vector<Undecided_part> undecided_parts_of(const Found_surface_curves& found);

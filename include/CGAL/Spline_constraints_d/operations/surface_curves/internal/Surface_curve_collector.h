@@ -216,6 +216,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE const Curve_solution_set_d& solutions_of_part(con
   return (*found.parts)[part].solutions;
 }
 
+CGAL_SPLINE_CONSTRAINTS_INLINE const Constraint_system_d& system_of_part(const Found_surface_curves& found,
+                                                                         std::size_t part)
+{
+  return (*found.parts)[part].system;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> undecided_parts_of(const Found_surface_curves& found)
 {
   std::vector<Undecided_part> result;
