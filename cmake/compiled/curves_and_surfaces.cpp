@@ -31,6 +31,7 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/zeros_on_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Access_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Silhouette_event_finder.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Sweep_event_finder.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Umbilic_finder.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/self_intersections_of_surface.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/silhouettes_of_sweep.h>

@@ -78,6 +78,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/self_intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/silhouette_events.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouette_events.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_face_3.h>

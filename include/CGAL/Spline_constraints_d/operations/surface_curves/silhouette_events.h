@@ -39,10 +39,10 @@ struct Silhouette_event
   //! a closed range of exact numbers.
   using Range = std::pair<Exact_rational, Exact_rational>;
 
-  Silhouette_event_kind kind;      ///< what happens
-  Range time;                      ///< a range that holds the time, by proof
-  std::array<Range, 2> parameters; ///< ranges of the parameters; of a pole, one is that of the whole edge
-  typename Kernel::Point_3 point;  ///< the point, up to rounding
+  Silhouette_event_kind kind;     ///< what happens
+  Range time;                     ///< a range that holds the time, by proof
+  std::vector<Range> parameters;  ///< ranges of the parameters; of a pole, one is that of the whole edge
+  typename Kernel::Point_3 point; ///< the point, up to rounding
 };
 
 /*!
@@ -72,8 +72,10 @@ public:
     : m_times(std::move(found.times)), m_undecided(std::move(found.undecided)), m_summary(found.summary)
   {
     for (const auto& [kind, box, point] : found.events)
-      m_events.push_back(
-          {kind, box[2], {box[0], box[1]}, internal::kernel_object<Kernel, typename Kernel::Point_3>(point)});
+      m_events.push_back({kind,
+                          box.back(),
+                          {box.begin(), box.end() - 1},
+                          internal::kernel_object<Kernel, typename Kernel::Point_3>(point)});
   }
 
   //! the events by time. Those that come at one time, as symmetric ones do, are all there.

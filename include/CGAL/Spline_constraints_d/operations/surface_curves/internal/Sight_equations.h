@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
 
 #include <algorithm>
 #include <array>
@@ -63,6 +64,9 @@ struct Sight_solution
   Undecided_reason reason = Undecided_reason::NONE;
 
   bool is_certified() const { return kind == Solution_kind::CERTIFIED; }
+
+  // One solution, which may be outside of the domain, next to its boundary.
+  bool is_one() const { return is_certified() || reason == Undecided_reason::DOMAIN_BOUNDARY; }
 };
 
 /*
@@ -158,6 +162,37 @@ private:
     return clipped(with_short_ends(std::move(result)), box);
   }
 };
+
+// Points of events, their order, and what is undecided, of which there are boxes of unknowns, the last one the time of
+// the eye.
+inline void finish(Found_silhouette_events& found, const Place_of_unknowns& place, const Budgeted_solver& solver,
+                   const Parameter_range& times)
+{
+  for (auto& event : found.events) {
+    std::vector<double> unknowns;
+    for (std::size_t j = 0; j + 1 < event.box.size(); ++j)
+      unknowns.push_back(to_nearest_double(middle_of(event.box[j])));
+    event.point = place.point(unknowns);
+  }
+  std::stable_sort(found.events.begin(), found.events.end(),
+                   [](const auto& a, const auto& b) { return a.box.back() < b.box.back(); });
+  for (const auto& [box, reason] : found.undecided_boxes) {
+    std::vector<Undecided_part::Parameters> parameters;
+    std::size_t unknown = 0;
+    for (const std::size_t number : {place.parameters[0], box.size() - 1 - place.parameters[0], std::size_t(1)}) {
+      if (number > 0)
+        parameters.push_back({parameters.size(), {}});
+      for (std::size_t k = 0; k < number; ++k)
+        parameters.back().ranges.push_back(double_range(box[unknown++]));
+    }
+    found.undecided.push_back({place.bounds(Parameter_box(box.begin(), box.end() - 1)), parameters, in_words(reason)});
+  }
+  found.times = times;
+  found.summary = solver.total();
+  found.summary.is_complete = found.undecided.empty();
+  if (!found.undecided.empty() && found.summary.why_not == Undecided_reason::NONE)
+    found.summary.why_not = found.undecided_boxes.front().second;
+}
 
 } // namespace Surface_curves
 } // namespace internal

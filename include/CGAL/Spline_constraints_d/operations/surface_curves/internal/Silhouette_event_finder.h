@@ -72,7 +72,7 @@ private:
           for (const Exact_rational& end : {cell.box[axis].first, cell.box[axis].second})
             if (s.box[axis].first <= end && end <= s.box[axis].second)
               lines.emplace_back(axis, end);
-        if (!s.is_certified())
+        if (!(lines.empty() ? s.is_certified() : s.is_one()))
           add_unclear(s);
         else if (lines.empty())
           add(s.box, m_germs.inside(cell, s.box), velocity(cell, s.box));
@@ -88,14 +88,17 @@ private:
   void settle_on_line(const Plane_cell& cell, int axis, const Exact_rational& value, const Sight_solution& solution)
   {
     const std::size_t line = *m_grid.line_at(axis, value);
-    Parameter_box box = with_interior(solution.region, cell);
+    Parameter_box box = widened(solution.region, cell);
     box[axis] = {value, value};
     std::vector<Plane_functions> functions;
     for (const Plane_functions& f : {cell.planes, cell.first[0], cell.first[1]})
       functions.push_back(on_face(f, box));
     std::vector<Sight_solution> found = m_equations.solve(functions, box);
     if (found.empty()) {
-      add(solution.box, m_germs.inside(cell, solution.box), velocity(cell, solution.box));
+      if (solution.is_certified())
+        add(solution.box, m_germs.inside(cell, solution.box), velocity(cell, solution.box));
+      else
+        add_unclear(solution);
       return;
     }
     const std::vector<Plane_side> sides = m_grid.sides(axis, line);
@@ -136,7 +139,7 @@ private:
   void settle_at_vertex(const Plane_cell& cell, const std::vector<std::pair<int, Exact_rational>>& lines,
                         const Sight_solution& solution)
   {
-    Parameter_box point = with_interior(solution.region, cell);
+    Parameter_box point = widened(solution.region, cell);
     std::array<std::size_t, 2> line{};
     bool is_vertex = lines.size() == 2 && lines[0].first != lines[1].first, is_at_pole = false;
     for (const auto& [axis, value] : lines) {
@@ -224,7 +227,7 @@ private:
       std::vector<Parameter_box> branches;
       for (std::size_t across = 0; across < m_grid.size(other) && germ.is_known; ++across) {
         const Plane_cell& cell = m_grid.cell(axis, own.cell, across);
-        Parameter_box box{cell.box[0], cell.box[1], with_interior(pole.region, cell)[2]};
+        Parameter_box box{cell.box[0], cell.box[1], widened(pole.region, cell)[2]};
         box[axis] = {own.value, own.value};
         for (const Sight_solution& s :
              m_equations.solve({on_face(cell.planes, box), on_face(cell.first[axis], box)}, box)) {
@@ -288,7 +291,7 @@ private:
   int velocity(const Plane_cell& cell, const Parameter_box& box) const
   {
     Parameter_box wide = box;
-    wide[2] = with_interior(box, cell)[2];
+    wide[2] = widened(box, cell)[2];
     return sign_of(m_equations.velocity(cell.planes, wide));
   }
 
@@ -303,7 +306,7 @@ private:
       for (Plane_functions& planes : there)
         for (Exact_function& f : planes)
           f = f.slice(0, end);
-      Parameter_box box = with_interior(solution.region, cell);
+      Parameter_box box = widened(solution.region, cell);
       for (const int axis : {0, 1})
         box[axis] = axis == other ? Parameter_range(end, end) : solution.box[axis];
       if (!m_equations.solve(there, box).empty())
@@ -331,15 +334,14 @@ private:
     return box[axis].first <= m_grid.domain(axis).first || m_grid.domain(axis).second <= box[axis].second;
   }
 
-  // Where a range is one number, a short one around it.
-  Parameter_box with_interior(Parameter_box box, const Plane_cell& cell) const
+  // A little wider, within the cell.
+  Parameter_box widened(Parameter_box box, const Plane_cell& cell) const
   {
     const Parameter_box domain{cell.box[0], cell.box[1], m_equations.times()};
-    for (std::size_t j = 0; j < box.size(); ++j)
-      if (!(box[j].first < box[j].second)) {
-        const Exact_rational margin((domain[j].second - domain[j].first) * power_of_two(-40));
-        box[j] = {Exact_rational(box[j].first - margin), Exact_rational(box[j].second + margin)};
-      }
+    for (std::size_t j = 0; j < box.size(); ++j) {
+      const Exact_rational margin((domain[j].second - domain[j].first) * power_of_two(-40));
+      box[j] = {Exact_rational(box[j].first - margin), Exact_rational(box[j].second + margin)};
+    }
     return clipped(std::move(box), domain);
   }
 
@@ -390,20 +392,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Found_silhouette_events silhouette_events_of(cons
   } catch (const Run_stopped& stop) {
     found.undecided_boxes.emplace_back(Parameter_box{patch.domain(0), patch.domain(1), equations.times()}, stop.reason);
   }
-  const auto place = place_on_surface(patch);
-  for (auto& event : found.events)
-    event.point = place.point({to_nearest_double(middle_of(event.box[0])), to_nearest_double(middle_of(event.box[1]))});
-  std::stable_sort(found.events.begin(), found.events.end(),
-                   [](const auto& a, const auto& b) { return a.box[2] < b.box[2]; });
-  for (const auto& [box, reason] : found.undecided_boxes)
-    found.undecided.push_back({bounds_on_surface(patch, box),
-                               {{0, {double_range(box[0]), double_range(box[1])}}, {1, {double_range(box[2])}}},
-                               in_words(reason)});
-  found.times = equations.times();
-  found.summary = equations.solver().total();
-  found.summary.is_complete = found.undecided.empty();
-  if (!found.undecided.empty() && found.summary.why_not == Undecided_reason::NONE)
-    found.summary.why_not = found.undecided_boxes.front().second;
+  finish(found, place_on_surface(patch), equations.solver(), equations.times());
   return found;
 }
 

@@ -97,7 +97,7 @@ struct Found_silhouette_events
   struct Event
   {
     Silhouette_event_kind kind;
-    std::vector<std::pair<Exact_rational, Exact_rational>> box; // parameters and time
+    std::vector<std::pair<Exact_rational, Exact_rational>> box;   // parameters and, at last, the time
     std::array<double, 3> point;
   };
   std::vector<Event> events = {};
@@ -108,6 +108,11 @@ struct Found_silhouette_events
 };
 Found_silhouette_events silhouette_events_of(const Exact_map<3>& surface, const Exact_map<3>& path, bool is_parallel,
                                              const Solver_options& options);
+
+// The same of what a surface sweeps, with the path of the eye at last; defined in Sweep_event_finder.h.
+Found_silhouette_events sweep_silhouette_events_of(const Exact_map<3>& surface, const Exact_map<3>& path,
+                                                   const std::vector<Exact_map<3>>& axes, const Exact_map<3>& eye,
+                                                   const Solver_options& options);
 
 } // namespace Surface_curves
 } // namespace internal
