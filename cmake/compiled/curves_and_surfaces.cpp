@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Implicit_foot_finder.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/prepared_splines.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>

@@ -31,6 +31,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 #include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
+#include <CGAL/Spline_constraints_d/operations/distances/implicit_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
