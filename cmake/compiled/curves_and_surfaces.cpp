@@ -20,6 +20,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Implicit_foot_finder.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/nearest_points_in_doubles.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/prepared_splines.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/near_special_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
@@ -79,6 +80,10 @@ template Found_distances<2> projections_of<2>(const Exact_map<2>&, const Exact_m
 template Found_distances<3> projections_of<3>(const Exact_map<3>&, const Exact_map<3>&, const Solver_options&);
 template Found_distances<2> nearest_points_of<2>(const Exact_map<2>&, const Exact_map<2>&, const Solver_options&);
 template Found_distances<3> nearest_points_of<3>(const Exact_map<3>&, const Exact_map<3>&, const Solver_options&);
+template Found_coincidences<2> near_coincidences_of<2>(const std::vector<Exact_map<2>>&, bool, std::optional<double>,
+                                                       const Solver_options&);
+template Found_coincidences<3> near_coincidences_of<3>(const std::vector<Exact_map<3>>&, bool, std::optional<double>,
+                                                       const Solver_options&);
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, double, 2)
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, double, 3)
 CGAL_SPLINE_CONSTRAINTS_NEAREST_POINTS_IN_DOUBLES(, Exact_rational, 2)

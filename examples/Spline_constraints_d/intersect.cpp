@@ -3,14 +3,16 @@
 
 // Finds all intersections of the curves and surfaces of two files, or of one: prints one line for each, and draws them.
 //
-//   intersect [A [B]] [--heal TOLERANCE] [--svg OUT] [--time-limit S]
+//   intersect [A [B]] [--heal TOLERANCE] [--near DISTANCE] [--svg OUT] [--time-limit S]
 //
 // Files are drawings (.svg), data of IRIT (.itd) or of GoTools (.g2). Each object of A is intersected with each one of
 // B that is in the same space; without B, all pairs in A. Two surfaces have curves in common, with their ends, singular
 // points, where the surfaces touch (tangent), and single points on edges (end points). With --heal, primitives (lines,
-// circles, planes, spheres, cylinders, cones, tori) are made exact, moved by no more than the tolerance, before. The
-// time limit is for all pairs together. Without arguments: data/drawing.svg with data/route.itd, drawn into
-// intersect.svg. Exit status: 0 when every intersection is accounted for, 3 when not, 2 for bad input.
+// circles, planes, spheres, cylinders, cones, tori) are made exact, moved by no more than the tolerance, before. Ends,
+// corners, seams and poles that nearly coincide, up to the last digits or the distance given by --near, are named
+// besides; they change no answer. The time limit is for all pairs together. Without arguments: data/drawing.svg with
+// data/route.itd, drawn into intersect.svg. Exit status: 0 when every intersection is accounted for, 3 when not, 2 for
+// bad input.
 #include "arguments.h"
 #include "healing.h"
 #include "intersect_output.h"
@@ -18,11 +20,13 @@
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/near_coincidences.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 
 #include <iostream>
+#include <optional>
 #include <ranges>
 #include <type_traits>
 #include <utility>
@@ -77,6 +81,39 @@ void intersect_pairs(const std::vector<Entry>& a, const std::vector<Other_entry>
       }
 }
 
+// Of curves, or of surfaces.
+template <class Entry>
+void find_near_coincidences(const std::vector<Entry>& a, const std::vector<Entry>& b, std::optional<double> distance,
+                            const SC::Solver_options& options, Report& report)
+{
+  std::vector<const Entry*> entries;
+  for (const Entry& entry : a)
+    entries.push_back(&entry);
+  if (&a != &b)
+    for (const Entry& entry : b)
+      entries.push_back(&entry);
+  const auto objects = std::views::transform(entries, [](const Entry* entry) -> const auto& { return entry->object; });
+  const auto near = SC::near_coincidences(objects, distance, options);
+  for (const auto& pair : near)
+    if (&a == &b || (pair.object(0) < a.size() && pair.object(1) >= a.size()))
+      report.add_near(*entries[pair.object(0)], *entries[pair.object(1)], pair);
+  report.add_near(near.is_complete());
+}
+
+// Of curves and surfaces.
+template <class Curve_entry, class Surface_entry>
+void find_mixed_near_coincidences(const std::vector<Curve_entry>& curves, const std::vector<Surface_entry>& surfaces,
+                                  std::optional<double> distance, const Options_of_program& options, Report& report)
+{
+  for (const Curve_entry& curve : curves)
+    for (const Surface_entry& surface : surfaces) {
+      const auto near = SC::near_coincidences(curve.object, surface.object, distance, options());
+      for (const auto& pair : near)
+        report.add_near(curve, surface, pair);
+      report.add_near(near.is_complete());
+    }
+}
+
 // Primitives of both files made exact, in coordinates in which they are simple.
 Motions heal(File& a, File& b, double tolerance, const Options_of_program& options)
 {
@@ -115,6 +152,13 @@ try {
       arguments.healing_tolerance ? heal(a, second, *arguments.healing_tolerance, options) : Motions();
   const File& b = has_two ? second : a;
   Report report(given, has_two ? other : given, moved);
+  const std::optional<double> near = arguments.near_distance;
+  find_near_coincidences(a.curves_2, b.curves_2, near, options(), report);
+  find_near_coincidences(a.curves_3, b.curves_3, near, options(), report);
+  find_near_coincidences(a.surfaces_3, b.surfaces_3, near, options(), report);
+  find_mixed_near_coincidences(a.curves_3, b.surfaces_3, near, options, report);
+  if (&a != &b)
+    find_mixed_near_coincidences(b.curves_3, a.surfaces_3, near, options, report);
   intersect_curves(a.curves_2, b.curves_2, options(), report);
   intersect_curves(a.curves_3, b.curves_3, options(), report);
   const auto intersect = [&](const auto& curve, const auto& surface) {
@@ -131,7 +175,7 @@ try {
   report.print_summary();
   if (!arguments.picture.empty())
     report.draw(arguments.picture);
-  return report.is_complete() ? 0 : 3;
+  return report.is_complete() && report.has_all_near_coincidences() ? 0 : 3;
 } catch (const std::exception& error) {
   std::cerr << "intersect: " << error.what() << '\n';
   return 2;

@@ -5,6 +5,7 @@
 #ifndef INTERSECT_OUTPUT_H
 #define INTERSECT_OUTPUT_H
 
+#include "near_coincidences.h"
 #include "solve_system_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
@@ -36,7 +37,7 @@ struct Arguments
   std::vector<std::string> files;
   std::string picture;
   SC::Solver_options options;
-  std::optional<double> healing_tolerance = {};
+  std::optional<double> healing_tolerance = {}, near_distance = {};
 };
 
 inline Arguments parse(int argc, char* argv[], const Arguments& without_arguments)
@@ -46,19 +47,20 @@ inline Arguments parse(int argc, char* argv[], const Arguments& without_argument
     return without_arguments;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    const bool is_option = word == "--svg" || word == "--time-limit" || word == "--heal";
+    const bool is_option = word == "--svg" || word == "--time-limit" || word == "--heal" || word == "--near";
     if (is_option && ++i == argc)
       throw SC::Invalid_input(word + " needs a value");
     if (word == "--svg") result.picture = argv[i];
     else if (word == "--time-limit") result.options.time_limit = number(word, argv[i]);
     else if (word == "--heal") result.healing_tolerance = number(word, argv[i]);
+    else if (word == "--near") result.near_distance = number(word, argv[i]);
     else if (word.starts_with("--") || result.files.size() == 2) throw SC::Invalid_input("unknown argument " + word);
     else result.files.push_back(word);
   }
   if (result.files.empty())
-    throw SC::Invalid_input("usage: intersect [A [B]] [--heal TOLERANCE] [--svg OUT] [--time-limit S], with files "
-                            ".svg, .itd or .g2. All intersections of curves and surfaces of A with those of B; "
-                            "without B, within A");
+    throw SC::Invalid_input("usage: intersect [A [B]] [--heal TOLERANCE] [--near DISTANCE] [--svg OUT] "
+                            "[--time-limit S], with files .svg, .itd or .g2. All intersections of curves and surfaces "
+                            "of A with those of B; without B, within A");
   return result;
 }
 
@@ -106,6 +108,8 @@ class Report
   std::array<std::size_t, styles.size()> m_count{};
   std::vector<std::pair<K::Point_2, Kind>> m_points;
   std::vector<SC::Bspline_curve_2<K>> m_overlaps, m_curves;   // m_curves: those of two surfaces
+  std::size_t m_near_coincidences = 0;
+  bool m_has_all_near_coincidences = true;
 
 public:
   Report(const File& a, const File& b, Motions moved) : m_a(a), m_b(b), m_moved(std::move(moved))
@@ -158,6 +162,19 @@ public:
         add_point(first, second, point);
   }
 
+  // Special points that nearly coincide.
+  template <class First, class Second, class Near_coincidence>
+  void add_near(const SC::Spline_file_entry<First>& first, const SC::Spline_file_entry<Second>& second,
+                const Near_coincidence& near)
+  {
+    ++m_near_coincidences;
+    print_near_coincidence<First::number_of_parameters, Second::number_of_parameters>(
+        near, [&] { print_name(first); }, [&] { print_name(second); });
+    print_place(m_moved(near.point(0)));
+  }
+  void add_near(bool is_complete) { m_has_all_near_coincidences = m_has_all_near_coincidences && is_complete; }
+  bool has_all_near_coincidences() const { return m_has_all_near_coincidences; }
+
   bool is_complete() const { return m_total.is_complete && m_count[static_cast<std::size_t>(Kind::UNDECIDED)] == 0; }
 
   void print_summary() const
@@ -166,8 +183,9 @@ public:
     for (std::size_t i = 0; i < styles.size(); ++i)
       std::cout << (i == 0 ? "" : ", ") << (styles[i].kind == Kind::UNDECIDED ? counted_curves() + ", " : "")
                 << counted(i);
-    std::cout << "; complete: " << (is_complete() ? "yes" : "no") << "; nodes " << m_total.nodes << "; seconds "
-              << std::setprecision(4) << m_total.seconds << '\n';
+    std::cout << "; complete: " << (is_complete() ? "yes" : "no") << "; near coincidences "
+              << (m_has_all_near_coincidences ? "" : "at least ") << m_near_coincidences << "; nodes " << m_total.nodes
+              << "; seconds " << std::setprecision(4) << m_total.seconds << '\n';
   }
 
   // The first file in blue, the second one in orange.

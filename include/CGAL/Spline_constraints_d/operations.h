@@ -28,10 +28,12 @@
 #include <CGAL/Spline_constraints_d/operations/distances/Curve_locator.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Located_hit.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Located_point.h>
+#include <CGAL/Spline_constraints_d/operations/distances/Special_point_kind.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 #include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
 #include <CGAL/Spline_constraints_d/operations/distances/implicit_distances.h>
+#include <CGAL/Spline_constraints_d/operations/distances/near_coincidences.h>
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>

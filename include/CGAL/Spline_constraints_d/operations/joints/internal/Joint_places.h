@@ -12,11 +12,11 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/Joint_control_points.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Run_of_steps.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/near_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/joints/internal/foot_on_curve.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
@@ -47,11 +47,16 @@ class Joint_places
   using Vector = typename Kernel::Vector_2;
   using FT = typename Kernel::FT;
   using Curve = Bspline_curve_2<Kernel>;
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
+  using Box = Indexed_box<2>;
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  enum class State { WAITING, IN_PROGRESS, DONE };
+  enum class State
+  {
+    WAITING,
+    IN_PROGRESS,
+    DONE
+  };
 
   struct Place
   {
@@ -74,7 +79,7 @@ class Joint_places
   FT m_most_squared_distance, m_most_squared_sine;
   std::vector<Place> m_places;
   std::vector<Piece> m_pieces;
-  std::vector<std::map<std::size_t, std::size_t>> m_place_of;    // of each curve and joint
+  std::vector<std::map<std::size_t, std::size_t>> m_place_of; // of each curve and joint
   // of each control point: the place where a tangent depends on it, that it has in common with others
   std::vector<std::vector<std::size_t>> m_keepers;
 
@@ -151,10 +156,7 @@ private:
 
   Box box_of(const CGAL::Bbox_2& b, double margin, std::size_t index) const
   {
-    const double infinity = std::numeric_limits<double>::infinity(), wide = std::nextafter(margin, infinity);
-    double lower[]{std::nextafter(b.xmin() - wide, -infinity), std::nextafter(b.ymin() - wide, -infinity)},
-        upper[]{std::nextafter(b.xmax() + wide, infinity), std::nextafter(b.ymax() + wide, infinity)};
-    return Box(lower, upper, index);
+    return widened_box<2>({std::pair(b.xmin(), b.xmax()), std::pair(b.ymin(), b.ymax())}, margin, index);
   }
 
   // Joins places with the nearest one of a lower index, but for both ends of a piece.
@@ -163,11 +165,7 @@ private:
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < m_places.size(); ++i)
       boxes.push_back(box_of(m_places[i].point.bbox(), m_most_distance / 2, i));
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      pairs.emplace_back((std::max)(a.info(), b.info()), (std::min)(a.info(), b.info()));
-    });
-    std::sort(pairs.begin(), pairs.end());
+    const std::vector<std::pair<std::size_t, std::size_t>> pairs = meeting_pairs<2>(std::move(boxes));
     for (auto pair = pairs.begin(); pair != pairs.end();) {
       m_run.check();
       const std::size_t place = pair->first;
@@ -406,7 +404,7 @@ private:
     };
     std::stable_sort(sides.begin(), sides.end(),
                      [&](const Joint_side& a, const Joint_side& b) { return rank(a) < rank(b); });
-    std::vector<Joint_side> first_ones;   // with different tangents
+    std::vector<Joint_side> first_ones; // with different tangents
     bool is_any = false;
     for (const Joint_side& side : sides) {
       const auto common = std::find_if(first_ones.begin(), first_ones.end(), [&](const Joint_side& first) {

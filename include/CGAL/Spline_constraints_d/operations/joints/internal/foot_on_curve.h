@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/near_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/number_utils.h>
@@ -28,9 +29,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Joints {
-
-// Relative.
-constexpr double rounding_of_coordinates = 0x1p-48;
 
 // The greatest absolute value of a coordinate.
 template <class Point>
