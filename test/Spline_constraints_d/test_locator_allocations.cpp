@@ -4,6 +4,8 @@
 // Queries of locators that doubles decide allocate nothing, once a thread has asked its first one: all allocations are
 // counted, so this is a program of its own.
 
+#include "uniform_knots.h"
+
 #include <CGAL/Spline_constraints_d/operations/distances/Curve_locator.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 
@@ -39,15 +41,6 @@ namespace locator_allocations_test {
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 
-std::vector<double> knots(int pieces)
-{
-  std::vector<double> result(3, 0.0);
-  for (int i = 0; i <= pieces; ++i)
-    result.push_back(i);
-  result.insert(result.end(), 3, pieces);
-  return result;
-}
-
 // Calls query(random) once before, and many times while allocations are counted.
 template <class Query>
 std::size_t allocations_of(const Query& query)
@@ -71,8 +64,9 @@ TEST(Locator_allocations, NoneOfQueries)
     for (int j = 0; j < 11; ++j)
       surface_points.emplace_back(i, j, wave(random));
   }
-  const SC::Curve_locator curve(SC::Bspline_curve_3<K>(3, knots(8), curve_points));
-  const SC::Surface_locator_3 surface(SC::Bspline_surface_3<K>({3, 3}, knots(8), knots(8), surface_points));
+  const SC::Curve_locator curve(SC::Bspline_curve_3<K>(3, uniform_cubic_knots(8), curve_points));
+  const SC::Surface_locator_3 surface(
+      SC::Bspline_surface_3<K>({3, 3}, uniform_cubic_knots(8), uniform_cubic_knots(8), surface_points));
   ASSERT_GT(allocations, 0u);
   std::size_t unique = 0, hits = 0;
   EXPECT_EQ(allocations_of([&](std::mt19937& next) {

@@ -30,6 +30,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/number/fixed_point.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
+#include <CGAL/Spline_constraints_d/number/near_fraction.h>
 #include <CGAL/Spline_constraints_d/number/power_of_two.h>
 #include <CGAL/Spline_constraints_d/number/two_words.h>
 

@@ -4,6 +4,8 @@
 // Prepared curves and surfaces: nearest points against samples and the unprepared answers, first points of rays against
 // all intersections.
 
+#include "uniform_knots.h"
+
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Curve_locator.h>
@@ -23,15 +25,6 @@ namespace locators_test {
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
-
-std::vector<double> knots(int pieces)
-{
-  std::vector<double> result(3, 0.0);
-  for (int i = 0; i <= pieces; ++i)
-    result.push_back(i);
-  result.insert(result.end(), 3, pieces);
-  return result;
-}
 
 class Random
 {
@@ -53,7 +46,7 @@ public:
       else
         points.emplace_back(0.5 * i, y, z);
     }
-    const std::vector<double> all = knots(pieces);
+    const std::vector<double> all = uniform_cubic_knots(pieces);
     return Curve(3, {all.begin(), all.end()}, points);
   }
 
@@ -63,7 +56,7 @@ public:
     for (int i = 0; i < pieces + 3; ++i)
       for (int j = 0; j < pieces + 3; ++j)
         points.emplace_back(i, j, (*this)(-1, 1));
-    return {{3, 3}, knots(pieces), knots(pieces), points};
+    return {{3, 3}, uniform_cubic_knots(pieces), uniform_cubic_knots(pieces), points};
   }
 };
 
@@ -114,8 +107,8 @@ TEST(Surface_locator, AgainstSamples)
     double least = std::numeric_limits<double>::infinity();
     for (const K::Point_3& q : samples)
       least = std::fmin(least, std::sqrt(CGAL::squared_distance(p, q)));
-    expect_as_near(located,
-                   std::sqrt(CGAL::squared_distance(p, surface(located.parameter(0), located.parameter(1)))), least);
+    expect_as_near(located, std::sqrt(CGAL::squared_distance(p, surface(located.parameter(0), located.parameter(1)))),
+                   least);
   }
 }
 
@@ -228,9 +221,9 @@ TEST(Locators, FirstIntersections)
 // A ray through a corner of four pieces, one that touches, and one along an axis.
 TEST(Locators, SpecialRays)
 {
-  const SC::Bspline_surface_3<K> tent({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 2, 2},
-                                      {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 0}, {2, 0, 0},
-                                       {2, 1, 0}, {2, 2, 0}});
+  const SC::Bspline_surface_3<K> tent(
+      {1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 2, 2},
+      {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 1}, {1, 2, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}});
   const SC::Surface_locator_3 locator(tent);
   const auto at_top = locator.first_intersection(K::Ray_3({1, 1, 3}, K::Point_3(1, 1, 0)));
   ASSERT_TRUE(at_top);

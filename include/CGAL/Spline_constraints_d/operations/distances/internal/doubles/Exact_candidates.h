@@ -98,7 +98,7 @@ class Exact_candidates
   template <class Field>
   using Jets = std::array<Spline_jet<Field, d>, 2>;
 
-  // An irrational number hardly ever has a smaller one within its range.
+  // An irrational number hardly ever has a smaller denominator within its range.
   static constexpr double greatest_denominator = 0x1p22;
 
   const std::array<Located_operand<NT, d>, 2>& m_operands;
@@ -257,35 +257,20 @@ private:
     return result;
   }
 
+  static double error_of(const Double_range& range) { return (range.upper - range.lower) + 4 * unit; }
+
   std::optional<Fractions> fractions_of(const Candidate& candidate) const
   {
     Fractions result;
     for (std::size_t k = 0; k < static_cast<std::size_t>(number_of_parameters()); ++k)
       if (candidate.sides[k] >= 0)
         result[k] = {static_cast<double>(candidate.sides[k]), 1};
-      else if (const auto fraction = fraction_in(candidate.ranges[k], candidate.parameters[k]))
+      else if (const auto fraction =
+                   near_fraction(candidate.parameters[k], error_of(candidate.ranges[k]), greatest_denominator))
         result[k] = *fraction;
       else
         return std::nullopt;
     return result;
-  }
-
-  // The fraction with the least denominator that may be the parameter: a convergent of its continued fraction.
-  static std::optional<Fraction> fraction_in(const Double_range& range, double x)
-  {
-    const double tolerance = (range.upper - range.lower) + 4 * unit;
-    double p = 1, q = 0, last_p = 0, last_q = 1, rest = x;
-    for (int i = 0; i < 40; ++i) {
-      const double whole = std::floor(rest);
-      last_p = std::exchange(p, whole * p + last_p);
-      last_q = std::exchange(q, whole * q + last_q);
-      if (!(q <= greatest_denominator))
-        return std::nullopt;
-      if (std::abs(p - x * q) <= tolerance * q)
-        return Fraction{p, q};
-      rest = 1 / (rest - whole);
-    }
-    return std::nullopt;
   }
 
   template <class Field>

@@ -132,19 +132,13 @@ private:
 
   void add(const Stationary_point<d>& point, const Part& part, const std::array<Double_range, 2>& ranges)
   {
-    const Second_jet<Interval> jet = function().jet(place_of(ranges, part));
     Candidate foot;
     foot.cells[1] = m_cell;
     foot.sides = part.sides;
     foot.points = point.distance.points;
-    const std::array<Double_range, 2> better = newton_ranges(point, part, jet);
-    for (const int axis : {0, 1}) {
-      foot.ranges[axis] = {better[axis].lower > ranges[axis].lower ? better[axis].lower : ranges[axis].lower,
-                           better[axis].upper < ranges[axis].upper ? better[axis].upper : ranges[axis].upper};
-      foot.parameters[axis] =
-          (std::min)((std::max)(point.parameters[axis], foot.ranges[axis].lower), foot.ranges[axis].upper);
-    }
-    foot.deviation = deviation(part, foot.ranges, foot.parameters, jet);
+    foot.ranges = ranges;
+    foot.parameters = point.parameters;
+    const Second_jet<Interval> jet = narrow_ranges(foot, function(), point, part);
     const double error = deviation(part, foot.ranges, point.parameters, jet);
     foot.squared_distance = point.distance.squared_distance + Interval(-error, error);
     foot.squared_distance =

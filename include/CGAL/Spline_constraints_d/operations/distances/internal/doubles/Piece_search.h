@@ -215,26 +215,11 @@ private:
       if (part.sides[axis] < 0 && !(place - 2 * radius > part_margin && place + 2 * radius < 1 - part_margin))
         return false;
     }
-    contract(part, *point, candidate);
+    narrow_ranges(candidate, function_on(part), *point, part);
     const double lower = (candidate.squared_distance - square / Interval(2 * least_eigenvalue)).inf();
     candidate.squared_distance = Interval((std::max)(lower, 0.0), candidate.squared_distance.sup());
     add(candidate);
     return true;
-  }
-
-  // With the second derivatives on the ranges that are known, whose least eigenvalue is better than that on the part.
-  void contract(const Part& part, const Stationary_point<d>& point, Candidate& candidate)
-  {
-    const Second_jet<Interval> jet = function_on(part).jet(place_of(candidate.ranges, part));
-    const std::array<Double_range, 2> better = newton_ranges(point, part, jet);
-    for (const int axis : {0, 1})
-      if (part.sides[axis] < 0) {
-        Double_range& range = candidate.ranges[axis];
-        range = {better[axis].lower > range.lower ? better[axis].lower : range.lower,
-                 better[axis].upper < range.upper ? better[axis].upper : range.upper};
-        candidate.parameters[axis] = (std::min)((std::max)(candidate.parameters[axis], range.lower), range.upper);
-      }
-    candidate.deviation = deviation(part, candidate.ranges, candidate.parameters, jet);
   }
 
   void add_corner(const Part& part)

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
 #include <CGAL/Spline_constraints_d/number/Double_word.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/number/near_fraction.h>
 #include <CGAL/Spline_constraints_d/number/two_words.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/interval_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -113,12 +114,6 @@ std::size_t span_of_cell(const std::vector<NT>& knots, int degree, int cell)
     if (knots[span] < knots[span + 1] && k++ == cell)
       return span;
 }
-
-// A number between 0 and 1 as a quotient: a fraction of integers, or any double and 1.
-struct Fraction
-{
-  double numerator = 0, denominator = 1;
-};
 
 /*
 The homogeneous coordinates (the weight is last) of a point of a spline, and their derivatives by the places in a cell,

@@ -152,6 +152,25 @@ inline double deviation(const Bernstein_part& part, const std::array<Double_rang
   return (std::max)(-result.inf(), result.sup());
 }
 
+// Narrows the ranges of a candidate by the second derivatives on them, which are better than those on all of the part,
+// and moves its parameters into them. Returns these derivatives.
+template <class Candidate, int d>
+Second_jet<Interval> narrow_ranges(Candidate& candidate, const Part_function& f, const Stationary_point<d>& point,
+                                   const Bernstein_part& part)
+{
+  const Second_jet<Interval> jet = f.jet(place_of(candidate.ranges, part));
+  const std::array<Double_range, 2> better = newton_ranges(point, part, jet);
+  for (const int axis : {0, 1})
+    if (part.sides[axis] < 0) {
+      Double_range& range = candidate.ranges[axis];
+      range = {better[axis].lower > range.lower ? better[axis].lower : range.lower,
+               better[axis].upper < range.upper ? better[axis].upper : range.upper};
+      candidate.parameters[axis] = (std::min)((std::max)(candidate.parameters[axis], range.lower), range.upper);
+    }
+  candidate.deviation = deviation(part, candidate.ranges, candidate.parameters, jet);
+  return jet;
+}
+
 } // namespace Distances
 } // namespace internal
 } // namespace Spline_constraints

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
+#include <CGAL/Spline_constraints_d/number/near_fraction.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -45,8 +46,8 @@ class Affine_overlap
   using Operand = Elementary_operand<d>;
   using Range = std::pair<Exact_rational, Exact_rational>;
 
-  // A fraction with a positive denominator.
-  struct Fraction
+  // Those of a fraction with a positive denominator.
+  struct Integers
   {
     std::int64_t numerator, denominator;
   };
@@ -154,7 +155,7 @@ private:
     const double b = (next / std::pow(a, n - 1) - other) / (n * leading[i]);
     if (!begins_near(b) || !run_forward())
       return std::nullopt;
-    const auto factor = near_fraction(a), begin = near_fraction(b);
+    const auto factor = small_fraction(a), begin = small_fraction(b);
     if (!factor || !begin || factor->numerator == 0)
       return std::nullopt;
     // the range of the second curve that the first one is, over one denominator
@@ -189,23 +190,13 @@ private:
                           Exact_rational(static_cast<double>(denominator)));
   }
 
-  // By the continued fraction, up to the accuracy that coefficients leave.
-  static std::optional<Fraction> near_fraction(double x)
+  // Up to the accuracy that coefficients leave.
+  static std::optional<Integers> small_fraction(double x)
   {
-    constexpr double most = 0x1p20;
-    const double error = 1e-11 * (std::max)(1.0, std::abs(x));
-    double rest = x, p = 1, q = 0, previous_p = 0, previous_q = 1;
-    for (int step = 0; step < 30; ++step) {
-      const double term = std::floor(rest);
-      previous_p = std::exchange(p, term * p + previous_p);
-      previous_q = std::exchange(q, term * q + previous_q);
-      if (!(std::abs(p) < most && q < most))
-        return std::nullopt;
-      if (std::abs(x - p / q) <= error)
-        return Fraction{static_cast<std::int64_t>(p), static_cast<std::int64_t>(q)};
-      rest = 1 / (rest - term);
-    }
-    return std::nullopt;
+    const std::optional<Fraction> found = near_fraction(x, 1e-11 * (std::max)(1.0, std::abs(x)), 0x1p20);
+    if (!found)
+      return std::nullopt;
+    return Integers{static_cast<std::int64_t>(found->numerator), static_cast<std::int64_t>(found->denominator)};
   }
 
   // Whether the first curve is the second one over [first/q, last/q]: its control points are the values there of the
