@@ -55,7 +55,7 @@ public:
     if (has_no_solution_modulo_prime())
       return std::nullopt;
     Echelon_form rows;
-    visit_points([&](const std::array<Exact_rational, 4>& x) {
+    visit_points({0, 0}, [&](const std::array<Exact_rational, 4>& x) {
       rows.add(values(x, [](const Exact_rational& a, const Exact_rational& b) { return Exact_rational(a * b); }));
       return rows.rank() < m_monomials.size();
     });
@@ -78,25 +78,34 @@ private:
     return result;
   }
 
-  // Most surfaces have no equation: this tells in no time.
+  // Most surfaces have no equation: this tells in no time. The first piece may have one that others do not have, as
+  // where coordinates were rounded: points of these are taken as well, as long as they tell something.
   bool has_no_solution_modulo_prime() const
   {
     using Field = Prime_field_polynomial;
     Prime_field_rows rows;
-    visit_points([&](const std::array<Exact_rational, 4>& x) {
+    using Point = std::array<Exact_rational, 4>;
+    const auto is_open = [&] { return rows.rank() < m_monomials.size(); };
+    const auto add = [&](const Point& x) {
       std::array<Field::Number, 4> residues;
       std::transform(x.begin(), x.end(), residues.begin(), Field::residue);
-      rows.add(values(residues, [](Field::Number a, Field::Number b) { return a * b % Field::prime; }));
-      return rows.rank() < m_monomials.size();
+      return rows.add(values(residues, [](Field::Number a, Field::Number b) { return a * b % Field::prime; }));
+    };
+    visit_points({0, 0}, [&](const Point& x) {
+      add(x);
+      return is_open();
     });
-    return rows.rank() == m_monomials.size();
+    for (std::size_t i = 0; i + 1 < m_surface.breaks(0).size(); ++i)
+      for (std::size_t j = i == 0 ? 1 : 0; j + 1 < m_surface.breaks(1).size() && is_open(); ++j)
+        visit_points({i, j}, [&](const Point& x) { return add(x) && is_open(); });
+    return !is_open();
   }
 
-  // Calls visit(numerators and weight) for enough points of the first piece, until it returns false.
+  // Calls visit(numerators and weight) for enough points of a piece, until it returns false.
   template <class Visit>
-  void visit_points(const Visit& visit) const
+  void visit_points(const std::array<std::size_t, 2>& piece, const Visit& visit) const
   {
-    const std::vector<Exact_rational> u = parameters(0), v = parameters(1);
+    const std::vector<Exact_rational> u = parameters(0, piece[0]), v = parameters(1, piece[1]);
     for (const Exact_rational& x : u)
       for (const Exact_rational& y : v) {
         const std::array parameters{x, y};
@@ -106,17 +115,18 @@ private:
       }
   }
 
-  std::vector<Exact_rational> parameters(int axis) const
+  // Those inside of the piece first, which no other one has.
+  std::vector<Exact_rational> parameters(int axis, std::size_t piece) const
   {
     int degree = m_surface.weight().degree(axis);
     for (const Exact_function& numerator : m_surface.numerators())
       degree = (std::max)(degree, numerator.degree(axis));
     const std::vector<Exact_rational> breaks = m_surface.breaks(axis);
-    const Exact_rational &begin = breaks[0], &end = breaks[1];
+    const Exact_rational &begin = breaks[piece], &end = breaks[piece + 1];
     const int last = (std::max)(1, m_degree * degree);
     std::vector<Exact_rational> result;
     for (int i = 0; i <= last; ++i)
-      result.push_back(begin + (end - begin) * Exact_rational(i, last));
+      result.push_back(begin + (end - begin) * Exact_rational((i + last / 2) % (last + 1), last));
     return result;
   }
 
