@@ -6,4 +6,6 @@
 
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/parts_of_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Shared_edges_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_by_zeros.h>

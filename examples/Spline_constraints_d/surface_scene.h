@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -60,9 +61,21 @@ public:
       for (int j = 0; j < tiles; ++j) {
         const std::vector<K::Point_3> corners{point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)};
         const K::Vector_3 normal = CGAL::cross_product(corners[2] - corners[0], corners[3] - corners[1]);
-        const double light = std::abs(normal * K::Vector_3(0.2, -0.4, 0.9)) / std::sqrt(normal.squared_length());
-        add_patch(corners, shaded(color, 0.45 + 0.55 * light), 0);
+        add_patch(corners, shaded(color, light_on(normal)), 0);
       }
+  }
+
+  // The triangles of a mesh that show their back.
+  void add_backs(const CGAL::Surface_mesh<K::Point_3>& mesh, const std::array<double, 3>& color)
+  {
+    for (const auto face : mesh.faces()) {
+      std::vector<K::Point_3> corners;
+      for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+        corners.push_back(mesh.point(vertex));
+      const K::Vector_3 normal = CGAL::normal(corners[0], corners[1], corners[2]);
+      if (normal * direction() < 0)
+        add_patch(corners, shaded(color, light_on(normal)), 0);
+    }
   }
 
   // On the surfaces: nearer than their tiles. What these hide is left out, or drawn as a thin line.
@@ -103,6 +116,11 @@ public:
   }
 
 private:
+  static double light_on(const K::Vector_3& normal)
+  {
+    return 0.45 + 0.55 * std::abs(normal * K::Vector_3(0.2, -0.4, 0.9)) / std::sqrt(normal.squared_length());
+  }
+
   static std::string shaded(const std::array<double, 3>& color, double light)
   {
     std::string result = "#";

@@ -84,9 +84,12 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouette_events.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_face_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/accessible_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Kernel_edge_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Region_kernel_2.h>

@@ -101,6 +101,20 @@ struct Surface_face_3
 /*!
 \ingroup PkgSplineConstraintsDSurfaceRegions
 
+A part of the border of a cell that belongs to one face: between two neighbouring points where curves meet this side of
+the cell, or corners.
+*/
+struct Surface_border_3
+{
+  std::size_t face;            ///< the index of the face
+  int axis;                    ///< the axis whose parameter is constant
+  int side;                    ///< 0 at the lower end of the cell, 1 at the upper one
+  Surface_cell_3::Range range; ///< numbers that are certainly between the two points, with ends next to them
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSurfaceRegions
+
 Faces with the same label that are connected through arcs, or across borders of cells and seams.
 */
 struct Surface_region_3

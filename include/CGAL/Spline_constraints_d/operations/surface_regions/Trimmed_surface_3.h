@@ -41,20 +41,22 @@ private:
   std::vector<Surface_cell_3> m_cells;
   std::vector<Surface_face_3> m_faces;
   std::vector<Surface_region_3> m_regions;
+  std::vector<Surface_border_3> m_borders;
   std::vector<Undecided_part> m_undecided;
   Summary m_summary;
 
 public:
   //! what an operation has found.
   Trimmed_surface_3(std::vector<Surface_cell_3> cells, std::vector<Surface_face_3> faces,
-                    std::vector<Surface_region_3> regions, std::vector<Undecided_part> undecided, const Summary& work)
+                    std::vector<Surface_region_3> regions, std::vector<Surface_border_3> borders,
+                    std::vector<Undecided_part> undecided, const Summary& work)
     : m_cells(std::move(cells)), m_faces(std::move(faces)), m_regions(std::move(regions)),
-      m_undecided(std::move(undecided)), m_summary(work)
+      m_borders(std::move(borders)), m_undecided(std::move(undecided)), m_summary(work)
   {
     m_summary.is_complete = m_undecided.empty();
   }
 
-  //! the polynomial pieces of the surface.
+  //! the polynomial pieces of the surface, or parts of these.
   const std::vector<Surface_cell_3>& cells() const { return m_cells; }
 
   //! the faces, cell by cell. Undecided cells have none.
@@ -62,6 +64,9 @@ public:
 
   //! the regions.
   const std::vector<Surface_region_3>& regions() const { return m_regions; }
+
+  //! the borders of cells, in the order of cells.
+  const std::vector<Surface_border_3>& borders() const { return m_borders; }
 
   //! the number of regions with this label.
   std::size_t number_of_regions(int label) const

@@ -50,7 +50,7 @@ class Cell_arrangement
   const Curve_solution_set_d& m_set;
   std::vector<const Curve_piece*> m_pieces;
   std::vector<std::vector<Point>> m_polylines; // of the pieces, and behind them of the sides
-  std::vector<Border_interval> m_border;       // one for each chord of the sides
+  std::vector<Surface_border_3> m_border;      // one for each chord of the sides
   bool m_is_proved = true;
   Arrangement m_arrangement;
   std::map<std::pair<std::size_t, std::size_t>, Halfedge> m_halfedges; // along each chord
@@ -87,7 +87,7 @@ public:
     add_samples_beside_pieces(result, has_sample, point_on_piece, budget);
     if (std::find(has_sample.begin(), has_sample.end(), false) != has_sample.end())
       return std::nullopt;
-    result.border = std::move(m_border);
+    result.borders = std::move(m_border);
     return result;
   }
 
@@ -140,7 +140,7 @@ private:
       if (i == 0)
         continue;
       m_is_proved = m_is_proved && places[i - 1].first.second < places[i].first.first;
-      m_border.push_back({axis, side, {places[i - 1].first.second, places[i].first.first}, 0});
+      m_border.push_back({0, axis, side, {places[i - 1].first.second, places[i].first.first}});
     }
   }
 
@@ -213,7 +213,7 @@ private:
   // Straight into the box from a point that is between the vertices of a side.
   void add_samples_on_border(Cell_faces& result, std::vector<bool>& has_sample) const
   {
-    for (const Border_interval& interval : m_border) {
+    for (const Surface_border_3& interval : m_border) {
       if (has_sample[interval.face])
         continue;
       const Exact_rational at = simple_number_between(interval.range);

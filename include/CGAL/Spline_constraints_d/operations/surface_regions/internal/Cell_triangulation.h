@@ -107,6 +107,29 @@ public:
     }
   }
 
+  // Inserts the points of a grid that are inside of triangles which are marked, for these to be less long.
+  void insert_grid()
+  {
+    constexpr int lines = 8;
+    for (int i = 1; i < lines; ++i)
+      for (int j = 1; j < lines; ++j) {
+        const Point point(Kernel::FT(i) / lines, Kernel::FT(j) / lines);
+        Triangulation::Locate_type type;
+        int index = 0;
+        const Triangle triangle = m_triangulation.locate(point, type, index);
+        const bool is_inside =
+            type == Triangulation::FACE || (type == Triangulation::EDGE && !triangle->is_constrained(index));
+        if (!is_inside || !triangle->info().face)
+          continue;
+        const std::optional<std::size_t> face = triangle->info().face;
+        const Vertex vertex = m_triangulation.insert(point, type, triangle, index);
+        Triangulation::Face_circulator around = m_triangulation.incident_faces(vertex), done = around;
+        do {
+          around->info() = {face, {}};
+        } while (++around != done);
+      }
+  }
+
   // Splits triangles until the error of all is small enough; whether it is so in the end.
   bool refine(double error, Common::Run_of_steps& run)
   {
@@ -141,10 +164,19 @@ public:
         is_complete = false;
         continue;
       }
+      if (is_at_pole(triangle))
+        continue;
       std::array<Trimmed_surface_mesh_3::Mesh::Vertex_index, 3> vertices;
       for (int i = 0; i < 3; ++i)
         vertices[static_cast<std::size_t>(i)] = vertex_in(result, triangle->vertex(i));
-      const auto face = result.mesh.add_face(vertices[0], vertices[1], vertices[2]);
+      auto face = result.mesh.add_face(vertices[0], vertices[1], vertices[2]);
+      if (face == Trimmed_surface_mesh_3::Mesh::null_face()) { // faces meet in a point only
+        for (int i = 0; i < 3; ++i) {
+          triangle->vertex(i)->info().index.reset();
+          vertices[static_cast<std::size_t>(i)] = vertex_in(result, triangle->vertex(i));
+        }
+        face = result.mesh.add_face(vertices[0], vertices[1], vertices[2]);
+      }
       result.surface_face[face] = *triangle->info().face;
       result.error = (std::max)(result.error, error);
     }
@@ -193,6 +225,14 @@ private:
       error = m_bound(parameters, points);
     }
     return *error;
+  }
+
+  // Whether two vertices are one point, so that there is no triangle.
+  bool is_at_pole(const Triangle& triangle) const
+  {
+    const auto &p = point_of(triangle->vertex(0)), &q = point_of(triangle->vertex(1)),
+               &r = point_of(triangle->vertex(2));
+    return p == q || q == r || r == p;
   }
 
   // At the middle of the edge that is longest on the surface, or in the cell if that is not known. False if the cell
@@ -270,6 +310,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Trimmed_surface_mesh_3 mesh_of_label(const Trimme
       triangulation.add_constraints(surface.faces()[f]);
     for (const std::size_t f : faces)
       triangulation.mark(surface.faces()[f], f);
+    triangulation.insert_grid();
     const bool is_fine = triangulation.refine(error, run), has_all = triangulation.add_to(result);
     if (!is_fine || !has_all) {
       const auto& [u, v] = surface.cells()[cell].domain;

@@ -11,13 +11,12 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_arrangement.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Disjoint_sets.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/cell_polynomials.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,12 +31,6 @@ class Trimmed_cells
 {
   using Range = Surface_cell_3::Range;
 
-  struct Border
-  {
-    std::vector<Border_interval> intervals; // in parameters of the surface, with indices of all faces
-    Cell_polynomial zeros;
-  };
-
   // A place where two faces may be neighbours, along so short a part of a border that it may be none.
   struct Doubtful_pair
   {
@@ -49,77 +42,133 @@ class Trimmed_cells
 
   const Trimming& m_trimming;
   Operation_budget& m_budget;
+  double m_error;
+  std::vector<Surface_cell_3> m_cells;
+  std::vector<Cell_polynomial> m_zeros;                 // of the cells
+  std::vector<std::vector<Surface_border_3>> m_borders; // of the cells
   std::vector<Surface_face_3> m_faces;
-  std::vector<Border> m_borders; // of the cells
   std::vector<std::pair<std::size_t, std::size_t>> m_neighbours;
   std::vector<Doubtful_pair> m_doubtful;
   std::vector<Undecided_part> m_undecided;
 
 public:
-  Trimmed_cells(const Trimming& trimming, Operation_budget& budget) : m_trimming(trimming), m_budget(budget) {}
+  Trimmed_cells(const Trimming& trimming, Operation_budget& budget, double error)
+    : m_trimming(trimming), m_budget(budget), m_error(error)
+  {}
 
-  Trimmed_surface_3 trimmed(double error)
+  Trimmed_surface_3 trimmed()
   {
-    for (std::size_t cell = 0; cell < m_trimming.cells.size(); ++cell)
-      add_cell(cell, error);
-    for (std::size_t a = 0; a < m_trimming.cells.size(); ++a)
-      for (std::size_t b = 0; b < m_trimming.cells.size(); ++b)
+    for (std::size_t whole = 0; whole < m_trimming.cells.size(); ++whole)
+      try {
+        m_budget.check();
+        add_part(whole, m_trimming.cells[whole], m_trimming.zeros(whole), 0);
+      } catch (const Run_stopped& stop) {
+        add_without_faces(m_trimming.cells[whole], {m_trimming.cells[whole].domain}, in_words(stop.reason));
+      }
+    for (std::size_t a = 0; a < m_cells.size(); ++a)
+      for (std::size_t b = 0; b < m_cells.size(); ++b)
         for (const int axis : {0, 1})
           if (follows(a, b, axis))
             add_neighbours(a, b, axis);
     std::vector<Surface_region_3> regions = united();
+    std::vector<Surface_border_3> borders;
+    for (const auto& of_cell : m_borders)
+      borders.insert(borders.end(), of_cell.begin(), of_cell.end());
     Summary work = m_budget.total();
     work.seconds = m_budget.seconds();
     work.is_complete = m_undecided.empty();
     work.why_not = m_undecided.empty() ? Undecided_reason::NONE : m_budget.reason();
     if (!m_undecided.empty() && work.why_not == Undecided_reason::NONE)
       work.why_not = Undecided_reason::TOLERANCE;
-    return {m_trimming.cells, std::move(m_faces), std::move(regions), std::move(m_undecided), work};
+    return {std::move(m_cells), std::move(m_faces),     std::move(regions),
+            std::move(borders), std::move(m_undecided), work};
   }
 
 private:
-  const Surface_cell_3& cell_at(std::size_t cell) const { return m_trimming.cells[cell]; }
-
   void add_undecided(const std::array<Range, 2>& box, const std::string& reason)
   {
     std::vector<Undecided_part::Range> ranges{to_double_range(box[0]), to_double_range(box[1])};
     m_undecided.push_back({{}, {{0, std::move(ranges)}}, reason});
   }
 
-  void add_cell(std::size_t cell, double error)
+  void add_without_faces(const Surface_cell_3& cell, const std::vector<std::array<Range, 2>>& boxes,
+                         const std::string& reason)
   {
-    Border& border = m_borders.emplace_back();
-    const std::size_t first = m_faces.size();
-    try {
-      m_budget.check();
-      Cell_faces found = faces_of_cell(m_trimming.zeros(cell), error, m_budget);
-      for (const Undecided_part& part : found.undecided)
-        add_undecided({range_in(cell, 0, part.place[0]), range_in(cell, 1, part.place[1])}, part.reason);
-      for (Surface_face_3& face : found.faces)
-        m_faces.push_back(moved(cell, first, std::move(face)));
-      border = {std::move(found.border), std::move(found.zeros)};
-      for (Border_interval& interval : border.intervals) {
-        interval.face += first;
-        interval.range = {cell_at(cell).parameter(1 - interval.axis, interval.range.first),
-                          cell_at(cell).parameter(1 - interval.axis, interval.range.second)};
-      }
-      for (std::size_t f = first; f < m_faces.size(); ++f) {
-        m_budget.check();
-        m_faces[f].label = m_trimming.label(cell, m_faces[f].sample);
-        if (!m_faces[f].label)
-          add_undecided(box_of(m_faces[f]), "the label of the face is not decided");
-      }
-    } catch (const Run_stopped& stop) {
-      m_faces.resize(first);
-      border = {};
-      add_undecided(cell_at(cell).domain, in_words(stop.reason));
-    }
+    m_cells.push_back(cell);
+    m_zeros.emplace_back();
+    m_borders.emplace_back();
+    for (const std::array<Range, 2>& box : boxes)
+      add_undecided(box, reason);
   }
 
-  Range range_in(std::size_t cell, int axis, const Undecided_part::Range& local) const
+  // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small.
+  void add_part(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& zeros, int depth)
   {
-    return {cell_at(cell).parameter(axis, Exact_rational(local.first)),
-            cell_at(cell).parameter(axis, Exact_rational(local.second))};
+    constexpr int most_depth = 6;
+    try {
+      m_budget.check();
+      Cell_faces found = faces_of_cell(zeros, m_error, m_budget);
+      if (found.undecided.empty()) {
+        add_faces(whole, part, std::move(found));
+        return;
+      }
+      m_budget.check();
+      if (depth == most_depth || m_budget.has_ended() || std::ranges::any_of(zeros, is_zero)) {
+        std::vector<std::array<Range, 2>> boxes;
+        for (const Undecided_part& u : found.undecided)
+          boxes.push_back({range_in(part, 0, u.place[0]), range_in(part, 1, u.place[1])});
+        add_without_faces(part, boxes, found.undecided.front().reason);
+        return;
+      }
+    } catch (const Run_stopped& stop) {
+      add_without_faces(part, {part.domain}, in_words(stop.reason));
+      return;
+    }
+    const Exact_rational half = inverse_power_of_two(1);
+    const std::array<Range, 2> halves{Range(0, half), Range(half, 1)};
+    for (const Range& u : halves)
+      for (const Range& v : halves) {
+        const std::vector<Range> box{u, v};
+        Surface_cell_3 quarter{{Range(part.parameter(0, u.first), part.parameter(0, u.second)),
+                                Range(part.parameter(1, v.first), part.parameter(1, v.second))},
+                               part.coordinates};
+        for (Cell_polynomial& f : quarter.coordinates)
+          f = f.restricted_to_box(box);
+        std::vector<Cell_polynomial> own = zeros;
+        for (Cell_polynomial& f : own)
+          f = f.restricted_to_box(box);
+        add_part(whole, quarter, own, depth + 1);
+      }
+  }
+
+  // \throws Run_stopped, with nothing added.
+  void add_faces(std::size_t whole, const Surface_cell_3& part, Cell_faces found)
+  {
+    const std::size_t first = m_faces.size();
+    std::vector<Surface_face_3> faces;
+    for (Surface_face_3& face : found.faces) {
+      m_budget.check();
+      faces.push_back(moved(part, first, std::move(face)));
+      faces.back().label = m_trimming.label(whole, faces.back().sample);
+    }
+    for (Surface_face_3& face : faces) {
+      if (!face.label)
+        add_undecided(box_of(face), "the label of the face is not decided");
+      m_faces.push_back(std::move(face));
+    }
+    for (Surface_border_3& border : found.borders) {
+      border.face += first;
+      border.range = {part.parameter(1 - border.axis, border.range.first),
+                      part.parameter(1 - border.axis, border.range.second)};
+    }
+    m_cells.push_back(part);
+    m_zeros.push_back(std::move(found.zeros));
+    m_borders.push_back(std::move(found.borders));
+  }
+
+  static Range range_in(const Surface_cell_3& cell, int axis, const Undecided_part::Range& local)
+  {
+    return {cell.parameter(axis, Exact_rational(local.first)), cell.parameter(axis, Exact_rational(local.second))};
   }
 
   static std::array<Range, 2> box_of(const Surface_face_3& face)
@@ -134,11 +183,10 @@ private:
     return result;
   }
 
-  // From the unit box into the cell, with faces numbered from `first` on.
-  Surface_face_3 moved(std::size_t cell, std::size_t first, Surface_face_3 face) const
+  // From the unit box into the next cell, with faces numbered from `first` on.
+  Surface_face_3 moved(const Surface_cell_3& place, std::size_t first, Surface_face_3 face) const
   {
-    const Surface_cell_3& place = cell_at(cell);
-    face.cell = cell;
+    face.cell = m_cells.size();
     face.sample = {place.parameter(0, face.sample[0]), place.parameter(1, face.sample[1])};
     for (auto& loop : face.loops)
       for (Surface_face_edge_3& edge : loop) {
@@ -149,26 +197,34 @@ private:
     return face;
   }
 
-  // Whether the upper border of a cell along an axis is the lower one of another cell, or the same cell.
+  // The part that the upper border of a cell along an axis has in common with the lower one of another cell, or of the
+  // same cell; empty if there is none.
+  Range common_border(std::size_t a, std::size_t b, int axis) const
+  {
+    const std::size_t other = static_cast<std::size_t>(1 - axis);
+    const Range &first = m_cells[a].domain[other], &second = m_cells[b].domain[other];
+    return {(std::max)(first.first, second.first), (std::min)(first.second, second.second)};
+  }
+
   bool follows(std::size_t a, std::size_t b, int axis) const
   {
     const std::size_t own = static_cast<std::size_t>(axis);
-    const auto &first = cell_at(a).domain, &second = cell_at(b).domain;
-    if (first[1 - own] != second[1 - own])
+    const Exact_rational &end = m_cells[a].domain[own].second, &begin = m_cells[b].domain[own].first;
+    const Range common = common_border(a, b, axis);
+    if (!(common.first < common.second))
       return false;
-    const auto is_last = [&](const Surface_cell_3& cell) { return !(first[own].second < cell.domain[own].second); };
-    const auto is_first = [&](const Surface_cell_3& cell) { return !(cell.domain[own].first < second[own].first); };
-    return first[own].second == second[own].first ||
-        (m_trimming.is_closed[own] && std::ranges::all_of(m_trimming.cells, is_last) &&
-         std::ranges::all_of(m_trimming.cells, is_first));
+    const auto is_inside = [&](const Surface_cell_3& cell) {
+      return cell.domain[own].first < begin || end < cell.domain[own].second;
+    };
+    return end == begin || (m_trimming.is_closed[own] && std::ranges::none_of(m_cells, is_inside));
   }
 
-  std::vector<Border_interval> side_of(std::size_t cell, int axis, int side) const
+  std::vector<Surface_border_3> side_of(std::size_t cell, int axis, int side) const
   {
-    std::vector<Border_interval> result;
-    for (const Border_interval& interval : m_borders[cell].intervals)
-      if (interval.axis == axis && interval.side == side)
-        result.push_back(interval);
+    std::vector<Surface_border_3> result;
+    for (const Surface_border_3& border : m_borders[cell])
+      if (border.axis == axis && border.side == side)
+        result.push_back(border);
     return result;
   }
 
@@ -176,14 +232,14 @@ private:
   // are not told apart, those on both sides are one if the curves meet the border in the same points.
   void add_neighbours(std::size_t a, std::size_t b, int axis)
   {
-    const std::vector<Border_interval> before = side_of(a, axis, 1), after = side_of(b, axis, 0);
+    const std::vector<Surface_border_3> before = side_of(a, axis, 1), after = side_of(b, axis, 0);
     if (before.empty() || after.empty())
       return;
-    for (const Border_interval& first : before)
-      for (const Border_interval& second : after)
+    for (const Surface_border_3& first : before)
+      for (const Surface_border_3& second : after)
         if ((std::max)(first.range.first, second.range.first) < (std::min)(first.range.second, second.range.second))
           m_neighbours.emplace_back(first.face, second.face);
-    if (are_proportional(m_borders[a].zeros.face(axis, 1), m_borders[b].zeros.face(axis, 0)))
+    if (are_proportional(zeros_on_border(a, b, axis, 1), zeros_on_border(a, b, axis, 0)))
       return;
     for (std::size_t i = 0; i + 1 < before.size(); ++i)
       for (std::size_t j = 0; j + 1 < after.size(); ++j) {
@@ -192,10 +248,21 @@ private:
         if (first.second < second.first || second.second < first.first ||
             (first == second && first.first == first.second))
           continue;
-        const Exact_rational value = cell_at(a).domain[static_cast<std::size_t>(axis)].second;
+        const Exact_rational value = m_cells[a].domain[static_cast<std::size_t>(axis)].second;
         m_doubtful.push_back({before[i].face, after[j + 1].face, axis, value, first});
         m_doubtful.push_back({before[i + 1].face, after[j].face, axis, value, first});
       }
+  }
+
+  // The polynomial of the first cell (side 1) or of the second one (0) on their common border.
+  Cell_polynomial zeros_on_border(std::size_t a, std::size_t b, int axis, int side) const
+  {
+    const std::size_t cell = side == 1 ? a : b;
+    const Range common = common_border(a, b, axis);
+    return m_zeros[cell]
+        .face(axis, side)
+        .restricted(0, m_cells[cell].local_parameter(1 - axis, common.first),
+                    m_cells[cell].local_parameter(1 - axis, common.second));
   }
 
   // The regions.
@@ -206,30 +273,21 @@ private:
         for (const Surface_face_edge_3& edge : loop)
           if (edge.neighbour)
             m_neighbours.emplace_back(f, *edge.neighbour);
-    std::vector<std::size_t> root(m_faces.size());
-    std::iota(root.begin(), root.end(), std::size_t(0));
-    const auto root_of = [&](std::size_t f) {
-      while (root[f] != f)
-        f = root[f] = root[root[f]];
-      return f;
-    };
+    Disjoint_sets sets(m_faces.size());
     for (const auto& [f, g] : m_neighbours)
       if (m_faces[f].label == m_faces[g].label)
-        root[root_of(g)] = root_of(f);
+        sets.unite(f, g);
     for (const Doubtful_pair& pair : m_doubtful)
-      if (m_faces[pair.first].label == m_faces[pair.second].label && root_of(pair.first) != root_of(pair.second)) {
+      if (m_faces[pair.first].label == m_faces[pair.second].label && !sets.are_united(pair.first, pair.second)) {
         std::array<Range, 2> box{pair.range, pair.range};
         box[static_cast<std::size_t>(pair.axis)] = {pair.value, pair.value};
         add_undecided(box, "it is not decided whether faces are neighbours");
       }
     std::vector<Surface_region_3> result;
-    std::map<std::size_t, std::size_t> region_of;
-    for (std::size_t f = 0; f < m_faces.size(); ++f) {
-      const auto [known, is_new] = region_of.emplace(root_of(f), result.size());
-      if (is_new)
-        result.push_back({m_faces[f].label, {}});
-      m_faces[f].region = known->second;
-      result[known->second].faces.push_back(f);
+    for (std::vector<std::size_t>& members : sets.sets()) {
+      for (const std::size_t f : members)
+        m_faces[f].region = result.size();
+      result.push_back({m_faces[members.front()].label, std::move(members)});
     }
     return result;
   }
@@ -238,7 +296,7 @@ private:
 CGAL_SPLINE_CONSTRAINTS_INLINE Trimmed_surface_3 trimmed_by_zeros(const Trimming& trimming, Operation_budget& budget,
                                                                   double error)
 {
-  return Trimmed_cells(trimming, budget).trimmed(error);
+  return Trimmed_cells(trimming, budget, error).trimmed();
 }
 
 } // namespace Surface_regions

@@ -28,20 +28,12 @@ namespace Surface_regions {
 using Cell_polynomial = Bernstein_tensor<Exact_rational>;
 using Parameters = std::array<Exact_rational, 2>;
 
-// A part of the border of a cell between two neighbouring points of it where curves end, or corners: numbers that are
-// certainly between these points.
-struct Border_interval
-{
-  int axis, side; // where the parameter of the axis is at its lower or upper end
-  Surface_cell_3::Range range;
-  std::size_t face;
-};
-
 // The faces that the zeros of polynomials leave of a cell, in parameters of the unit box; or why they are not known.
+// Borders have ranges that are certainly between the ends of curves.
 struct Cell_faces
 {
   std::vector<Surface_face_3> faces = {};
-  std::vector<Border_interval> border = {};
+  std::vector<Surface_border_3> borders = {};
   std::vector<Undecided_part> undecided = {};
   Cell_polynomial zeros = {}; // the product whose zeros are the curves
 };
@@ -58,7 +50,7 @@ struct Trimming
   std::array<bool, 2> is_closed{}; // whether the ends of an axis are the same points
 
   // The polynomials of a cell whose zeros bound faces, and the label at parameters in a cell. They may throw
-  // Run_stopped.
+  // Run_stopped. Where the faces of a cell are not found, it is split; these are asked with the index of the whole.
   std::function<std::vector<Cell_polynomial>(std::size_t)> zeros;
   std::function<std::optional<int>(std::size_t, const Parameters&)> label;
 };

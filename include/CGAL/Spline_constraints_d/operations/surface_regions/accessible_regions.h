@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_ACCESSIBLE_REGIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_ACCESSIBLE_REGIONS_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_by_zeros.h>
+#endif
+
+#include <CGAL/Sphere_3.h>
+
+#include <cstddef>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Surface_regions {
+
+template <class Spheres>
+std::vector<Exact_sphere> exact_spheres(const Spheres& spheres, const std::string& operation)
+{
+  std::vector<Exact_sphere> result;
+  for (const auto& sphere : spheres) {
+    if (!(sphere.squared_radius() > 0))
+      throw Invalid_input(operation + ": sphere " + std::to_string(result.size()) + " is degenerate");
+    result.push_back(
+        {exact_triple(sphere.center()), internal::converted_number<Exact_rational>(sphere.squared_radius())});
+  }
+  return result;
+}
+
+} // namespace Surface_regions
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSurfaceRegions
+
+the parts of a surface that a thin straight tool, as in 5-axis milling, reaches past balls: where the ray from
+\f$S(u,v)\f$ along the axis \f$O(u,v)\f$ of the tool has no point in one of the balls, and \f$\langle O, V\rangle > 0\f$
+if the directions are limited to a hemisphere around \f$V\f$. Labels are values of `Access` as numbers.
+
+The regions are bounded by the zeros of \f$|(c-S) \times O|^2 - r^2 |O|^2\f$, where the line of the tool touches a ball,
+of \f$|S-c|^2 - r^2\f$, and of \f$\langle O, V\rangle\f$, with their topology by proof. In each face one ray is decided
+by exact arithmetic; faces with the same label are united, so that lines which touch a ball behind the surface bound
+nothing. The axis is the direction, the field, or the normal \f$S_u \times S_v\f$ of the surface in its lowest degree,
+so that poles are no exception. Where a singular point of the curves is not proved, a small cell is undecided.
+
+For a ball-end or flat tool of a radius, add the radius to those of the balls.
+
+\param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
+\param spheres a range of `CGAL::Sphere_3` of the kernel of the surface.
+\param axis the directions of the tool.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
+\throws Invalid_input as `accessibility_boundaries()`; the message names the sphere.
+
+Complexity: that of `solve_curves()` with one equation in two unknowns, for each polynomial piece of the surface, whose
+degrees are the sums of those of all curves. Source: \cgalCite{ek-gcs-01}, section 3.5; regions, for curves there.
+*/
+template <internal::Surface_curves::Surface_operand Surface, std::ranges::input_range Spheres>
+Trimmed_surface_3 accessible_regions(const Surface& surface, const Spheres& spheres,
+                                     const Tool_axis<internal::Surface_curves::Operand_kernel<Surface>>& axis = {},
+                                     const Solver_options& options = {.tolerance = 1e-8})
+{
+  using namespace internal::Surface_regions;
+  return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
+                     exact_spheres(spheres, "accessible_regions"),
+                     {internal::Surface_curves::exact_tool_axis(axis), {}, false}, options);
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_ACCESSIBLE_REGIONS_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Surface_regions {
+
+inline Exact_rational dot(const Exact_triple& a, const Exact_triple& b)
+{
+  return Exact_rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/*
+The rays from the points S = X/w of a surface, with the directions O, and balls that are in their way. With e = w c - X
+for the center c, the ray of a point or its line touches a ball where |e x O|^2 = r^2 w^2 |O|^2, and the point is on the
+ball where |e|^2 = r^2 w^2. Between these curves, a ray is free as a whole or not at all.
+*/
+class Ray_regions
+{
+  const Spline_patch<3> m_surface;
+  std::vector<Exact_sphere> m_spheres;
+  Sight m_sight;
+  Operation_budget m_budget;
+  std::vector<Surface_cell_3> m_cells;
+  std::vector<Cell_vector> m_directions; // of the rays in each cell
+
+public:
+  Ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,
+              const Solver_options& options)
+    : m_surface(surface), m_spheres(spheres), m_sight(sight), m_budget(options), m_cells(cells_of(m_surface)),
+      m_directions(m_cells.size())
+  {
+    const auto& axis = m_sight.axis;
+    if (!axis.field)
+      return;
+    const Exact_map<3>& field = *axis.field;
+    if (axis.direction || field.weight.domain(0) != m_surface.domain(0) ||
+        field.weight.domain(1) != m_surface.domain(1))
+      throw Invalid_input("accessible_regions: a field of directions has another domain than the surface, or there is "
+                          "a direction beside it");
+    cut_at_breaks_of(Spline_patch<3>(field));
+  }
+
+  Trimmed_surface_3 regions()
+  {
+    Trimming trimming{m_cells, {m_surface.is_closed(0), m_surface.is_closed(1)}, {}, {}};
+    trimming.zeros = [this](std::size_t cell) { return zeros(cell); };
+    trimming.label = [this](std::size_t cell, const Parameters& p) {
+      return std::optional(static_cast<int>(access(cell, p)));
+    };
+    return trimmed_by_zeros(trimming, m_budget);
+  }
+
+private:
+  // Such that the field is one polynomial in each cell, too.
+  void cut_at_breaks_of(const Spline_patch<3>& field)
+  {
+    std::vector<Surface_cell_3> cells;
+    for (const Surface_cell_3& cell : m_cells)
+      for (const Surface_cell_3& other : cells_of(field)) {
+        std::array<Surface_cell_3::Range, 2> box;
+        std::vector<Surface_cell_3::Range> local;
+        for (const std::size_t axis : {0, 1}) {
+          box[axis] = {(std::max)(cell.domain[axis].first, other.domain[axis].first),
+                       (std::min)(cell.domain[axis].second, other.domain[axis].second)};
+          local.emplace_back(cell.local_parameter(static_cast<int>(axis), box[axis].first),
+                             cell.local_parameter(static_cast<int>(axis), box[axis].second));
+        }
+        if (!(box[0].first < box[0].second) || !(box[1].first < box[1].second))
+          continue;
+        cells.push_back({box, cell.coordinates});
+        for (Cell_polynomial& f : cells.back().coordinates)
+          f = f.restricted_to_box(local);
+      }
+    m_cells = std::move(cells);
+    m_directions.resize(m_cells.size());
+  }
+
+  // A positive multiple of the direction of the ray, in lowest terms.
+  Cell_vector direction_in(const Surface_cell_3& cell) const
+  {
+    const Exact_tool_axis& axis = m_sight.axis;
+    if (axis.direction)
+      return constant_vector(*axis.direction);
+    if (m_sight.eye)
+      return *m_sight.eye * cell.coordinates[3] - numerators_of(cell);
+    if (!axis.field)
+      return normal_of(cell);
+    const Spline_patch<3> part = Spline_patch<3>(*axis.field).part({cell.domain[0], cell.domain[1]});
+    const auto& [x, y, z] = part.numerators();
+    return without_positive_factors({x.bezier_pieces().front(), y.bezier_pieces().front(), z.bezier_pieces().front()});
+  }
+
+  std::vector<Cell_polynomial> zeros(std::size_t index)
+  {
+    const Surface_cell_3& cell = m_cells[index];
+    const Cell_vector direction = m_directions[index] = direction_in(cell);
+    const Cell_polynomial square = dot(direction, direction),
+                          squared_weight = cell.coordinates[3] * cell.coordinates[3];
+    std::vector<Cell_polynomial> result;
+    for (const Exact_sphere& sphere : m_spheres) {
+      m_budget.check();
+      const Cell_vector to_center = sphere.center * cell.coordinates[3] - numerators_of(cell);
+      const Cell_vector moment = cross(to_center, direction);
+      result.push_back(dot(moment, moment) - square * squared_weight * sphere.squared_radius);
+      result.push_back(dot(to_center, to_center) - squared_weight * sphere.squared_radius);
+    }
+    if (m_sight.axis.hemisphere && !m_sight.axis.direction)
+      result.push_back(dot(direction, constant_vector(*m_sight.axis.hemisphere)));
+    if (m_sight.is_from_front)
+      result.push_back(dot(direction, normal_of(cell)));
+    // One that is zero on the whole cell parts nothing: rays that touch a ball are in its way.
+    std::erase_if(result, is_zero);
+    for (Cell_polynomial& f : result)
+      f = without_factors_of(cell.coordinates[3], f);
+    return result;
+  }
+
+  Access access(std::size_t index, const Parameters& parameters) const
+  {
+    const Surface_cell_3& cell = m_cells[index];
+    const Parameters local{cell.local_parameter(0, parameters[0]), cell.local_parameter(1, parameters[1])};
+    const Exact_triple direction = value_of(m_directions[index], local);
+    if (m_sight.axis.hemisphere && !(dot(direction, *m_sight.axis.hemisphere) > 0))
+      return Access::NOT_ADMITTED;
+    if (m_sight.is_from_front && !(dot(direction, value_of(normal_of(cell), local)) > 0))
+      return Access::NOT_ADMITTED;
+    const Exact_rational weight = cell.coordinates[3](local);
+    Exact_triple point = value_of(numerators_of(cell), local);
+    for (Exact_rational& x : point)
+      x /= weight;
+    for (const Exact_sphere& sphere : m_spheres)
+      if (is_in_the_way(sphere, point, direction))
+        return Access::OBSTRUCTED;
+    return Access::FREE;
+  }
+
+  // Whether a ray, or its part before the eye, has a point in a ball: the squared distance of p + t d from the center,
+  // less the squared radius, is t^2 |d|^2 - 2 t <c-p,d> + |c-p|^2 - r^2.
+  bool is_in_the_way(const Exact_sphere& sphere, const Exact_triple& p, const Exact_triple& d) const
+  {
+    const auto& c = sphere.center;
+    const Exact_triple to_center{Exact_rational(c[0] - p[0]), Exact_rational(c[1] - p[1]), Exact_rational(c[2] - p[2])};
+    const Exact_rational square = dot(d, d), ahead = dot(to_center, d),
+                         power(dot(to_center, to_center) - sphere.squared_radius);
+    if (power <= 0)
+      return true;
+    if (!(ahead > 0) || ahead * ahead < square * power)
+      return false;
+    if (!m_sight.eye)
+      return true;
+    const auto& e = *m_sight.eye;
+    const Exact_triple to_eye{Exact_rational(e[0] - p[0]), Exact_rational(e[1] - p[1]), Exact_rational(e[2] - p[2])};
+    // The foot of the center is before the eye, or the eye is in the ball.
+    const Exact_triple beyond{Exact_rational(c[0] - e[0]), Exact_rational(c[1] - e[1]), Exact_rational(c[2] - e[2])};
+    return dot(to_center, to_eye) < dot(to_eye, to_eye) || dot(beyond, beyond) <= sphere.squared_radius;
+  }
+};
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Trimmed_surface_3 ray_regions(const Exact_map<3>& surface,
+                                                             const std::vector<Exact_sphere>& spheres,
+                                                             const Sight& sight, const Solver_options& options)
+{
+  return Ray_regions(surface, spheres, sight, options).regions();
+}
+
+} // namespace Surface_regions
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H

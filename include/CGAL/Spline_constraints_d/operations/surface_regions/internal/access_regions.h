@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_ACCESS_REGIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_ACCESS_REGIONS_H
+
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Surface_regions {
+
+struct Exact_sphere
+{
+  Exact_triple center;
+  Exact_rational squared_radius;
+};
+
+// Rays from the points of a surface: along the axis of a tool, or towards an eye, where they end.
+struct Sight
+{
+  Exact_tool_axis axis;
+  std::optional<Exact_triple> eye = {};
+  bool is_from_front = false; // only where they are on the side of the normal
+};
+
+// Defined in Ray_regions.h.
+Trimmed_surface_3 ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,
+                              const Solver_options& options);
+
+} // namespace Surface_regions
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_ACCESS_REGIONS_H
