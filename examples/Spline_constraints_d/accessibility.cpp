@@ -26,6 +26,25 @@ const std::pair<SC::Access, std::array<double, 3>> colors[] = {{SC::Access::FREE
                                                                {SC::Access::OBSTRUCTED, {245, 170, 90}},
                                                                {SC::Access::NOT_ADMITTED, {220, 220, 220}}};
 
+K::Point_3 rounded(const Exact::Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+// The face as a polygon, if it shows its back.
+void add_ground(Scene& scene, const rounded_cuboid::Surface& surface, const SC::Surface_face_3& face,
+                const std::array<double, 3>& color)
+{
+  const Exact::Vector_3 exact = surface.normal(face.sample[0], face.sample[1]);
+  const K::Vector_3 normal(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
+  if (!(normal * Scene::direction() < 0))
+    return;
+  std::vector<K::Point_3> polygon;
+  for (const SC::Surface_face_edge_3& edge : face.loops.front())
+    polygon.push_back(rounded(surface(edge.source.x(), edge.source.y())));
+  scene.add_ground(polygon, normal, color, face.loops.size() > 1 ? 0 : 1);
+}
+
 bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, const Exact::Sphere_3& ball,
           const Axis& axis)
 {
@@ -41,9 +60,12 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
   std::size_t closed = 0, open = 0;
   for (std::size_t i = 0; i < cuboid.size(); ++i) {
     for (const auto& [access, color] : colors) {
-      const auto part = SC::to_surface_mesh(surfaces[i], static_cast<int>(access), 0.02);
+      const auto part = SC::to_surface_mesh(surfaces[i], static_cast<int>(access), 0.01);
       is_complete = is_complete && part.is_complete();
       scene.add_backs(part.mesh, color);
+      for (const SC::Surface_face_3& face : surfaces[i].faces())
+        if (face.label == static_cast<int>(access))
+          add_ground(scene, cuboid[i], face, color);
     }
     const auto boundaries = SC::accessibility_boundaries(cuboid[i], ball, axis);
     closed += boundaries.number_of_closed_curves();
@@ -52,8 +74,7 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     for (const SC::Surface_curve& curve : boundaries.curves()) {
       std::vector<K::Point_3> points;
       for (const auto& sample : boundaries.polyline(curve, 1e-3))
-        points.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()),
-                            CGAL::to_double(sample.point.z()));
+        points.push_back(rounded(sample.point));
       scene.add(points, "#c00020", 2);
     }
   }

@@ -78,6 +78,14 @@ public:
     }
   }
 
+  // A polygon on a surface, for what is between triangles that are drawn on it; those of a higher level are on top.
+  void add_ground(const std::vector<K::Point_3>& polygon, const K::Vector_3& normal,
+                  const std::array<double, 3>& color, int level)
+  {
+    constexpr double far_away = 1e6;
+    add_patch(polygon, shaded(color, light_on(normal)), level - far_away);
+  }
+
   // On the surfaces: nearer than their tiles. What these hide is left out, or drawn as a thin line.
   void add(const std::vector<K::Point_3>& polyline, const std::string& color, double width = 3,
            bool shows_hidden = false)

@@ -85,6 +85,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Connected_regions_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_face_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>

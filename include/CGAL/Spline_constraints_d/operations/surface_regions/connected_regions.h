@@ -10,53 +10,16 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_CONNECTED_REGIONS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Connected_regions_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Shared_edges_of_cells.h>
 #endif
 
-#include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDSurfaceRegions
-
-Regions of several surfaces with common edges, see `connected_regions()`.
-*/
-struct Connected_regions_3
-{
-  //! a region of one of the surfaces.
-  struct Part
-  {
-    std::size_t surface; ///< the index of the surface
-    std::size_t region;  ///< the index of its region
-  };
-
-  //! regions with the same label that are connected.
-  struct Region
-  {
-    std::optional<int> label; ///< their label
-    std::vector<Part> parts;  ///< what it consists of
-  };
-
-  std::vector<Region> regions; ///< the regions
-  bool is_proved;              ///< see `is_complete()`
-
-  //! whether the surfaces are complete, and it is known which of their regions are neighbours across common edges.
-  bool is_complete() const { return is_proved; }
-
-  //! the number of regions with this label.
-  std::size_t number_of_regions(int label) const
-  {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(regions, [&](const Region& region) { return region.label == label; }));
-  }
-};
 
 namespace internal {
 namespace Surface_regions {

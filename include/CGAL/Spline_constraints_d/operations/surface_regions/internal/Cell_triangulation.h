@@ -107,29 +107,6 @@ public:
     }
   }
 
-  // Inserts the points of a grid that are inside of triangles which are marked, for these to be less long.
-  void insert_grid()
-  {
-    constexpr int lines = 8;
-    for (int i = 1; i < lines; ++i)
-      for (int j = 1; j < lines; ++j) {
-        const Point point(Kernel::FT(i) / lines, Kernel::FT(j) / lines);
-        Triangulation::Locate_type type;
-        int index = 0;
-        const Triangle triangle = m_triangulation.locate(point, type, index);
-        const bool is_inside =
-            type == Triangulation::FACE || (type == Triangulation::EDGE && !triangle->is_constrained(index));
-        if (!is_inside || !triangle->info().face)
-          continue;
-        const std::optional<std::size_t> face = triangle->info().face;
-        const Vertex vertex = m_triangulation.insert(point, type, triangle, index);
-        Triangulation::Face_circulator around = m_triangulation.incident_faces(vertex), done = around;
-        do {
-          around->info() = {face, {}};
-        } while (++around != done);
-      }
-  }
-
   // Splits triangles until the error of all is small enough; whether it is so in the end.
   bool refine(double error, Common::Run_of_steps& run)
   {
@@ -310,7 +287,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Trimmed_surface_mesh_3 mesh_of_label(const Trimme
       triangulation.add_constraints(surface.faces()[f]);
     for (const std::size_t f : faces)
       triangulation.mark(surface.faces()[f], f);
-    triangulation.insert_grid();
     const bool is_fine = triangulation.refine(error, run), has_all = triangulation.add_to(result);
     if (!is_fine || !has_all) {
       const auto& [u, v] = surface.cells()[cell].domain;

@@ -11,7 +11,8 @@
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Connected_regions_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Disjoint_sets.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/cell_polynomials.h>
 

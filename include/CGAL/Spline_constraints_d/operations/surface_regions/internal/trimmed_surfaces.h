@@ -56,7 +56,7 @@ struct Trimming
 };
 
 // Defined in trimmed_by_zeros.h.
-Trimmed_surface_3 trimmed_by_zeros(const Trimming& trimming, Operation_budget& budget, double error = 0x1p-11);
+Trimmed_surface_3 trimmed_by_zeros(const Trimming& trimming, Operation_budget& budget, double error = 0x1p-10);
 
 // The faces with a label as triangles; defined in Cell_triangulation.h.
 Trimmed_surface_mesh_3 mesh_of_label(const Trimmed_surface_3& surface, int label, double error,
