@@ -92,6 +92,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/accessible_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/visible_regions.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Kernel_edge_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Region_kernel_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Visible_edge_2.h>

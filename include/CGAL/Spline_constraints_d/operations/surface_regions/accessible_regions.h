@@ -9,9 +9,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_ACCESSIBLE_REGIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_ACCESSIBLE_REGIONS_H
 
-#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
@@ -25,33 +22,10 @@
 
 #include <CGAL/Sphere_3.h>
 
-#include <cstddef>
-#include <optional>
 #include <ranges>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-namespace Surface_regions {
-
-template <class Spheres>
-std::vector<Exact_sphere> exact_spheres(const Spheres& spheres, const std::string& operation)
-{
-  std::vector<Exact_sphere> result;
-  for (const auto& sphere : spheres) {
-    if (!(sphere.squared_radius() > 0))
-      throw Invalid_input(operation + ": sphere " + std::to_string(result.size()) + " is degenerate");
-    result.push_back(
-        {exact_triple(sphere.center()), internal::converted_number<Exact_rational>(sphere.squared_radius())});
-  }
-  return result;
-}
-
-} // namespace Surface_regions
-} // namespace internal
-
 /*!
 \ingroup PkgSplineConstraintsDSurfaceRegions
 

@@ -311,12 +311,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_cell(const std::vector<Cell_p
     return result;
   };
   const Curve_vertex::Exact_box unit_box(2, {0, 1});
-  const std::optional<Cell_polynomial> product = product_without_sides(zeros, [&] { budget.check(); });
-  if (!product)
-    return undecided(unit_box, in_words(Undecided_reason::CONTINUUM));
+  const Cell_polynomial product = product_of(zeros);
+  budget.check();
   Constraint_system_d system(unit_box);
-  system.add(Spline_function::from_bernstein({0, 1}, *product), Relation::EQUAL);
-  const bool has_curves = !has_one_sign(*product);
+  system.add(Spline_function::from_bernstein({0, 1}, product), Relation::EQUAL);
+  const bool has_curves = !zeros.empty();
   const Curve_solution_set_d set =
       has_curves ? curves_within_budget(system, budget, {}) : Curve_solution_set_d({}, {}, {}, {}, {}, Summary());
   if (!set.is_complete()) {
@@ -327,11 +326,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_cell(const std::vector<Cell_p
     return result;
   }
   budget.check();
-  Cell_arrangement arrangement(system, *product, set, error, budget);
+  Cell_arrangement arrangement(system, product, set, error, budget);
   std::optional<Cell_faces> result = arrangement.faces(points_on_pieces(system), budget);
   if (!result)
     return undecided(unit_box, "points are not told apart in doubles");
-  result->zeros = *product;
+  result->zeros = product;
   return std::move(*result);
 }
 

@@ -13,12 +13,14 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Own_shadow.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,11 +28,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Surface_regions {
-
-inline Exact_rational dot(const Exact_triple& a, const Exact_triple& b)
-{
-  return Exact_rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
 
 /*
 The rays from the points S = X/w of a surface, with the directions O, and balls that are in their way. With e = w c - X
@@ -45,6 +42,7 @@ class Ray_regions
   Operation_budget m_budget;
   std::vector<Surface_cell_3> m_cells;
   std::vector<Cell_vector> m_directions; // of the rays in each cell
+  std::optional<Own_shadow> m_shadow;
 
 public:
   Ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,
@@ -65,15 +63,37 @@ public:
 
   Trimmed_surface_3 regions()
   {
+    try {
+      if (m_sight.is_own_shadow_seen)
+        m_shadow.emplace(m_surface, m_budget);
+    } catch (const Run_stopped& stop) {
+      return undecided(in_words(stop.reason));
+    }
+    if (m_shadow && !m_shadow->is_supported())
+      return undecided(
+          "a surface that is on no plane or quadric, or has an edge that is in no plane, may hide parts of "
+          "itself");
     Trimming trimming{m_cells, {m_surface.is_closed(0), m_surface.is_closed(1)}, {}, {}};
     trimming.zeros = [this](std::size_t cell) { return zeros(cell); };
     trimming.label = [this](std::size_t cell, const Parameters& p) {
-      return std::optional(static_cast<int>(access(cell, p)));
+      const std::optional<Access> result = access(cell, p);
+      return result ? std::optional(static_cast<int>(*result)) : std::nullopt;
     };
     return trimmed_by_zeros(trimming, m_budget);
   }
 
 private:
+  Trimmed_surface_3 undecided(const std::string& reason) const
+  {
+    std::vector<Undecided_part> parts;
+    for (const Surface_cell_3& cell : m_cells)
+      parts.push_back({{}, {{0, {to_double_range(cell.domain[0]), to_double_range(cell.domain[1])}}}, reason});
+    Summary work = m_budget.total();
+    work.seconds = m_budget.seconds();
+    work.why_not = m_budget.reason();
+    return {m_cells, {}, {}, {}, std::move(parts), work};
+  }
+
   // Such that the field is one polynomial in each cell, too.
   void cut_at_breaks_of(const Spline_patch<3>& field)
   {
@@ -129,8 +149,9 @@ private:
     }
     if (m_sight.axis.hemisphere && !m_sight.axis.direction)
       result.push_back(dot(direction, constant_vector(*m_sight.axis.hemisphere)));
-    if (m_sight.is_from_front)
-      result.push_back(dot(direction, normal_of(cell)));
+    if (m_shadow)
+      for (Cell_polynomial& f : m_shadow->zeros(cell, direction))
+        result.push_back(std::move(f));
     // One that is zero on the whole cell parts nothing: rays that touch a ball are in its way.
     std::erase_if(result, is_zero);
     for (Cell_polynomial& f : result)
@@ -138,14 +159,12 @@ private:
     return result;
   }
 
-  Access access(std::size_t index, const Parameters& parameters) const
+  std::optional<Access> access(std::size_t index, const Parameters& parameters) const
   {
     const Surface_cell_3& cell = m_cells[index];
     const Parameters local{cell.local_parameter(0, parameters[0]), cell.local_parameter(1, parameters[1])};
     const Exact_triple direction = value_of(m_directions[index], local);
     if (m_sight.axis.hemisphere && !(dot(direction, *m_sight.axis.hemisphere) > 0))
-      return Access::NOT_ADMITTED;
-    if (m_sight.is_from_front && !(dot(direction, value_of(normal_of(cell), local)) > 0))
       return Access::NOT_ADMITTED;
     const Exact_rational weight = cell.coordinates[3](local);
     Exact_triple point = value_of(numerators_of(cell), local);
@@ -154,7 +173,10 @@ private:
     for (const Exact_sphere& sphere : m_spheres)
       if (is_in_the_way(sphere, point, direction))
         return Access::OBSTRUCTED;
-    return Access::FREE;
+    if (!m_shadow)
+      return Access::FREE;
+    const std::optional<bool> is_hit = m_shadow->is_hit(point, direction, m_sight.eye, m_budget);
+    return is_hit ? std::optional(*is_hit ? Access::OBSTRUCTED : Access::FREE) : std::nullopt;
   }
 
   // Whether a ray, or its part before the eye, has a point in a ball: the squared distance of p + t d from the center,

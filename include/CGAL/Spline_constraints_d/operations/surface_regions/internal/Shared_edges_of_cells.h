@@ -34,6 +34,7 @@ class Shared_edges_of_cells
 {
   using Range = Surface_cell_3::Range;
   using Point = std::array<Exact_rational, 3>;
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>; // of regions
 
   // A part of a side that belongs to one region, in the local parameter of the side.
   struct Interval
@@ -69,11 +70,14 @@ public:
   Connected_regions_3 united() const
   {
     Disjoint_sets sets(m_parts.size());
-    std::vector<std::pair<std::size_t, std::size_t>> doubtful;
+    Pairs neighbours, doubtful;
     for (std::size_t i = 0; i < m_sides.size(); ++i)
       for (std::size_t j = i + 1; j < m_sides.size(); ++j)
         if (m_sides[i].surface != m_sides[j].surface)
-          unite(m_sides[i], m_sides[j], sets, doubtful);
+          add_neighbours(m_sides[i], m_sides[j], neighbours, doubtful);
+    for (const auto& [a, b] : neighbours)
+      if (label_of(a) == label_of(b))
+        sets.unite(a, b);
     const auto is_complete = [](const Trimmed_surface_3& surface) { return surface.is_complete(); };
     Connected_regions_3 result{{}, std::ranges::all_of(m_surfaces, is_complete)};
     for (const auto& [a, b] : doubtful)
@@ -138,8 +142,7 @@ private:
     return true;
   }
 
-  static void unite(const Side& a, const Side& b, Disjoint_sets& sets,
-                    std::vector<std::pair<std::size_t, std::size_t>>& doubtful)
+  static void add_neighbours(const Side& a, const Side& b, Pairs& neighbours, Pairs& doubtful)
   {
     for (const bool is_reversed : {false, true}) {
       if (!a.ends[0] || !a.ends[1] || a.ends[0] != b.ends[is_reversed ? 1 : 0] ||
@@ -154,7 +157,7 @@ private:
           interval.range = {Exact_rational(1 - interval.range.second), Exact_rational(1 - interval.range.first)};
       }
       if (is_same_curve(a.coordinates, other) && !is_point(a.coordinates, *a.ends[0])) {
-        unite(a.intervals, intervals, sets, doubtful);
+        add_neighbours(a.intervals, intervals, neighbours, doubtful);
         return;
       }
     }
@@ -170,15 +173,15 @@ private:
 
   // Regions are neighbours if intervals of theirs have a common part; between them, ends that are not told apart may
   // leave a short one.
-  static void unite(const std::vector<Interval>& a, const std::vector<Interval>& b, Disjoint_sets& sets,
-                    std::vector<std::pair<std::size_t, std::size_t>>& doubtful)
+  static void add_neighbours(const std::vector<Interval>& a, const std::vector<Interval>& b, Pairs& neighbours,
+                             Pairs& doubtful)
   {
     for (const Interval& first : a)
       for (const Interval& second : b) {
         const Exact_rational begin = (std::max)(first.range.first, second.range.first),
                              end = (std::min)(first.range.second, second.range.second);
         if (begin < end)
-          sets.unite(first.region, second.region);
+          neighbours.emplace_back(first.region, second.region);
       }
     for (std::size_t i = 0; i + 1 < a.size(); ++i)
       for (std::size_t j = 0; j + 1 < b.size(); ++j) {

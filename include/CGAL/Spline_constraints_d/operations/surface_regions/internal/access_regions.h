@@ -9,6 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_ACCESS_REGIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_ACCESS_REGIONS_H
 
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
@@ -17,6 +19,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -35,8 +38,22 @@ struct Sight
 {
   Exact_tool_axis axis;
   std::optional<Exact_triple> eye = {};
-  bool is_from_front = false; // only where they are on the side of the normal
+  bool is_own_shadow_seen = false; // whether the surface itself is in the way
 };
+
+// \throws Invalid_input when one is degenerate.
+template <class Spheres>
+std::vector<Exact_sphere> exact_spheres(const Spheres& spheres, const std::string& operation)
+{
+  std::vector<Exact_sphere> result;
+  for (const auto& sphere : spheres) {
+    if (!(sphere.squared_radius() > 0))
+      throw Invalid_input(operation + ": sphere " + std::to_string(result.size()) + " is degenerate");
+    result.push_back(
+        {exact_triple(sphere.center()), internal::converted_number<Exact_rational>(sphere.squared_radius())});
+  }
+  return result;
+}
 
 // Defined in Ray_regions.h.
 Trimmed_surface_3 ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,

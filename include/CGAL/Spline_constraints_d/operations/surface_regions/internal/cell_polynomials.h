@@ -124,26 +124,27 @@ inline bool are_proportional(const Cell_polynomial& f, const Cell_polynomial& g)
   return b[p] != 0;
 }
 
-// The product of polynomials, without those that have no zero or are there twice, and without factors that vanish on
-// the sides only; none if one is zero.
-template <class Check>
-std::optional<Cell_polynomial> product_without_sides(const std::vector<Cell_polynomial>& polynomials,
-                                                     const Check& check)
+// Those of some polynomials that have zeros in the unit box, each once, and without factors that vanish on its sides
+// only; none if one is zero.
+inline std::optional<std::vector<Cell_polynomial>> curves_of(const std::vector<Cell_polynomial>& polynomials)
 {
-  std::vector<Cell_polynomial> factors;
+  std::vector<Cell_polynomial> result;
   for (const Cell_polynomial& f : polynomials) {
     if (is_zero(f))
       return std::nullopt;
     Cell_polynomial factor = without_sides(f);
     const auto is_same = [&](const Cell_polynomial& known) { return are_proportional(known, factor); };
-    if (!has_one_sign(factor) && std::ranges::none_of(factors, is_same))
-      factors.push_back(std::move(factor));
+    if (!has_one_sign(factor) && std::ranges::none_of(result, is_same))
+      result.push_back(std::move(factor));
   }
+  return result;
+}
+
+inline Cell_polynomial product_of(const std::vector<Cell_polynomial>& factors)
+{
   Cell_polynomial result = Cell_polynomial::constant(2, Exact_rational(1));
-  for (const Cell_polynomial& factor : factors) {
-    check();
+  for (const Cell_polynomial& factor : factors)
     result *= factor;
-  }
   return result;
 }
 

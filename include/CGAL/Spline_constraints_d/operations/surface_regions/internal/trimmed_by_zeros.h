@@ -101,19 +101,29 @@ private:
       add_undecided(box, reason);
   }
 
-  // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small.
+  // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small; before that, where
+  // there are several curves of high degrees, so that few of them are in the same part.
   void add_part(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& zeros, int depth)
   {
-    constexpr int most_depth = 6;
+    constexpr int most_depth = 6, most_depth_of_many = 4;
+    const std::optional<std::vector<Cell_polynomial>> curves = curves_of(zeros);
+    if (!curves) {
+      add_without_faces(part, {part.domain}, in_words(Undecided_reason::CONTINUUM));
+      return;
+    }
+    if (depth < most_depth_of_many && are_many(*curves)) {
+      add_quarters(whole, part, *curves, depth);
+      return;
+    }
     try {
       m_budget.check();
-      Cell_faces found = faces_of_cell(zeros, m_error, m_budget);
+      Cell_faces found = faces_of_cell(*curves, m_error, m_budget);
       if (found.undecided.empty()) {
         add_faces(whole, part, std::move(found));
         return;
       }
       m_budget.check();
-      if (depth == most_depth || m_budget.has_ended() || std::ranges::any_of(zeros, is_zero)) {
+      if (depth == most_depth || m_budget.has_ended()) {
         std::vector<std::array<Range, 2>> boxes;
         for (const Undecided_part& u : found.undecided)
           boxes.push_back({range_in(part, 0, u.place[0]), range_in(part, 1, u.place[1])});
@@ -124,6 +134,22 @@ private:
       add_without_faces(part, {part.domain}, in_words(stop.reason));
       return;
     }
+    add_quarters(whole, part, *curves, depth);
+  }
+
+  // Whether it pays to tell the zeros of polynomials apart before they are multiplied.
+  static bool are_many(const std::vector<Cell_polynomial>& curves)
+  {
+    constexpr int most_degrees = 16;
+    int degrees = 0;
+    for (const Cell_polynomial& f : curves)
+      degrees += f.degree(0) + f.degree(1);
+    return curves.size() > 1 && degrees > most_degrees;
+  }
+
+  void add_quarters(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& curves,
+                    int depth)
+  {
     const Exact_rational half = inverse_power_of_two(1);
     const std::array<Range, 2> halves{Range(0, half), Range(half, 1)};
     for (const Range& u : halves)
@@ -134,7 +160,7 @@ private:
                                part.coordinates};
         for (Cell_polynomial& f : quarter.coordinates)
           f = f.restricted_to_box(box);
-        std::vector<Cell_polynomial> own = zeros;
+        std::vector<Cell_polynomial> own = curves;
         for (Cell_polynomial& f : own)
           f = f.restricted_to_box(box);
         add_part(whole, quarter, own, depth + 1);

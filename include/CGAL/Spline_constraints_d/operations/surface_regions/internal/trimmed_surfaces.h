@@ -38,9 +38,8 @@ struct Cell_faces
   Cell_polynomial zeros = {}; // the product whose zeros are the curves
 };
 
-// Chords are at most `error` beside the arcs that they stand for, in the unit box. Zeros all along a side of the box do
-// not count, nor does it matter how often a polynomial vanishes. A polynomial that is zero leaves all undecided.
-// Defined in Cell_arrangement.h.
+// Chords are at most `error` beside the arcs that they stand for, in the unit box. Polynomials must not vanish on a whole
+// side of the box; it does not matter how often they vanish. Defined in Cell_arrangement.h.
 Cell_faces faces_of_cell(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
 
 // What a surface is cut by and into.

@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Regions that a tool reaches, and that are seen: counts and areas in closed form, random points against rays.
+
+#include "../../../examples/Spline_constraints_d/rounded_cuboid.h"
+
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/accessible_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/visible_regions.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace accessible_regions_test {
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Exact = CGAL::Simple_cartesian<SC::Exact_rational>;
+using Surface = SC::Bspline_surface_3<K>;
+using Point = K::Point_3;
+using Vector = K::Vector_3;
+using Sphere = K::Sphere_3;
+using Spheres = std::vector<Sphere>;
+using Axis = SC::Tool_axis<K>;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int free_label = static_cast<int>(SC::Access::FREE), obstructed = static_cast<int>(SC::Access::OBSTRUCTED),
+              not_admitted = static_cast<int>(SC::Access::NOT_ADMITTED);
+
+double area(const SC::Trimmed_surface_3& surface, int label, double error = 1e-3)
+{
+  const auto mesh = SC::to_surface_mesh(surface, label, error);
+  EXPECT_TRUE(mesh.is_complete());
+  return mesh.area();
+}
+
+Surface square(double half_size)
+{
+  const double a = half_size;
+  return Surface({1, 1}, {-a, -a, a, a}, {-a, -a, a, a}, {{-a, -a, 0}, {-a, a, 0}, {a, -a, 0}, {a, a, 0}});
+}
+
+Surface random_surface(std::mt19937& random)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      points.emplace_back(i - 1.5, j - 1.5, 0.25 * std::uniform_int_distribution(-3, 3)(random));
+  return Surface({2, 2}, {0, 0, 0, 0.5, 1, 1, 1}, {0, 0, 0, 0.5, 1, 1, 1}, points);
+}
+
+// The label of the face with a point, by the chords of its loops; none near a chord.
+std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, double v)
+{
+  constexpr double least_distance = 4e-3;
+  for (const auto& face : surface.faces()) {
+    bool is_inside = false;
+    for (const auto& loop : face.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto &p = loop[i].source, &q = loop[(i + 1) % loop.size()].source;
+        const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()), dx = CGAL::to_double(q.x()) - x,
+                     dy = CGAL::to_double(q.y()) - y;
+        const double t = std::clamp(((u - x) * dx + (v - y) * dy) / (dx * dx + dy * dy), 0., 1.);
+        if (std::hypot(u - x - t * dx, v - y - t * dy) < least_distance)
+          return std::nullopt;
+        if ((y > v) != (y + dy > v) && u < x + (v - y) / dy * dx)
+          is_inside = !is_inside;
+      }
+    if (is_inside)
+      return face.label;
+  }
+  return std::nullopt;
+}
+
+bool is_obstructed(const Spheres& spheres, const Point& p, const Vector& direction)
+{
+  for (const Sphere& sphere : spheres) {
+    const Vector to_center = sphere.center() - p;
+    const double ahead = (std::max)(0., to_center * direction / direction.squared_length());
+    if ((to_center - ahead * direction).squared_length() < sphere.squared_radius())
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+// The 26 regions of the figure: 6 circles, 12 curves on quarters of cylinders, 8 circles on octants.
+TEST(AccessibleRegions, RoundedCuboidHasTwentySixRegions)
+{
+  using Number = SC::Exact_rational;
+  const auto cuboid = rounded_cuboid::surfaces(1, Number(2) / 5, true);
+  ASSERT_EQ(cuboid.size(), 26u);
+  const Number radius = Number(11) / 20;
+  const std::vector spheres{Exact::Sphere_3(Exact::Point_3(0, 0, 0), Number(radius * radius))};
+  const auto regions = [&](const SC::Tool_axis<Exact>& axis) {
+    std::vector<SC::Trimmed_surface_3> surfaces;
+    for (const auto& surface : cuboid)
+      surfaces.push_back(SC::accessible_regions(surface, spheres, axis));
+    const auto result = SC::connected_regions(surfaces);
+    EXPECT_TRUE(result.is_complete());
+    return std::array{result.number_of_regions(free_label), result.number_of_regions(obstructed),
+                      result.number_of_regions(not_admitted)};
+  };
+  EXPECT_EQ(regions({}), (std::array<std::size_t, 3>{1, 26, 0}));
+  EXPECT_EQ(regions({.hemisphere = Exact::Vector_3(1, 1, 0)}), (std::array<std::size_t, 3>{1, 9 + 6, 1}));
+  EXPECT_EQ(regions({.hemisphere = Exact::Vector_3(1, 1, 1)}), (std::array<std::size_t, 3>{1, 10 + 6, 1}));
+  // Normals that point outwards meet nothing.
+  std::size_t faces = 0;
+  for (const auto& surface : rounded_cuboid::surfaces(1, Number(2) / 5, false)) {
+    const auto outward = SC::accessible_regions(surface, spheres);
+    EXPECT_TRUE(outward.is_complete());
+    EXPECT_EQ(outward.number_of_regions(free_label), 1u);
+    EXPECT_EQ(outward.number_of_regions(obstructed), 0u);
+    faces += outward.faces().size();
+  }
+  EXPECT_EQ(faces, 52u); // curves behind the surface bound faces, but no regions
+}
+
+TEST(AccessibleRegions, BallOverAPlaneHidesADisk)
+{
+  for (const double radius : {0.5, 1.}) {
+    const auto regions = SC::accessible_regions(square(2), Spheres{Sphere(Point(0.25, -0.5, 3), radius * radius)});
+    ASSERT_TRUE(regions.is_complete());
+    EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+    EXPECT_EQ(regions.number_of_regions(obstructed), 1u);
+    EXPECT_NEAR(area(regions, obstructed), pi * radius * radius, 0.01);
+    EXPECT_NEAR(area(regions, free_label), 16 - pi * radius * radius, 0.01);
+  }
+  // Along an oblique direction an ellipse: the disk, stretched by the reciprocal of the cosine, here 5/3.
+  const auto oblique =
+      SC::accessible_regions(square(4), Spheres{Sphere(Point(0, 0, 1.5), 1)}, Axis{.direction = Vector(4, 0, 3)});
+  ASSERT_TRUE(oblique.is_complete());
+  EXPECT_NEAR(area(oblique, obstructed), pi * 5 / 3, 0.03);
+}
+
+TEST(AccessibleRegions, BallThatCutsThePlane)
+{
+  const auto regions = SC::accessible_regions(square(2), Spheres{Sphere(Point(0, 0, -0.75), 1)});
+  ASSERT_TRUE(regions.is_complete());
+  EXPECT_EQ(regions.faces().size(), 3u);
+  EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+  EXPECT_NEAR(area(regions, obstructed), pi * (1 - 0.5625), 0.01);
+}
+
+TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
+{
+  std::mt19937 random(1);
+  const auto number = [&](double lower, double upper) { return std::uniform_real_distribution(lower, upper)(random); };
+  int free_count = 0, obstructed_count = 0, count = 0;
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    const Surface surface = random_surface(random);
+    Spheres spheres;
+    spheres.emplace_back(Point(number(-1, 1), number(-1, 1), number(0.5, 2)), number(0.1, 0.3));
+    for (const Axis& axis : {Axis{}, Axis{.direction = Vector(0.25, 0.5, 1)}}) {
+      const auto regions = SC::accessible_regions(surface, spheres, axis);
+      EXPECT_TRUE(regions.is_complete());
+      for (int i = 0; i < 200; ++i) {
+        const double u = number(0, 1), v = number(0, 1);
+        const auto label = label_at(regions, u, v);
+        if (!label)
+          continue;
+        const bool is_hit =
+            is_obstructed(spheres, surface(u, v), axis.direction ? *axis.direction : surface.normal(u, v));
+        EXPECT_EQ(label, is_hit ? obstructed : free_label) << u << ' ' << v;
+        ++(is_hit ? obstructed_count : free_count);
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 1500);
+  EXPECT_GT(free_count, 100);
+  EXPECT_GT(obstructed_count, 100);
+}
+
+TEST(AccessibleRegions, BadInputAndLimits)
+{
+  const Spheres ball{Sphere(Point(0, 0, 3), 1)};
+  EXPECT_THROW(SC::accessible_regions(square(1), Spheres{Sphere(Point(0, 0, 3), 0)}), SC::Invalid_input);
+  EXPECT_THROW(SC::accessible_regions(square(1), ball, Axis{.direction = Vector(0, 0, 0)}), SC::Invalid_input);
+  EXPECT_THROW(SC::accessible_regions(square(1), ball, Axis{.field = square(2)}), SC::Invalid_input);
+  EXPECT_THROW(SC::accessible_regions(square(1), ball, {}, {.time_limit = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::visible_regions(square(1), Vector(0, 0, 0)), SC::Invalid_input);
+  const auto ended = SC::accessible_regions(square(2), ball, {}, {.tolerance = 1e-8, .time_limit = 1e-9});
+  EXPECT_FALSE(ended.is_complete());
+  EXPECT_TRUE(ended.faces().empty());
+  ASSERT_EQ(ended.undecided().size(), 1u);
+  EXPECT_EQ(ended.undecided()[0].parameters[0].ranges[0].second, 2);
+}
+
+// From the distance D of the center, a cap of the area 2 pi r^2 (1 - r/D) is seen; from far away, a half.
+TEST(VisibleRegions, CapOfASphere)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 1);
+  const auto from_point = SC::visible_regions(sphere, Point(1, 2, 2));
+  ASSERT_TRUE(from_point.is_complete());
+  EXPECT_EQ(from_point.number_of_regions(free_label), 1u);
+  EXPECT_EQ(from_point.number_of_regions(obstructed), 1u);
+  EXPECT_NEAR(area(from_point, free_label), 2 * pi * (1 - 1. / 3), 0.02);
+  EXPECT_NEAR(area(from_point, obstructed), 2 * pi * (1 + 1. / 3), 0.02);
+  const auto from_direction = SC::visible_regions(sphere, Vector(1, 2, 2));
+  ASSERT_TRUE(from_direction.is_complete());
+  EXPECT_NEAR(area(from_direction, free_label), 2 * pi, 0.02);
+  const auto from_inside = SC::visible_regions(sphere, Point(0.25, 0.5, 0));
+  ASSERT_TRUE(from_inside.is_complete());
+  EXPECT_EQ(from_inside.number_of_regions(free_label), 1u);
+  EXPECT_EQ(from_inside.number_of_regions(obstructed), 0u);
+}
+
+// Of a sphere behind a ball of the same size in line, seen from a point between two tangents, a ring is seen.
+TEST(VisibleRegions, BallsInLine)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 1);
+  // From the eye at distance 5 the ball at 3 of radius 1/4 hides a cone with sine 1/8.
+  const auto regions = SC::visible_regions(sphere, Point(5, 0, 0), Spheres{Sphere(Point(3, 0, 0), 0.0625)});
+  ASSERT_TRUE(regions.is_complete());
+  EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+  EXPECT_EQ(regions.number_of_regions(obstructed), 2u);
+  // Where the cone meets the sphere: |5 - t c| ... with the cosine c: t = 5 c - sqrt(1 - 25 s^2).
+  const double s = 0.125, c = std::sqrt(1 - s * s), t = 5 * c - std::sqrt(1 - 25 * s * s), x = 5 - t * c;
+  const double seen = 2 * pi * (x - 1. / 5);
+  EXPECT_NEAR(area(regions, free_label), seen, 0.02);
+  // A ball behind the eye hides nothing.
+  const auto all = SC::visible_regions(sphere, Point(5, 0, 0), Spheres{Sphere(Point(8, 0, 0), 1)});
+  EXPECT_NEAR(area(all, free_label), 2 * pi * (1 - 1. / 5), 0.02);
+}
+
+// A tube without caps, seen from one side: the wall behind is seen past the rim.
+TEST(VisibleRegions, TubeHidesPartsOfItself)
+{
+  const Surface tube = SC::cylinder_surface<K>(Point(0, 0, 0), 1., 2.);
+  const Vector direction(2, 1, 3);
+  const auto regions = SC::visible_regions(tube, direction);
+  std::mt19937 random(2);
+  int free_count = 0, obstructed_count = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto parameter = [&](int axis) {
+      const auto [begin, end] = tube.domain(axis);
+      return std::uniform_real_distribution(begin, end)(random);
+    };
+    const double u = parameter(0), v = parameter(1);
+    const auto label = label_at(regions, u, v);
+    if (!label)
+      continue;
+    const Point p = tube(u, v);
+    // |p + t d| = 1 in the plane at t > 0, and between the rims there
+    const double place = -2 * (p.x() * direction.x() + p.y() * direction.y()) /
+        (direction.x() * direction.x() + direction.y() * direction.y());
+    double least = 1e9, greatest = -1e9;
+    for (const int a : {0, 1})
+      for (const int b : {0, 1}) {
+        const auto end = [&](int axis, int side) {
+          return side == 0 ? tube.domain(axis).first : tube.domain(axis).second;
+        };
+        least = (std::min)(least, tube(end(0, a), end(1, b)).z());
+        greatest = (std::max)(greatest, tube(end(0, a), end(1, b)).z());
+      }
+    const double z = p.z() + place * direction.z();
+    const bool is_hit = place > 0 && least <= z && z <= greatest;
+    EXPECT_EQ(label, is_hit ? obstructed : free_label) << u << ' ' << v;
+    ++(is_hit ? obstructed_count : free_count);
+  }
+  EXPECT_GT(free_count, 200);
+  EXPECT_GT(obstructed_count, 200);
+}
+
+TEST(VisibleRegions, SurfacesWithUnknownShadowsAreUndecided)
+{
+  std::mt19937 random(3);
+  const auto regions = SC::visible_regions(random_surface(random), Vector(0, 0, 1));
+  EXPECT_FALSE(regions.is_complete());
+  EXPECT_TRUE(regions.faces().empty());
+  EXPECT_EQ(regions.undecided().size(), 4u);
+}
+
+} // namespace accessible_regions_test
