@@ -160,10 +160,11 @@ TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
   std::mt19937 random(1);
   const auto number = [&](double lower, double upper) { return std::uniform_real_distribution(lower, upper)(random); };
   int free_count = 0, obstructed_count = 0, count = 0;
-  for (int repetition = 0; repetition < 6; ++repetition) {
+  for (int repetition = 0; repetition < 4; ++repetition) {
     const Surface surface = random_surface(random);
     Spheres spheres;
-    spheres.emplace_back(Point(number(-1, 1), number(-1, 1), number(0.5, 2)), number(0.1, 0.3));
+    for (int i = 0; i < 2; ++i)
+      spheres.emplace_back(Point(number(-1, 1), number(-1, 1), number(1.5, 2.5)), number(0.1, 0.3));
     for (const Axis& axis : {Axis{}, Axis{.direction = Vector(0.25, 0.5, 1)}}) {
       const auto regions = SC::accessible_regions(surface, spheres, axis);
       EXPECT_TRUE(regions.is_complete());
@@ -180,7 +181,7 @@ TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
       }
     }
   }
-  EXPECT_GT(count, 1500);
+  EXPECT_GT(count, 1000);
   EXPECT_GT(free_count, 100);
   EXPECT_GT(obstructed_count, 100);
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/polyline_arrangements.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_curves.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/cell_polynomials.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -37,7 +38,8 @@ between the vertices on it; so the faces of the chords are those of the curves. 
 that of the curves, since these pass beside their chords. But where a piece is a graph over a parameter t, on a line t =
 const its box has one zero only; so a part of this line with an end in the side of the box and without a zero is beside
 the piece on a known side, and within the face of the curves there. In the same way it is within a face if it begins on
-a side of the unit box, at a number that is between the vertices there.
+a side of the unit box, at a number that is between the vertices there. Curves of several polynomials that were not
+multiplied are `Crossing_arcs`.
 */
 class Cell_arrangement
 {
@@ -46,9 +48,8 @@ class Cell_arrangement
   using Halfedge = Arrangement::Halfedge_const_handle;
   using Range = Surface_cell_3::Range;
 
-  const Cell_polynomial& m_zeros;
-  const Curve_solution_set_d& m_set;
-  std::vector<const Curve_piece*> m_pieces;
+  const std::vector<Cell_polynomial>& m_zeros;
+  Cell_curves m_curves;
   std::vector<std::vector<Point>> m_polylines; // of the pieces, and behind them of the sides
   std::vector<Surface_border_3> m_border;      // one for each chord of the sides
   bool m_is_proved = true;
@@ -57,11 +58,14 @@ class Cell_arrangement
   std::map<const void*, std::size_t> m_faces;                          // the index of a face
 
 public:
-  Cell_arrangement(const Constraint_system_d& system, const Cell_polynomial& zeros, const Curve_solution_set_d& set,
-                   double error, const Operation_budget& budget)
-    : m_zeros(zeros), m_set(set)
+  Cell_arrangement(const std::vector<Cell_polynomial>& zeros, Cell_curves curves)
+    : m_zeros(zeros), m_curves(std::move(curves))
   {
-    add_pieces(system, error, budget);
+    for (const Cell_curves::Piece& own : m_curves.pieces) {
+      auto& polyline = m_polylines.emplace_back();
+      for (const std::vector<double>& p : own.points)
+        polyline.emplace_back(p[0], p[1]);
+    }
     for (const int axis : {0, 1})
       for (const int side : {0, 1})
         add_side(axis, side);
@@ -72,7 +76,8 @@ public:
       number_halfedges_and_faces();
   }
 
-  // The faces, or none if one is not proved.
+  // The faces, or none if one is not proved. For faces without a part of the sides, points of pieces are asked for, if
+  // the boxes of pieces hold no others.
   std::optional<Cell_faces> faces(const Point_on_piece& point_on_piece, const Operation_budget& budget)
   {
     if (!m_is_proved)
@@ -84,7 +89,8 @@ public:
         result.faces[index_of(face)].loops = loops_of(face);
     std::vector<bool> has_sample(result.faces.size(), false);
     add_samples_on_border(result, has_sample);
-    add_samples_beside_pieces(result, has_sample, point_on_piece, budget);
+    if (point_on_piece)
+      add_samples_beside_pieces(result, has_sample, point_on_piece, budget);
     if (std::find(has_sample.begin(), has_sample.end(), false) != has_sample.end())
       return std::nullopt;
     result.borders = std::move(m_border);
@@ -92,46 +98,20 @@ public:
   }
 
 private:
-  static Point point_of(const std::vector<double>& p) { return Point(p[0], p[1]); }
-
-  void add_pieces(const Constraint_system_d& system, double error, const Operation_budget& budget)
-  {
-    using Sample = Curve_sample<std::vector<double>>;
-    Curve_sampler sampler(system);
-    const auto image = [](const std::vector<double>& p) { return p; };
-    const auto is_chord = [error](const Sample& from, const Sample& sample, const Sample& to) {
-      return distance_from_middle(from.image, sample.image, to.image) <= error;
-    };
-    for (const Solution_curve& curve : m_set.curves())
-      for (const Curve_piece& piece : curve.pieces) {
-        budget.check();
-        const auto end = [&](int i) {
-          const std::vector<double> p = m_set.vertices()[piece.ends[i]].point();
-          return Sample{p, p};
-        };
-        std::vector<Sample> samples{end(0)};
-        sampler.append(samples, piece, Sample(samples.front()), end(1), image, is_chord);
-        m_pieces.push_back(&piece);
-        auto& polyline = m_polylines.emplace_back();
-        for (const Sample& sample : samples)
-          polyline.push_back(point_of(sample.image));
-      }
-  }
-
   // The side between its corners and the vertices on it.
   void add_side(int axis, int side)
   {
     const std::size_t other = static_cast<std::size_t>(1 - axis);
     const Range here{side, side};
     std::set<std::size_t> vertices;
-    for (const Curve_piece* piece : m_pieces)
-      for (const std::size_t v : piece->ends)
-        if (m_set.vertices()[v].box[static_cast<std::size_t>(axis)] == here)
+    for (const Cell_curves::Piece& own : m_curves.pieces)
+      for (const std::size_t v : own.piece.ends)
+        if (m_curves.vertices[v].box[static_cast<std::size_t>(axis)] == here)
           vertices.insert(v);
     std::vector<std::pair<Range, double>> places{{{0, 0}, 0}, {{1, 1}, 1}};
     for (const std::size_t v : vertices)
-      if (const Range& range = m_set.vertices()[v].box[other]; range != places[0].first && range != places[1].first)
-        places.emplace_back(range, m_set.vertices()[v].point()[other]);
+      if (const Range& range = m_curves.vertices[v].box[other]; range != places[0].first && range != places[1].first)
+        places.emplace_back(range, m_curves.vertices[v].point()[other]);
     std::sort(places.begin(), places.end());
     auto& polyline = m_polylines.emplace_back();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -153,11 +133,11 @@ private:
     for (std::size_t k = 0; k < m_polylines.size(); ++k) {
       const std::vector<Point>& polyline = m_polylines[k];
       points.insert(polyline.begin(), polyline.end());
-      if (k >= m_pieces.size())
+      if (k >= m_curves.pieces.size())
         continue;
       number_of_inner_points += polyline.size() - 2;
       for (const int i : {0, 1})
-        if (const std::size_t v = m_pieces[k]->ends[static_cast<std::size_t>(i)];
+        if (const std::size_t v = m_curves.pieces[k].piece.ends[static_cast<std::size_t>(i)];
             vertex_at.emplace(i == 0 ? polyline.front() : polyline.back(), v).first->second != v)
           m_is_proved = false;
     }
@@ -165,7 +145,8 @@ private:
     for (const int x : {0, 1})
       for (const int y : {0, 1})
         corners += vertex_at.count(Point(x, y)) == 0;
-    m_is_proved = m_is_proved && points.size() == vertex_at.size() + number_of_inner_points + corners;
+    m_is_proved = m_is_proved &&
+        points.size() + m_curves.number_of_crossings == vertex_at.size() + number_of_inner_points + corners;
   }
 
   void number_halfedges_and_faces()
@@ -180,7 +161,7 @@ private:
       m_halfedges.emplace(std::pair(label.curve, label.chord), is_along ? halfedge : halfedge->twin());
     }
     std::size_t interval = 0;
-    for (std::size_t k = m_pieces.size(); k < m_polylines.size(); ++k)
+    for (std::size_t k = m_curves.pieces.size(); k < m_polylines.size(); ++k)
       for (std::size_t chord = 0; chord + 1 < m_polylines[k].size(); ++chord) {
         const Halfedge halfedge = m_halfedges.at({k, chord});
         m_border[interval++].face =
@@ -217,18 +198,24 @@ private:
       if (has_sample[interval.face])
         continue;
       const Exact_rational at = simple_number_between(interval.range);
-      const Cell_polynomial slice = slice_of(m_zeros, 1 - interval.axis, at);
       const Exact_rational end(interval.side);
       for (const int k : {1, 2, 4, 8, 16, 32, 50}) {
         const Exact_rational inside =
             interval.side == 0 ? inverse_power_of_two(k) : Exact_rational(1 - inverse_power_of_two(k));
-        if (!has_no_zero(slice, (std::min)(inside, end), (std::max)(inside, end)))
+        if (!has_no_zeros(1 - interval.axis, at, (std::min)(inside, end), (std::max)(inside, end)))
           continue;
         set_sample(result.faces[interval.face], interval.axis, inside, at);
         has_sample[interval.face] = true;
         break;
       }
     }
+  }
+
+  // On a line where the parameter of an axis is constant, between two numbers.
+  bool has_no_zeros(int axis, const Exact_rational& at, const Exact_rational& begin, const Exact_rational& end) const
+  {
+    return std::ranges::all_of(
+        m_zeros, [&](const Cell_polynomial& f) { return has_no_zero(slice_of(f, axis, at), begin, end); });
   }
 
   static void set_sample(Surface_face_3& face, int axis, const Exact_rational& value, const Exact_rational& other)
@@ -240,8 +227,8 @@ private:
   void add_samples_beside_pieces(Cell_faces& result, std::vector<bool>& has_sample,
                                  const Point_on_piece& point_on_piece, const Operation_budget& budget) const
   {
-    for (std::size_t k = 0; k < m_pieces.size(); ++k) {
-      if (m_pieces[k]->parameter < 0)
+    for (std::size_t k = 0; k < m_curves.pieces.size(); ++k) {
+      if (m_curves.pieces[k].piece.parameter < 0)
         continue;
       const std::size_t chord = (m_polylines[k].size() - 1) / 2;
       const Halfedge along = m_halfedges.at({k, chord});
@@ -249,15 +236,15 @@ private:
       if (has_sample[faces[0]] && has_sample[faces[1]])
         continue;
       budget.check();
-      const std::size_t parameter = static_cast<std::size_t>(m_pieces[k]->parameter);
+      const std::size_t parameter = static_cast<std::size_t>(m_curves.pieces[k].piece.parameter);
       const auto coordinate = [&](std::size_t i, std::size_t axis) {
         return CGAL::to_double(m_polylines[k][chord + i][static_cast<int>(axis)]);
       };
       const std::vector<double> middle{0.5 * (coordinate(0, 0) + coordinate(1, 0)),
                                        0.5 * (coordinate(0, 1) + coordinate(1, 1))};
-      if (!is_between_ends(*m_pieces[k], middle[parameter]))
+      if (!is_between_ends(m_curves.pieces[k].piece, middle[parameter]))
         continue;
-      const std::vector<double> point = point_on_piece(*m_pieces[k], middle);
+      const std::vector<double> point = point_on_piece(m_curves.pieces[k].piece, middle);
       const bool is_increasing = coordinate(0, parameter) < coordinate(1, parameter);
       for (const int side : {0, 1}) {
         // To the left of increasing u is greater v, to the left of increasing v is less u.
@@ -265,7 +252,7 @@ private:
         const std::size_t face = faces[is_left ? 0 : 1];
         if (has_sample[face])
           continue;
-        const std::optional<Exact_rational> value = value_beside(*m_pieces[k], point, side);
+        const std::optional<Exact_rational> value = value_beside(m_curves.pieces[k].piece, point, side);
         if (!value)
           continue;
         set_sample(result.faces[face], 1 - static_cast<int>(parameter), *value, Exact_rational(point[parameter]));
@@ -278,7 +265,8 @@ private:
   bool is_between_ends(const Curve_piece& piece, double t) const
   {
     const std::size_t parameter = static_cast<std::size_t>(piece.parameter);
-    Range first = m_set.vertices()[piece.ends[0]].box[parameter], last = m_set.vertices()[piece.ends[1]].box[parameter];
+    Range first = m_curves.vertices[piece.ends[0]].box[parameter],
+          last = m_curves.vertices[piece.ends[1]].box[parameter];
     if (last < first)
       std::swap(first, last);
     return first.second < Exact_rational(t) && Exact_rational(t) < last.first;
@@ -292,46 +280,64 @@ private:
     const Exact_rational near(point[other]), end = side == 0 ? piece.box[other].first : piece.box[other].second;
     if (side == 0 ? !(end < near) : !(near < end))
       return std::nullopt;
-    const Cell_polynomial slice = slice_of(m_zeros, piece.parameter, Exact_rational(point[parameter]));
     for (const int k : {1, 2, 4, 8, 16, 32}) {
       const Exact_rational value(near + (end - near) * inverse_power_of_two(k));
-      if (has_no_zero(slice, (std::min)(value, end), (std::max)(value, end)))
+      if (has_no_zeros(piece.parameter, Exact_rational(point[parameter]), (std::min)(value, end),
+                       (std::max)(value, end)))
         return value;
     }
     return std::nullopt;
   }
 };
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_cell(const std::vector<Cell_polynomial>& zeros, double error,
+// Why the faces of a cell are not known: all of it is undecided.
+inline Cell_faces without_faces(const std::string& reason)
+{
+  Cell_faces result;
+  result.undecided.push_back({{{0, 1}, {0, 1}}, {}, reason});
+  return result;
+}
+
+inline Cell_faces proved_faces(std::optional<Cell_faces> faces, std::vector<Cell_polynomial> zeros)
+{
+  if (!faces)
+    return without_faces("curves or points are not told apart");
+  faces->zeros = std::move(zeros);
+  return std::move(*faces);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_arcs(const std::vector<Cell_polynomial>& zeros, double error,
                                                         Operation_budget& budget)
 {
-  const auto undecided = [](const Curve_vertex::Exact_box& box, const std::string& reason) {
-    Cell_faces result;
-    result.undecided.push_back({{to_double_range(box[0]), to_double_range(box[1])}, {}, reason});
-    return result;
-  };
-  const Curve_vertex::Exact_box unit_box(2, {0, 1});
-  const Cell_polynomial product = product_of(zeros);
-  budget.check();
-  Constraint_system_d system(unit_box);
-  system.add(Spline_function::from_bernstein({0, 1}, product), Relation::EQUAL);
-  const bool has_curves = !zeros.empty();
+  constexpr double least_error = 0x1p-24, finer = 0x1p-7;
+  std::optional<Cell_faces> result;
+  // Chords that are not near enough to their arcs cross elsewhere.
+  for (double own = error; !result && own >= least_error; own *= finer) {
+    std::optional<Cell_curves> arcs = Crossing_arcs(own, budget)(zeros);
+    budget.check();
+    if (!arcs)
+      break;
+    result = Cell_arrangement(zeros, std::move(*arcs)).faces({}, budget);
+  }
+  return proved_faces(std::move(result), zeros);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_product(const std::vector<Cell_polynomial>& zeros, double error,
+                                                           Operation_budget& budget)
+{
+  const std::vector<Cell_polynomial> product{product_of(zeros)};
+  const Constraint_system_d system = system_of_zeros(product);
   const Curve_solution_set_d set =
-      has_curves ? curves_within_budget(system, budget, {}) : Curve_solution_set_d({}, {}, {}, {}, {}, Summary());
+      zeros.empty() ? Curve_solution_set_d({}, {}, {}, {}, {}, Summary()) : curves_within_budget(system, budget, {});
   if (!set.is_complete()) {
     Cell_faces result;
     result.undecided = set.undecided();
-    if (result.undecided.empty())
-      return undecided(unit_box, in_words(set.summary().why_not));
-    return result;
+    return result.undecided.empty() ? without_faces(in_words(set.summary().why_not)) : result;
   }
   budget.check();
-  Cell_arrangement arrangement(system, product, set, error, budget);
-  std::optional<Cell_faces> result = arrangement.faces(points_on_pieces(system), budget);
-  if (!result)
-    return undecided(unit_box, "points are not told apart in doubles");
-  result->zeros = product;
-  return std::move(*result);
+  Cell_curves curves;
+  curves.add(system, set, error, budget);
+  return proved_faces(Cell_arrangement(product, std::move(curves)).faces(points_on_pieces(system), budget), product);
 }
 
 } // namespace Surface_regions

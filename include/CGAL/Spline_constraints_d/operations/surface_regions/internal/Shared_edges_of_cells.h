@@ -10,15 +10,19 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_SHARED_EDGES_OF_CELLS_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Connected_regions_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Disjoint_sets.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/cell_polynomials.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -49,6 +53,8 @@ class Shared_edges_of_cells
     std::array<Cell_polynomial, 4> coordinates;
     std::array<std::optional<Point>, 2> ends;
     std::vector<Interval> intervals;
+    CGAL::Bbox_3 box = {};
+    mutable std::map<Point, Exact_rational> places = {};
   };
 
   const std::vector<Trimmed_surface_3>& m_surfaces;
@@ -107,6 +113,27 @@ private:
     return Point{Exact_rational(f[0](at) / w), Exact_rational(f[1](at) / w), Exact_rational(f[2](at) / w)};
   }
 
+  // Around a curve with positive weights, or everything.
+  static CGAL::Bbox_3 box_of(const std::array<Cell_polynomial, 4>& f)
+  {
+    std::vector<int> degrees{0};
+    for (const Cell_polynomial& x : f)
+      degrees[0] = (std::max)(degrees[0], x.degree(0));
+    std::array<std::vector<Exact_rational>, 4> points;
+    for (std::size_t i = 0; i < 4; ++i)
+      points[i] = f[i].elevated(degrees).coefficients();
+    constexpr double all = std::numeric_limits<double>::infinity();
+    CGAL::Bbox_3 result;
+    for (std::size_t k = 0; k < points[0].size(); ++k) {
+      if (!(points[3][k] > 0))
+        return {-all, -all, -all, all, all, all};
+      const auto range = [&](std::size_t i) { return to_double_interval(Exact_rational(points[i][k] / points[3][k])); };
+      const auto x = range(0), y = range(1), z = range(2);
+      result += CGAL::Bbox_3(x.first, y.first, z.first, x.second, y.second, z.second);
+    }
+    return result;
+  }
+
   void add_sides(std::size_t s)
   {
     const Trimmed_surface_3& surface = m_surfaces[s];
@@ -120,18 +147,14 @@ private:
            m_first[s] + face.region});
     }
     for (auto& [place, own] : intervals) {
-      Side side{s, {}, {}, std::move(own)};
+      Side side{s, {}, {}, std::move(own), {}, {}};
       for (std::size_t i = 0; i < 4; ++i)
         side.coordinates[i] =
             surface.cells()[place[0]].coordinates[i].face(static_cast<int>(place[1]), static_cast<int>(place[2]));
       side.ends = {point_of(side.coordinates, 0), point_of(side.coordinates, 1)};
+      side.box = box_of(side.coordinates);
       m_sides.push_back(std::move(side));
     }
-  }
-
-  static Cell_polynomial reversed(const Cell_polynomial& f)
-  {
-    return Cell_polynomial(f.degrees(), {f.coefficients().rbegin(), f.coefficients().rend()});
   }
 
   static bool is_same_curve(const std::array<Cell_polynomial, 4>& a, const std::array<Cell_polynomial, 4>& b)
@@ -142,25 +165,53 @@ private:
     return true;
   }
 
-  static void add_neighbours(const Side& a, const Side& b, Pairs& neighbours, Pairs& doubtful)
+  // Where a point is on a side, if it is at a multiple of the width of the smallest parts that cells are split into.
+  static std::optional<Exact_rational> place_on(const Side& side, const Point& point)
   {
-    for (const bool is_reversed : {false, true}) {
-      if (!a.ends[0] || !a.ends[1] || a.ends[0] != b.ends[is_reversed ? 1 : 0] ||
-          a.ends[1] != b.ends[is_reversed ? 0 : 1])
+    constexpr int parts = 64;
+    if (side.places.empty())
+      for (int i = 0; i <= parts; ++i) {
+        const Exact_rational t(i, parts);
+        if (const auto p = point_of(side.coordinates, t))
+          side.places.emplace(*p, t);
+      }
+    const auto known = side.places.find(point);
+    return known == side.places.end() ? std::nullopt : std::optional(known->second);
+  }
+
+  void add_neighbours(const Side& a, const Side& b, Pairs& neighbours, Pairs& doubtful) const
+  {
+    if (CGAL::do_overlap(a.box, b.box) && !add_neighbours_on(a, b, neighbours, doubtful))
+      add_neighbours_on(b, a, neighbours, doubtful);
+  }
+
+  // If the first side is a part of the second one.
+  static bool add_neighbours_on(const Side& part, const Side& whole, Pairs& neighbours, Pairs& doubtful)
+  {
+    if (!part.ends[0] || !part.ends[1] || is_point(part.coordinates, *part.ends[0]))
+      return false;
+    const auto begin = place_on(whole, *part.ends[0]), end = place_on(whole, *part.ends[1]);
+    if (!begin || !end || *begin == *end)
+      return false;
+    const auto [lower, upper] = std::minmax(*begin, *end);
+    std::array<Cell_polynomial, 4> restricted = whole.coordinates;
+    for (Cell_polynomial& f : restricted)
+      f = f.substituted_affine(0, *begin, Exact_rational(*end - *begin));
+    if (!is_same_curve(part.coordinates, restricted))
+      return false;
+    std::vector<Interval> intervals;
+    for (const Interval& interval : whole.intervals) {
+      const Exact_rational from = (std::max)(interval.range.first, lower),
+                           to = (std::min)(interval.range.second, upper);
+      if (!(from < to))
         continue;
-      std::array<Cell_polynomial, 4> other = b.coordinates;
-      std::vector<Interval> intervals = b.intervals;
-      if (is_reversed) {
-        std::ranges::transform(other, other.begin(), reversed);
-        std::ranges::reverse(intervals);
-        for (Interval& interval : intervals)
-          interval.range = {Exact_rational(1 - interval.range.second), Exact_rational(1 - interval.range.first)};
-      }
-      if (is_same_curve(a.coordinates, other) && !is_point(a.coordinates, *a.ends[0])) {
-        add_neighbours(a.intervals, intervals, neighbours, doubtful);
-        return;
-      }
+      const auto local = [&](const Exact_rational& t) { return Exact_rational((t - *begin) / (*end - *begin)); };
+      intervals.push_back({std::minmax(local(from), local(to)), interval.region});
     }
+    if (*end < *begin)
+      std::ranges::reverse(intervals);
+    add_neighbours(part.intervals, intervals, neighbours, doubtful);
+    return true;
   }
 
   static bool is_point(const std::array<Cell_polynomial, 4>& f, const Point& point)

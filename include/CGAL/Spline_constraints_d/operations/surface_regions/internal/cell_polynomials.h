@@ -140,6 +140,14 @@ inline std::optional<std::vector<Cell_polynomial>> curves_of(const std::vector<C
   return result;
 }
 
+inline int sum_of_degrees(const std::vector<Cell_polynomial>& polynomials)
+{
+  int result = 0;
+  for (const Cell_polynomial& f : polynomials)
+    result += f.degree(0) + f.degree(1);
+  return result;
+}
+
 inline Cell_polynomial product_of(const std::vector<Cell_polynomial>& factors)
 {
   Cell_polynomial result = Cell_polynomial::constant(2, Exact_rational(1));

@@ -40,11 +40,13 @@ class Trimmed_cells
     Range range;
   };
 
+  static constexpr int most_depth = 6;
+
   const Trimming& m_trimming;
   Operation_budget& m_budget;
   double m_error;
   std::vector<Surface_cell_3> m_cells;
-  std::vector<Cell_polynomial> m_zeros;                 // of the cells
+  std::vector<std::vector<Cell_polynomial>> m_zeros;    // of the cells
   std::vector<std::vector<Surface_border_3>> m_borders; // of the cells
   std::vector<Surface_face_3> m_faces;
   std::vector<std::pair<std::size_t, std::size_t>> m_neighbours;
@@ -101,28 +103,22 @@ private:
       add_undecided(box, reason);
   }
 
-  // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small; before that, where
-  // there are several curves of high degrees, so that few of them are in the same part.
+  // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small.
   void add_part(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& zeros, int depth)
   {
-    constexpr int most_depth = 6, most_depth_of_many = 4;
     const std::optional<std::vector<Cell_polynomial>> curves = curves_of(zeros);
     if (!curves) {
       add_without_faces(part, {part.domain}, in_words(Undecided_reason::CONTINUUM));
       return;
     }
-    if (depth < most_depth_of_many && are_many(*curves)) {
-      add_quarters(whole, part, *curves, depth);
-      return;
-    }
     try {
       m_budget.check();
-      Cell_faces found = faces_of_cell(*curves, m_error, m_budget);
+      Cell_faces found = faces_of(*curves, depth);
+      m_budget.check();
       if (found.undecided.empty()) {
         add_faces(whole, part, std::move(found));
         return;
       }
-      m_budget.check();
       if (depth == most_depth || m_budget.has_ended()) {
         std::vector<std::array<Range, 2>> boxes;
         for (const Undecided_part& u : found.undecided)
@@ -137,14 +133,18 @@ private:
     add_quarters(whole, part, *curves, depth);
   }
 
-  // Whether it pays to tell the zeros of polynomials apart before they are multiplied.
-  static bool are_many(const std::vector<Cell_polynomial>& curves)
+  // The singular points of a product are proved where this is cheap, or all else has failed: most of several curves
+  // are simple arcs in small parts.
+  Cell_faces faces_of(const std::vector<Cell_polynomial>& curves, int depth)
   {
-    constexpr int most_degrees = 16;
-    int degrees = 0;
-    for (const Cell_polynomial& f : curves)
-      degrees += f.degree(0) + f.degree(1);
-    return curves.size() > 1 && degrees > most_degrees;
+    constexpr int most_degrees_at_first = 8, most_degrees = 16;
+    const int degrees = sum_of_degrees(curves);
+    if (curves.size() <= 1 || (depth == 0 && degrees <= most_degrees_at_first))
+      return faces_of_product(curves, m_error, m_budget);
+    Cell_faces result = faces_of_arcs(curves, m_error, m_budget);
+    if (!result.undecided.empty() && depth == most_depth && degrees <= most_degrees)
+      return faces_of_product(curves, m_error, m_budget);
+    return result;
   }
 
   void add_quarters(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& curves,
@@ -265,7 +265,7 @@ private:
       for (const Surface_border_3& second : after)
         if ((std::max)(first.range.first, second.range.first) < (std::min)(first.range.second, second.range.second))
           m_neighbours.emplace_back(first.face, second.face);
-    if (are_proportional(zeros_on_border(a, b, axis, 1), zeros_on_border(a, b, axis, 0)))
+    if (have_same_zeros_on_border(a, b, axis))
       return;
     for (std::size_t i = 0; i + 1 < before.size(); ++i)
       for (std::size_t j = 0; j + 1 < after.size(); ++j) {
@@ -280,15 +280,17 @@ private:
       }
   }
 
-  // The polynomial of the first cell (side 1) or of the second one (0) on their common border.
-  Cell_polynomial zeros_on_border(std::size_t a, std::size_t b, int axis, int side) const
+  // Whether the polynomials of two cells are the same on their common border, but for constant factors.
+  bool have_same_zeros_on_border(std::size_t a, std::size_t b, int axis) const
   {
-    const std::size_t cell = side == 1 ? a : b;
     const Range common = common_border(a, b, axis);
-    return m_zeros[cell]
-        .face(axis, side)
-        .restricted(0, m_cells[cell].local_parameter(1 - axis, common.first),
-                    m_cells[cell].local_parameter(1 - axis, common.second));
+    const auto on_border = [&](std::size_t cell, int side) {
+      return product_of(m_zeros[cell])
+          .face(axis, side)
+          .restricted(0, m_cells[cell].local_parameter(1 - axis, common.first),
+                      m_cells[cell].local_parameter(1 - axis, common.second));
+    };
+    return are_proportional(on_border(a, 1), on_border(b, 0));
   }
 
   // The regions.

@@ -35,12 +35,15 @@ struct Cell_faces
   std::vector<Surface_face_3> faces = {};
   std::vector<Surface_border_3> borders = {};
   std::vector<Undecided_part> undecided = {};
-  Cell_polynomial zeros = {}; // the product whose zeros are the curves
+  std::vector<Cell_polynomial> zeros = {}; // those whose zeros are the curves
 };
 
-// Chords are at most `error` beside the arcs that they stand for, in the unit box. Polynomials must not vanish on a whole
-// side of the box; it does not matter how often they vanish. Defined in Cell_arrangement.h.
-Cell_faces faces_of_cell(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
+// Chords are at most `error` beside the arcs that they stand for, in the unit box. Polynomials must not vanish on a
+// whole side of the box. The first function knows all curves of the product of the polynomials, with their singular
+// points; it does not matter how often they vanish. The other one takes less time for several ones, and knows them if
+// they are `Crossing_arcs`. Defined in Cell_arrangement.h.
+Cell_faces faces_of_product(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
+Cell_faces faces_of_arcs(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
 
 // What a surface is cut by and into.
 struct Trimming
