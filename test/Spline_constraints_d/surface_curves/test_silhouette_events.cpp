@@ -203,15 +203,17 @@ TEST(Silhouette_events, random_surfaces)
   std::uniform_int_distribution<int> offset(-40, 40);
   std::array<int, 5> of_kind{};
   for (int round = 0; round < 12; ++round) {
-    const int degree = round % 3 == 2 ? 2 : 3, pieces = round % 3 == 2 ? 2 : 1;
+    const bool has_creases = round % 6 == 5;
+    const int degree = round % 3 == 2 ? 2 : 3, pieces = round % 3 == 2 ? 2 : 1,
+              size = has_creases ? degree * pieces + 1 : degree + pieces;
     std::vector<Point> points;
     std::vector<Rational> knots(static_cast<std::size_t>(degree), 0);
-    for (int i = 0; i < degree + pieces; ++i)
-      for (int j = 0; j < degree + pieces; ++j)
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
         points.emplace_back(3 * i + Rational(offset(generator), 40), 3 * j + Rational(offset(generator), 40),
                             Rational(offset(generator), 8));
     for (int i = 0; i <= pieces; ++i)
-      knots.emplace_back(i);
+      knots.insert(knots.end(), has_creases && 0 < i && i < pieces ? static_cast<std::size_t>(degree) : 1, i);
     knots.insert(knots.end(), static_cast<std::size_t>(degree), pieces);
     const Surface surface({degree, degree}, knots, knots, points);
     const auto eye = [&] { return Point(20 + offset(generator) / 4, offset(generator) / 3, offset(generator) / 4); };
