@@ -4,7 +4,7 @@
 // Regions on surfaces and their meshes. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
-#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/parts_of_bisector.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/trimmed_sphere_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Shared_edges_of_cells.h>

@@ -61,9 +61,11 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Bisector_part_label.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_piece_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Trimmed_bisector_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/bisector_parts_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/curves_on_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/trimmed_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Polyline_arrangement_2.h>

@@ -67,6 +67,20 @@ inline std::array<Exact_rational, 2> parameters_off_zeros(const std::vector<Powe
       }
 }
 
+// A cross product of derivatives in the lowest degree, on its own side in one point. \pre it is not zero.
+inline std::vector<Power_polynomial> oriented_normal(const std::vector<Power_polynomial>& normal)
+{
+  std::vector<Power_polynomial> result = without_common_factors(normal);
+  const auto [u, v] = parameters_off_zeros(normal);
+  Exact_rational cosine(0);
+  for (std::size_t i = 0; i < 3; ++i)
+    cosine += value_at(normal[i], u, v) * value_at(result[i], u, v);
+  if (cosine < 0)
+    for (Power_polynomial& f : result)
+      f = -f;
+  return result;
+}
+
 /*
 On the side of the cross product of the derivatives, in one point. What this cross product has in common with the
 normal, as the distance to a pole of a sphere or the tip of a cone, is divided out first: so the normal is there, too.
@@ -81,16 +95,12 @@ inline std::optional<Unit_normal> unit_normal(const Homogeneous_polynomials& sur
   // Most surfaces fail in a first point.
   if (!rational_square_root(value_at(squared_length(normal), u, v)))
     return std::nullopt;
-  const std::vector<Power_polynomial> direction = without_common_factors(normal);
+  const std::vector<Power_polynomial> direction = oriented_normal(normal);
   const std::optional<Power_polynomial> length = square_root(squared_length(direction));
   if (!length)
     return std::nullopt;
-  Exact_rational cosine(0);
-  for (std::size_t i = 0; i < 3; ++i)
-    cosine += value_at(normal[i], u, v) * value_at(direction[i], u, v);
   // The length is zero in single points at most, as the direction is, so it has one sign.
-  const bool is_reversed = (cosine < 0) != (value_at(*length, u, v) < 0);
-  return Unit_normal{direction, is_reversed ? -*length : *length};
+  return Unit_normal{direction, value_at(*length, u, v) < 0 ? -*length : *length};
 }
 
 // The piece at a distance along its unit normal.

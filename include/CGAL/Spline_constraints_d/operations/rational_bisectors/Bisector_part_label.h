@@ -14,13 +14,15 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDRationalBisectors
 
-What the labels of `bisector_parts()` mean.
+What the labels of regions of bisectors mean: those of `bisector_parts()`, and of trimmed bisectors.
 */
 enum Bisector_part_label : int
 {
   OUT_OF_REACH = 0,         ///< outside of the sphere that was given
   WITH_POSITIVE_WEIGHT = 1, ///< on one side of the poles
-  WITH_NEGATIVE_WEIGHT = 2  ///< on the other side
+  WITH_NEGATIVE_WEIGHT = 2, ///< on the other side
+  NEAREST = 3,              ///< the foot is the nearest point of the surface
+  NOT_NEAREST = 4           ///< another point of the surface is nearer
 };
 
 } // namespace Spline_constraints

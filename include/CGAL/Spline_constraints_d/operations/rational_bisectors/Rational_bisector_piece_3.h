@@ -112,6 +112,19 @@ public:
     return Bspline_surface_3<Kernel>::from_homogeneous_coordinates({on_box(x), on_box(y), on_box(z)}, weight);
   }
 
+  //! whether a parameter is within its range.
+  bool contains(int axis, const Exact_rational& t) const
+  {
+    return m_domain[axis].first <= t && t <= m_domain[axis].second;
+  }
+
+  //! the place of a parameter in its range, from 0 to 1.
+  Exact_rational local_parameter(int axis, const Exact_rational& t) const
+  {
+    const auto& [begin, end] = m_domain[axis];
+    return Exact_rational((t - begin) / (end - begin));
+  }
+
 private:
   template <class Function>
   static bool has_one_sign(const Function& weight)
@@ -122,17 +135,6 @@ private:
     } catch (const Invalid_input&) {
       return false;
     }
-  }
-
-  bool contains(int axis, const Exact_rational& t) const
-  {
-    return m_domain[axis].first <= t && t <= m_domain[axis].second;
-  }
-
-  Exact_rational local_parameter(int axis, const Exact_rational& t) const
-  {
-    const auto& [begin, end] = m_domain[axis];
-    return Exact_rational((t - begin) / (end - begin));
   }
 
   Kernel::Point_3 at(const Coordinates& f, const Exact_rational& u, const Exact_rational& v) const

@@ -33,7 +33,7 @@ namespace internal {
 namespace Rational_bisectors {
 
 template <SplineKernel Kernel>
-std::optional<Reach> exact_reach(const CGAL::Sphere_3<Kernel>& sphere)
+Reach exact_reach(const CGAL::Sphere_3<Kernel>& sphere)
 {
   Reach result{exact_object(sphere.center()), converted_number<Exact_rational>(sphere.squared_radius())};
   if (!(result.squared_radius > 0))

@@ -34,8 +34,8 @@ Connected_regions_3 united_regions(const std::vector<Trimmed_surface_3>& surface
 \ingroup PkgSplineConstraintsDSurfaceRegions
 
 the regions of several surfaces, united across edges that two of them have in common: where sides of their polynomial
-pieces are the same rational curve with the same parameters, or reversed, or one is a part of the other. This is decided exactly; edges that agree in
-other ways are not common ones here.
+pieces are the same rational curve with the same parameters, or reversed, or one is a part of the other. This is decided
+exactly; edges that agree in other ways are not common ones here.
 
 \param surfaces the surfaces with their regions.
 

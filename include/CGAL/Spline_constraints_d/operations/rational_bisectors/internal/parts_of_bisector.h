@@ -11,12 +11,14 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Cell_functions.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Bisector_mesh_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Bisector_part_label.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/Rational_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Interval_net.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/functions_on_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -40,20 +42,38 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-// The cells of a continuous part, whose weights have no jumps.
-inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part)
+// One of the n times n equal parts of a cell.
+inline Surface_cell_3 part_of_cell(const Surface_cell_3& cell, const std::array<int, 2>& at, int n)
+{
+  Surface_cell_3 result;
+  std::vector<Surface_cell_3::Range> box;
+  for (const std::size_t axis : {0, 1}) {
+    box.emplace_back(Exact_rational(at[axis]) / n, Exact_rational(at[axis] + 1) / n);
+    result.domain[axis] = {cell.parameter(static_cast<int>(axis), box.back().first),
+                           cell.parameter(static_cast<int>(axis), box.back().second)};
+  }
+  for (std::size_t c = 0; c < 4; ++c)
+    result.coordinates[c] = cell.coordinates[c].restricted_to_box(box);
+  return result;
+}
+
+// The cells of a continuous part, whose weights have no jumps, each cut into n times n.
+inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part, int n)
 {
   std::array<std::vector<Cell_polynomial>, 4> pieces;
   const std::array<Exact_function, 4> splines = part.splines();
   for (std::size_t i = 0; i < 4; ++i)
     pieces[i] = splines[i].bezier_pieces();
   std::vector<Surface_cell_3> result;
+  std::size_t k = 0;
   for (std::size_t i = 1; i < part.breaks(0).size(); ++i)
-    for (std::size_t j = 1; j < part.breaks(1).size(); ++j) {
-      const std::size_t k = result.size();
-      result.push_back({{Surface_cell_3::Range(part.breaks(0)[i - 1], part.breaks(0)[i]),
-                         Surface_cell_3::Range(part.breaks(1)[j - 1], part.breaks(1)[j])},
-                        {pieces[0][k], pieces[1][k], pieces[2][k], pieces[3][k]}});
+    for (std::size_t j = 1; j < part.breaks(1).size(); ++j, ++k) {
+      const Surface_cell_3 piece{{Surface_cell_3::Range(part.breaks(0)[i - 1], part.breaks(0)[i]),
+                                  Surface_cell_3::Range(part.breaks(1)[j - 1], part.breaks(1)[j])},
+                                 {pieces[0][k], pieces[1][k], pieces[2][k], pieces[3][k]}};
+      for (int a = 0; a < n; ++a)
+        for (int b = 0; b < n; ++b)
+          result.push_back(n == 1 ? piece : part_of_cell(piece, {a, b}, n));
     }
   return result;
 }
@@ -66,46 +86,77 @@ class Bisector_trimming
   std::vector<Cell_polynomial> m_powers; // of the cells: positive out of reach
 
 public:
-  Bisector_trimming(const Cell_functions<4>& part, const std::optional<Reach>& reach)
-    : m_cells(cells_of(part)), m_reach(reach)
+  Bisector_trimming(const Cell_functions<4>& part, const std::optional<Reach>& reach, int n)
+    : m_cells(cells_of(part, n)), m_reach(reach)
   {
     for (const Surface_cell_3& cell : m_cells)
       if (m_reach)
-        m_powers.push_back(
-            power_of_distance(cell.coordinates, constant_coordinates(m_reach->center), m_reach->squared_radius));
+        m_powers.push_back(is_certainly_within(cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
+                                                     : power_of(cell));
   }
 
   const std::vector<Surface_cell_3>& cells() const { return m_cells; }
 
+private:
+  Cell_polynomial power_of(const Surface_cell_3& cell) const
+  {
+    return power_of_distance(cell.coordinates, constant_coordinates(m_reach->center), m_reach->squared_radius);
+  }
+
+  // By the control points, in doubles.
+  bool is_certainly_within(const Surface_cell_3& cell) const
+  {
+    const Upward_rounding_guard guard;
+    const std::array<Interval_net, 4> nets{Interval_net(cell.coordinates[0]), Interval_net(cell.coordinates[1]),
+                                           Interval_net(cell.coordinates[2]), Interval_net(cell.coordinates[3])};
+    const Interval_net::Interval weight = nets[3].bounds(), reach(to_double_interval(m_reach->squared_radius));
+    if (weight.inf() <= 0 && weight.sup() >= 0)
+      return false;
+    const std::array<Exact_rational, 3> center{m_reach->center.x(), m_reach->center.y(), m_reach->center.z()};
+    for (std::size_t k = 0; k < nets[3].values().size(); ++k) {
+      Interval_net::Interval square(0);
+      for (std::size_t c = 0; c < 3; ++c)
+        square += CGAL::square(nets[c].values()[k] / nets[3].values()[k] -
+                               Interval_net::Interval(to_double_interval(center[c])));
+      if (!(square.sup() < reach.inf()))
+        return false;
+    }
+    return true;
+  }
+
+public:
   std::vector<Cell_polynomial> zeros(std::size_t cell) const
   {
     return {m_reach ? m_powers[cell] : m_cells[cell].coordinates[3]};
   }
 
-  std::optional<int> label(std::size_t cell, const Parameters& parameters) const
+  // `label_within(cell, parameters in its unit box, whether the weight is positive)` within reach.
+  template <class Label_within>
+  std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within) const
   {
     const Surface_cell_3& place = m_cells[cell];
     const Parameters local{place.local_parameter(0, parameters[0]), place.local_parameter(1, parameters[1])};
     if (m_reach && m_powers[cell](local) > 0)
       return OUT_OF_REACH;
-    return place.coordinates[3](local) > 0 ? WITH_POSITIVE_WEIGHT : WITH_NEGATIVE_WEIGHT;
+    return label_within(place, local, place.coordinates[3](local) > 0);
   }
 };
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Trimmed_surface_3>
-parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach, const Solver_options& options)
+// The regions of all continuous parts, whose pieces are cut into n times n cells.
+template <class Label_within>
+std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach,
+                                                 const Label_within& label_within, Operation_budget& budget, int n = 1)
 {
   if (!bisector.is_complete())
     throw Invalid_input("bisector_parts: pieces of the bisector were not computed");
-  Operation_budget budget(options);
   const Cell_functions<4> all = coordinates_on_bisector(bisector);
   std::vector<Trimmed_surface_3> result;
   for (const Continuous_part<4>& part : continuous_parts(all, false)) {
-    const Bisector_trimming cut(part.functions, reach);
+    const Bisector_trimming cut(part.functions, reach, n);
     Trimming trimming{cut.cells(),
                       {},
                       [&](std::size_t cell) { return cut.zeros(cell); },
-                      [&](std::size_t cell, const Parameters& at) { return cut.label(cell, at); }};
+                      [&](std::size_t cell, const Parameters& at) { return cut.label(cell, at, label_within); }};
     for (const int axis : {0, 1})
       if (part.functions.domain(axis) == all.domain(axis)) {
         const auto ratio = part.functions.ratio(axis, part.functions.size(axis) - 1, 0);
@@ -114,6 +165,16 @@ parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach
     result.push_back(trimmed_by_zeros(trimming, budget));
   }
   return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Trimmed_surface_3>
+parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach, const Solver_options& options)
+{
+  Operation_budget budget(options);
+  const auto label = [](const Surface_cell_3&, const Parameters&, bool is_positive) -> std::optional<int> {
+    return is_positive ? WITH_POSITIVE_WEIGHT : WITH_NEGATIVE_WEIGHT;
+  };
+  return parts_of_bisector(bisector, reach, label, budget);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Bisector_mesh_3 mesh_of_bisector(const Rational_bisector_3& bisector,

@@ -57,6 +57,17 @@ struct Reach
 // Defined in parts_of_bisector.h.
 std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach,
                                                  const Solver_options& options);
+// A sphere whose radius has a sign, see `sphere_surface_bisector()`; a point for the radius zero.
+struct Oriented_sphere
+{
+  Rational_bisector_3::Kernel::Point_3 center;
+  Exact_rational radius;
+};
+
+// With the labels NEAREST and NOT_NEAREST; defined in trimmed_sphere_bisector.h.
+std::vector<Trimmed_surface_3> trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surface,
+                                                       const Rational_bisector_3& bisector, const Reach& reach,
+                                                       const Solver_options& options);
 Bisector_mesh_3 mesh_of_bisector(const Rational_bisector_3& bisector, const Trimmed_surface_3& part, int label,
                                  double error, const Solver_options& options);
 

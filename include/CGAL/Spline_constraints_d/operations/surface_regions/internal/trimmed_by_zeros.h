@@ -67,11 +67,8 @@ public:
       } catch (const Run_stopped& stop) {
         add_without_faces(m_trimming.cells[whole], {m_trimming.cells[whole].domain}, in_words(stop.reason));
       }
-    for (std::size_t a = 0; a < m_cells.size(); ++a)
-      for (std::size_t b = 0; b < m_cells.size(); ++b)
-        for (const int axis : {0, 1})
-          if (follows(a, b, axis))
-            add_neighbours(a, b, axis);
+    for (const int axis : {0, 1})
+      add_neighbours(axis);
     std::vector<Surface_region_3> regions = united();
     std::vector<Surface_border_3> borders;
     for (const auto& of_cell : m_borders)
@@ -232,17 +229,29 @@ private:
     return {(std::max)(first.first, second.first), (std::min)(first.second, second.second)};
   }
 
-  bool follows(std::size_t a, std::size_t b, int axis) const
+  // Of each cell and those that begin where it ends along an axis; behind the last ones are the first ones, if the axis
+  // is closed.
+  void add_neighbours(int axis)
   {
     const std::size_t own = static_cast<std::size_t>(axis);
-    const Exact_rational &end = m_cells[a].domain[own].second, &begin = m_cells[b].domain[own].first;
-    const Range common = common_border(a, b, axis);
-    if (!(common.first < common.second))
-      return false;
-    const auto is_inside = [&](const Surface_cell_3& cell) {
-      return cell.domain[own].first < begin || end < cell.domain[own].second;
-    };
-    return end == begin || (m_trimming.is_closed[own] && std::ranges::none_of(m_cells, is_inside));
+    std::map<Exact_rational, std::vector<std::size_t>> beginning;
+    std::optional<Exact_rational> last;
+    for (std::size_t cell = 0; cell < m_cells.size(); ++cell) {
+      const Range& range = m_cells[cell].domain[own];
+      beginning[range.first].push_back(cell);
+      if (!last || *last < range.second)
+        last = range.second;
+    }
+    for (std::size_t a = 0; a < m_cells.size(); ++a) {
+      const Exact_rational& end = m_cells[a].domain[own].second;
+      const bool is_last = m_trimming.is_closed[own] && end == *last;
+      const auto next = is_last ? beginning.begin() : beginning.find(end);
+      if (next == beginning.end())
+        continue;
+      for (const std::size_t b : next->second)
+        if (const Range common = common_border(a, b, axis); common.first < common.second)
+          add_neighbours(a, b, axis);
+    }
   }
 
   std::vector<Surface_border_3> side_of(std::size_t cell, int axis, int side) const

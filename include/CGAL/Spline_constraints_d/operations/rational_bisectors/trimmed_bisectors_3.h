@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_TRIMMED_BISECTORS_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_TRIMMED_BISECTORS_3_H
+
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/Trimmed_bisector_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/bisector_parts_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/trimmed_sphere_bisector.h>
+#endif
+
+#include <CGAL/Sphere_3.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Rational_bisectors {
+
+template <class S>
+Trimmed_bisector_3 trimmed(Rational_bisector_3 bisector, const typename S::Kernel::Point_3& center,
+                           const Exact_rational& radius, const S& surface,
+                           const CGAL::Sphere_3<typename S::Kernel>& reach, const Solver_options& options)
+{
+  auto surfaces = trimmed_sphere_bisector({exact_object(center), radius}, Common::exact_map<3>(surface), bisector,
+                                          exact_reach(reach), options);
+  return {std::move(bisector), std::move(surfaces)};
+}
+
+} // namespace Rational_bisectors
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDRationalBisectors
+
+the bisector of a point and a surface, trimmed: of `point_surface_bisector()`, within a sphere, the regions where no
+point of the surface is nearer than the foot. They are on the boundary of the convex set of all points that are not
+nearer to the surface than to the point.
+
+Poles and the sphere cut the domain into faces. A face is labelled if on all cells of a grid that cover it either some
+point of the surface is certainly nearer than the foot, or none: the latter since cells are farther away, but for a
+neighbourhood of the foot where the squared distance is strictly convex in a chart of the surface. Where regions that
+are kept and others meet within a face, as where the bisector meets itself, or beside the edges of the surface, the face
+is undecided.
+
+\tparam S a model of `ParametricSurface_3`.
+\param point the point.
+\param surface the surface.
+\param reach the sphere. What is outside, poles with it, is `OUT_OF_REACH`.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
+\throws Invalid_input as `point_surface_bisector()` and `bisector_parts()`; when the bisector was not completed because
+of a limit.
+
+Complexity: that of `bisector_parts()`, and for each of some 1,000 cells of a grid a search among all of them. Source:
+\cgalCite{ek-crb-99} trims by supporting planes of samples, without a proof of what is kept.
+*/
+template <ParametricSurface_3 S>
+Trimmed_bisector_3 trimmed_point_surface_bisector(const typename S::Kernel::Point_3& point, const S& surface,
+                                                  const CGAL::Sphere_3<typename S::Kernel>& reach,
+                                                  const Solver_options& options = {.tolerance = 1e-8})
+{
+  return internal::Rational_bisectors::trimmed(point_surface_bisector(point, surface, options), point,
+                                               Exact_rational(0), surface, reach, options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDRationalBisectors
+
+a sheet of the bisector of a sphere and a surface, trimmed: of `sphere_surface_bisector()`, within another sphere, the
+regions where the distance from the surface is that from the sphere, and no point of the surface is nearer than the
+foot.
+
+\tparam S a model of `ParametricSurface_3`.
+\param center the center of the sphere.
+\param radius its radius, with a sign as for `sphere_surface_bisector()`.
+\param surface the surface.
+\param reach the sphere that the bisector is cut at.
+\param options those of `solve_curves()`; limits hold for the operation as a whole.
+\throws Invalid_input as `sphere_surface_bisector()` and `bisector_parts()`; when the bisector was not completed because
+of a limit.
+
+Complexity: that of `trimmed_point_surface_bisector()`. Source: \cgalCite{ek-crb-99}.
+*/
+template <ParametricSurface_3 S>
+Trimmed_bisector_3 trimmed_sphere_surface_bisector(const typename S::Kernel::Point_3& center,
+                                                   const typename S::Kernel::FT& radius, const S& surface,
+                                                   const CGAL::Sphere_3<typename S::Kernel>& reach,
+                                                   const Solver_options& options = {.tolerance = 1e-8})
+{
+  return internal::Rational_bisectors::trimmed(sphere_surface_bisector(center, radius, surface, options), center,
+                                               internal::converted_number<Exact_rational>(radius), surface, reach,
+                                               options);
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_TRIMMED_BISECTORS_3_H
