@@ -65,6 +65,17 @@ public:
       }
   }
 
+  // Both sides of a mesh.
+  void add(const CGAL::Surface_mesh<K::Point_3>& mesh, const std::array<double, 3>& color)
+  {
+    for (const auto face : mesh.faces()) {
+      std::vector<K::Point_3> corners;
+      for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+        corners.push_back(mesh.point(vertex));
+      add_patch(corners, shaded(color, light_on(CGAL::normal(corners[0], corners[1], corners[2]))), 0);
+    }
+  }
+
   // The triangles of a mesh that show their back.
   void add_backs(const CGAL::Surface_mesh<K::Point_3>& mesh, const std::array<double, 3>& color)
   {

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 
 #include <CGAL/Point_3.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,7 +36,7 @@ rounded to double.
 template <SplineKernel Kernel>
 void write_VTP(std::ostream& out, const std::vector<std::vector<CGAL::Point_3<Kernel>>>& polylines)
 {
-  std::vector<std::size_t> order;   // that of the cells: vertices come first in this format
+  std::vector<std::size_t> order; // that of the cells: vertices come first in this format
   for (std::size_t i = 0; i < polylines.size(); ++i)
     order.push_back(i);
   const auto lines =
@@ -73,6 +74,45 @@ void write_VTP(std::ostream& out, const std::vector<std::vector<CGAL::Point_3<Ke
     write_cells("Verts", order.begin(), lines);
   write_cells("Lines", lines, order.end());
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+writes the faces of a mesh in the same format, as polygons.
+\param out where it is written to.
+\param mesh the mesh.
+*/
+template <SplineKernel Kernel>
+void write_VTP(std::ostream& out, const CGAL::Surface_mesh<CGAL::Point_3<Kernel>>& mesh)
+{
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
+      << "<Piece NumberOfPoints=\"" << mesh.number_of_vertices()
+      << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << mesh.number_of_faces()
+      << "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  std::vector<std::size_t> index(mesh.num_vertices());
+  std::size_t number = 0;
+  for (const auto vertex : mesh.vertices()) {
+    index[vertex] = number++;
+    const CGAL::Point_3<Kernel>& p = mesh.point(vertex);
+    for (int k = 0; k < 3; ++k)
+      out << internal::double_text(internal::converted_number<double>(p.cartesian(k))) << (k < 2 ? ' ' : '\n');
+  }
+  out << "</DataArray>\n</Points>\n<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  std::vector<std::size_t> offsets;
+  std::size_t corners = 0;
+  for (const auto face : mesh.faces()) {
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) {
+      out << index[vertex] << ' ';
+      ++corners;
+    }
+    out << '\n';
+    offsets.push_back(corners);
+  }
+  out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  for (const std::size_t offset : offsets)
+    out << offset << '\n';
+  out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace IO
