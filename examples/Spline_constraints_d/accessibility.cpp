@@ -62,7 +62,8 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     for (const auto& [access, color] : colors) {
       const auto part = SC::to_surface_mesh(surfaces[i], static_cast<int>(access), 0.01);
       is_complete = is_complete && part.is_complete();
-      scene.add_backs(part.mesh, color);
+      if (part.error > 1e-9)   // flat ones are polygons
+        scene.add_backs(part.mesh, color);
       for (const SC::Surface_face_3& face : surfaces[i].faces())
         if (face.label == static_cast<int>(access))
           add_ground(scene, cuboid[i], face, color);
@@ -73,7 +74,7 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     is_complete = is_complete && boundaries.is_complete();
     for (const SC::Surface_curve& curve : boundaries.curves()) {
       std::vector<K::Point_3> points;
-      for (const auto& sample : boundaries.polyline(curve, 1e-3))
+      for (const auto& sample : boundaries.polyline(curve, 4e-3))
         points.push_back(rounded(sample.point));
       scene.add(points, "#c00020", 2);
     }

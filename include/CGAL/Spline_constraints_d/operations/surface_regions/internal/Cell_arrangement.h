@@ -309,17 +309,9 @@ inline Cell_faces proved_faces(std::optional<Cell_faces> faces, std::vector<Cell
 CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_arcs(const std::vector<Cell_polynomial>& zeros, double error,
                                                         Operation_budget& budget)
 {
-  constexpr double least_error = 0x1p-24, finer = 0x1p-7;
-  std::optional<Cell_faces> result;
-  // Chords that are not near enough to their arcs cross elsewhere.
-  for (double own = error; !result && own >= least_error; own *= finer) {
-    std::optional<Cell_curves> arcs = Crossing_arcs(own, budget)(zeros);
-    budget.check();
-    if (!arcs)
-      break;
-    result = Cell_arrangement(zeros, std::move(*arcs)).faces({}, budget);
-  }
-  return proved_faces(std::move(result), zeros);
+  std::optional<Cell_curves> arcs = Crossing_arcs(error, budget)(zeros);
+  budget.check();
+  return proved_faces(arcs ? Cell_arrangement(zeros, std::move(*arcs)).faces({}, budget) : std::nullopt, zeros);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Cell_faces faces_of_product(const std::vector<Cell_polynomial>& zeros, double error,
