@@ -31,12 +31,17 @@ K::Point_3 rounded(const Exact::Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
+K::Vector_3 rounded_normal(const rounded_cuboid::Surface& surface, const rounded_cuboid::Number& u,
+                           const rounded_cuboid::Number& v)
+{
+  return rounded(CGAL::ORIGIN + surface.normal(u, v)) - CGAL::ORIGIN;
+}
+
 // The face as a polygon, if it shows its back.
 void add_ground(Scene& scene, const rounded_cuboid::Surface& surface, const SC::Surface_face_3& face,
                 const std::array<double, 3>& color)
 {
-  const Exact::Vector_3 exact = surface.normal(face.sample[0], face.sample[1]);
-  const K::Vector_3 normal(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
+  const K::Vector_3 normal = rounded_normal(surface, face.sample[0], face.sample[1]);
   if (!(normal * Scene::direction() < 0))
     return;
   std::vector<K::Point_3> polygon;
@@ -74,8 +79,13 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     is_complete = is_complete && boundaries.is_complete();
     for (const SC::Surface_curve& curve : boundaries.curves()) {
       std::vector<K::Point_3> points;
-      for (const auto& sample : boundaries.polyline(curve, 4e-3))
-        points.push_back(rounded(sample.point));
+      for (const auto& sample : boundaries.polyline(curve, 4e-3)) {
+        const auto& at = sample.parameters;
+        if (rounded_normal(cuboid[i], at[0], at[1]) * Scene::direction() < 0)
+          points.push_back(rounded(sample.point));
+        else
+          scene.add(std::exchange(points, {}), "#c00020", 2);
+      }
       scene.add(points, "#c00020", 2);
     }
   }
