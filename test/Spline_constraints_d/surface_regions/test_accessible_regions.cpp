@@ -61,6 +61,16 @@ Surface random_surface(std::mt19937& random)
   return Surface({2, 2}, {0, 0, 0, 0.5, 1, 1, 1}, {0, 0, 0, 0.5, 1, 1, 1}, points);
 }
 
+// Upward directions, bilinear, with a break where the surfaces have none.
+Surface random_field(std::mt19937& random)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 6; ++i)
+    points.emplace_back(0.125 * std::uniform_int_distribution(-3, 3)(random),
+                        0.125 * std::uniform_int_distribution(-3, 3)(random), 1);
+  return Surface({1, 1}, {0, 0, 0.25, 1, 1}, {0, 0, 1, 1}, points);
+}
+
 // The label of the face with a point, by the chords of its loops; none near a chord.
 std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, double v)
 {
@@ -165,7 +175,8 @@ TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
     Spheres spheres;
     for (int i = 0; i < 2; ++i)
       spheres.emplace_back(Point(number(-1, 1), number(-1, 1), number(1.5, 2.5)), number(0.1, 0.3));
-    for (const Axis& axis : {Axis{}, Axis{.direction = Vector(0.25, 0.5, 1)}}) {
+    const Surface field = random_field(random);
+    for (const Axis& axis : {Axis{}, Axis{.direction = Vector(0.25, 0.5, 1)}, Axis{.field = field}}) {
       const auto regions = SC::accessible_regions(surface, spheres, axis);
       EXPECT_TRUE(regions.is_complete());
       for (int i = 0; i < 200; ++i) {
@@ -173,8 +184,10 @@ TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
         const auto label = label_at(regions, u, v);
         if (!label)
           continue;
-        const bool is_hit =
-            is_obstructed(spheres, surface(u, v), axis.direction ? *axis.direction : surface.normal(u, v));
+        const Vector direction = axis.direction ? *axis.direction
+            : axis.field                        ? field(u, v) - CGAL::ORIGIN
+                                                : surface.normal(u, v);
+        const bool is_hit = is_obstructed(spheres, surface(u, v), direction);
         EXPECT_EQ(label, is_hit ? obstructed : free_label) << u << ' ' << v;
         ++(is_hit ? obstructed_count : free_count);
         ++count;
@@ -194,6 +207,10 @@ TEST(AccessibleRegions, BadInputAndLimits)
   EXPECT_THROW(SC::accessible_regions(square(1), ball, Axis{.field = square(2)}), SC::Invalid_input);
   EXPECT_THROW(SC::accessible_regions(square(1), ball, {}, {.time_limit = -1}), SC::Invalid_input);
   EXPECT_THROW(SC::visible_regions(square(1), Vector(0, 0, 0)), SC::Invalid_input);
+  const Surface line({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}});
+  const auto without_normals = SC::accessible_regions(line, ball);
+  EXPECT_FALSE(without_normals.is_complete());
+  EXPECT_TRUE(without_normals.faces().empty());
   const auto ended = SC::accessible_regions(square(2), ball, {}, {.tolerance = 1e-8, .time_limit = 1e-9});
   EXPECT_FALSE(ended.is_complete());
   EXPECT_TRUE(ended.faces().empty());

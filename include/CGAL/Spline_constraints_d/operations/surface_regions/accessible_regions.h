@@ -26,6 +26,7 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+
 /*!
 \ingroup PkgSplineConstraintsDSurfaceRegions
 
@@ -39,7 +40,7 @@ by exact arithmetic; faces with the same label are united, so that lines which t
 nothing. The axis is the direction, the field, or the normal \f$S_u \times S_v\f$ of the surface in its lowest degree,
 so that poles are no exception. Where a singular point of the curves is not proved, a small cell is undecided.
 
-For a ball-end or flat tool of a radius, add the radius to those of the balls.
+For a tool with a radius, it is to be added to the radii of the balls.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param spheres a range of `CGAL::Sphere_3` of the kernel of the surface.
@@ -47,8 +48,8 @@ For a ball-end or flat tool of a radius, add the radius to those of the balls.
 \param options those of `solve_curves()`; limits hold for the operation as a whole.
 \throws Invalid_input as `accessibility_boundaries()`; the message names the sphere.
 
-Complexity: that of `solve_curves()` with one equation in two unknowns, for each polynomial piece of the surface, whose
-degrees are the sums of those of all curves. Source: \cgalCite{ek-gcs-01}, section 3.5; regions, for curves there.
+Complexity: that of `solve_curves()` with one equation in two unknowns, for each curve and each polynomial piece of the
+surface, or part of it that curves are told apart in; and of two equations for each two of them in one part. Source: \cgalCite{ek-gcs-01}, section 3.5; regions, for curves there.
 */
 template <internal::Surface_curves::Surface_operand Surface, std::ranges::input_range Spheres>
 Trimmed_surface_3 accessible_regions(const Surface& surface, const Spheres& spheres,

@@ -87,8 +87,8 @@ struct Cell_curves
 Finds curves of several polynomials that are arcs from one point of the sides of the unit box to another, of which each
 two have one point in common at most, a simple zero of both polynomials. The common points are among the points of the
 chords of both. Two such arcs cross in such a point, and the order of their ends on the sides of the box tells from
-which side. So chords that have the same ends and the same common points in the same order, and no others, have the
-same faces, each of which has a part of the sides of the box.
+which side. So chords that have the same ends and the same common points in the same order, and no others, have the same
+faces.
 */
 class Crossing_arcs
 {

@@ -139,6 +139,8 @@ private:
     const Cell_vector direction = m_directions[index] = direction_in(cell);
     const Cell_polynomial square = dot(direction, direction),
                           squared_weight = cell.coordinates[3] * cell.coordinates[3];
+    if (is_zero(square))
+      return {square}; // there is no direction: the surface is a curve or a point
     std::vector<Cell_polynomial> result;
     for (const Exact_sphere& sphere : m_spheres) {
       m_budget.check();
