@@ -49,7 +49,8 @@ For a tool with a radius, it is to be added to the radii of the balls.
 \throws Invalid_input as `accessibility_boundaries()`; the message names the sphere.
 
 Complexity: that of `solve_curves()` with one equation in two unknowns, for each curve and each polynomial piece of the
-surface, or part of it that curves are told apart in; and of two equations for each two of them in one part. Source: \cgalCite{ek-gcs-01}, section 3.5; regions, for curves there.
+surface, or part of it that curves are told apart in; and of two equations for each two of them in one part. Source:
+\cgalCite{ek-gcs-01}, section 3.5; regions, for curves there.
 */
 template <internal::Surface_curves::Surface_operand Surface, std::ranges::input_range Spheres>
 Trimmed_surface_3 accessible_regions(const Surface& surface, const Spheres& spheres,
