@@ -116,7 +116,7 @@ TEST(TrimmedSurfaces, ManyCurvesAreToldApart)
 {
   std::vector<Tensor> circles;
   for (int i = 0; i < 8; ++i)
-    circles.push_back(circle(ratio(30 + 7 * i + i % 3, 111), ratio(40 + i * 37 % 29, 113), ratio(1, 30)));
+    circles.push_back(circle(ratio(30 + 7 * i + i % 3, 111), ratio(50 + 5 * (i % 2) + i, 113), ratio(1, 30)));
   const auto surface = trimmed(signs_on_square(circles));
   ASSERT_TRUE(surface.is_complete());
   double area = 0;
@@ -134,7 +134,7 @@ TEST(TrimmedSurfaces, ManyCurvesAreToldApart)
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < i; ++j) {
       const auto x = [](int k) { return (30 + 7 * k + k % 3) / 111.; };
-      const auto y = [](int k) { return (40 + k * 37 % 29) / 113.; };
+      const auto y = [](int k) { return (50 + 5 * (k % 2) + k) / 113.; };
       crossings += std::hypot(x(i) - x(j), y(i) - y(j)) < 2 * std::sqrt(1 / 30.) ? 2 : 0;
     }
   EXPECT_EQ(surface.regions().size(), crossings + 2);

@@ -91,6 +91,9 @@ public:
     add_samples_on_border(result, has_sample);
     if (point_on_piece)
       add_samples_beside_pieces(result, has_sample, point_on_piece, budget);
+    else if (each_has_one_arc())
+      while (add_samples_between_arcs(result, has_sample)) {
+      }
     if (std::find(has_sample.begin(), has_sample.end(), false) != has_sample.end())
       return std::nullopt;
     result.borders = std::move(m_border);
@@ -259,6 +262,51 @@ private:
         has_sample[face] = true;
       }
     }
+  }
+
+  // Whether each polynomial has one curve at most, a simple one, so that its sign tells the sides of this.
+  bool each_has_one_arc() const
+  {
+    std::map<std::size_t, std::size_t> curve_of;
+    return std::ranges::all_of(m_curves.pieces, [&](const Cell_curves::Piece& own) {
+      return own.piece.multiplicity == 1 && curve_of.emplace(own.polynomial, own.curve).first->second == own.curve;
+    });
+  }
+
+  std::vector<CGAL::Sign> signs_at(const Parameters& p) const
+  {
+    std::vector<CGAL::Sign> result;
+    for (const Cell_polynomial& f : m_zeros)
+      result.push_back(CGAL::sign(f(p)));
+    return result;
+  }
+
+  // Arcs of which each two cross once at most have one face for each combination of their sides: beyond an arc from a
+  // face with a sample, its polynomial alone has the other sign. Whether there is a new sample.
+  bool add_samples_between_arcs(Cell_faces& result, std::vector<bool>& has_sample) const
+  {
+    bool is_new = false;
+    for (const auto& [chord, along] : m_halfedges)
+      for (const Halfedge& halfedge : {along, Halfedge(along->twin())}) {
+        if (chord.first >= m_curves.pieces.size())
+          continue;
+        const std::size_t known = index_of(halfedge->face()), face = index_of(halfedge->twin()->face());
+        if (!has_sample[known] || has_sample[face])
+          continue;
+        std::vector<CGAL::Sign> signs = signs_at(result.faces[known].sample);
+        CGAL::Sign& changed = signs[m_curves.pieces[chord.first].polynomial];
+        changed = CGAL::opposite(changed);
+        const std::vector<Surface_face_edge_3>& loop = result.faces[face].loops.front();
+        Parameters middle{0, 0};
+        for (const Surface_face_edge_3& edge : loop)
+          for (const int axis : {0, 1})
+            middle[static_cast<std::size_t>(axis)] += edge.source.cartesian(axis) / static_cast<int>(loop.size());
+        if (signs_at(middle) != signs)
+          continue;
+        result.faces[face].sample = middle;
+        has_sample[face] = is_new = true;
+      }
+    return is_new;
   }
 
   // Whether a parameter is certainly between those of the two ends of a piece.

@@ -43,16 +43,16 @@ struct Cell_curves
 {
   struct Piece
   {
-    Curve_piece piece; // with its ends in `vertices`
-    std::size_t curve;
+    Curve_piece piece;             // with its ends in `vertices`
+    std::size_t curve, polynomial; // their indices
     std::vector<std::vector<double>> points;
   };
 
   std::vector<Curve_vertex> vertices = {};
   std::vector<Piece> pieces = {};
-  std::size_t number_of_curves = 0, number_of_crossings = 0;
+  std::size_t number_of_curves = 0, number_of_polynomials = 0, number_of_crossings = 0;
 
-  // Adds the curves of a set with chords that are so near to them.
+  // Adds the curves of a polynomial with chords that are so near to them.
   void add(const Constraint_system_d& system, const Curve_solution_set_d& set, double error,
            const Operation_budget& budget)
   {
@@ -74,12 +74,13 @@ struct Cell_curves
         std::vector<Sample> samples{end(0)};
         sampler.append(samples, piece, Sample(samples.front()), end(1), image, is_chord);
         piece.ends = {first + piece.ends[0], first + piece.ends[1]};
-        pieces.push_back({piece, number_of_curves, {}});
+        pieces.push_back({piece, number_of_curves, number_of_polynomials, {}});
         for (const Sample& sample : samples)
           pieces.back().points.push_back(sample.image);
       }
       ++number_of_curves;
     }
+    ++number_of_polynomials;
   }
 };
 
