@@ -158,7 +158,7 @@ inline Mesh show(const std::string& name, const SC::Rational_bisector_3& bisecto
     parts += surface.number_of_regions(SC::WITH_POSITIVE_WEIGHT) + surface.number_of_regions(SC::WITH_NEGATIVE_WEIGHT);
   std::cout << name << ": degree (" << bisector.degree(0) << ',' << bisector.degree(1) << "), " << parts
             << (parts == 1 ? " part\n" : " parts\n");
-  return mesh_of(SC::bisector_parts(bisector, reach), {SC::WITH_POSITIVE_WEIGHT, SC::WITH_NEGATIVE_WEIGHT}, 0.02);
+  return mesh_of(SC::bisector_parts(bisector, reach), {SC::WITH_POSITIVE_WEIGHT, SC::WITH_NEGATIVE_WEIGHT}, 0.06);
 }
 
 inline bool write_mesh(const std::string& path, const Mesh& mesh)

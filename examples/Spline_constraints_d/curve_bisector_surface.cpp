@@ -5,8 +5,8 @@
 //
 //   curve_bisector_surface [A.g2 B.g2] [--reach R] [--error E] [--output FILE.off|.vtp|.svg] [--time-limit S]
 //
-// With two files, the first curve of each counts. The bisector within a ball around both is written as a mesh, or drawn.
-// Without: two skew lines, whose bisector is a hyperbolic paraboloid, and a circle and its axis, in
+// With two files, the first curve of each counts. The bisector within a ball around both is written as a mesh, or
+// drawn. Without: two skew lines, whose bisector is a hyperbolic paraboloid, and a circle and its axis, in
 // curve_bisector_surface.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "bisector_scene.h"
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the programs for trimmed bisectors do with an answer: a mesh or a picture of what is kept, and the line that sums
-// up.
+// What the programs for trimmed bisectors do with an answer: a mesh or a picture of what is kept, and the line that
+// sums up.
 #ifndef TRIMMED_BISECTOR_PROGRAM_H
 #define TRIMMED_BISECTOR_PROGRAM_H
 
