@@ -65,6 +65,7 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/bisector_parts_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/curves_on_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/supporting_polyhedra_3.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/trimmed_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_boundary_2.h>

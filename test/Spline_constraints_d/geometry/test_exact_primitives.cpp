@@ -378,6 +378,25 @@ TEST(ExactPrimitives, PairsAreDecided)
   EXPECT_EQ(count, names.size());
 }
 
+// Not healed, most are undecided; then it is said where.
+TEST(ExactPrimitives, RoundedPairsSayWhereTheyAreUndecided)
+{
+  std::mt19937 generator(7);
+  std::size_t undecided = 0;
+  for (const pairs_of_primitives::Pair& pair : pairs_of_primitives::all_pairs()) {
+    const Motion motion = random_motion(generator);
+    const auto set = SC::intersection_curves(written(pair.a.patch, motion), written(pair.b.patch, motion),
+                                             {.tolerance = 1e-8, .time_limit = 0.1});
+    const std::vector<SC::Undecided_part> parts = set.undecided();
+    EXPECT_EQ(parts.empty(), set.is_complete()) << pair.name;
+    undecided += parts.empty() ? 0 : 1;
+    for (const SC::Undecided_part& part : parts)
+      for (const auto& [lower, upper] : part.place)
+        EXPECT_LE(lower, upper) << pair.name;
+  }
+  EXPECT_GT(undecided, 0u);
+}
+
 // A surface of no kind: its seam, its pole and the corner that it has in common with another one.
 TEST(ExactPrimitives, GeneralSurfacesAreClosed)
 {

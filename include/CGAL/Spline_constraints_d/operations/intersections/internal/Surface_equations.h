@@ -221,7 +221,13 @@ public:
       return result;
     }
     const std::size_t surface = has_unknowns(0) ? 0 : 1;
-    const std::array<Parameter_range, 2> ranges = parameter_ranges(surface, box);
+    std::array<Parameter_range, 2> ranges = parameter_ranges(surface, box);
+    for (const int axis : {0, 1}) {   // those of an inverse may lead out of the domain
+      const auto [begin, end] = parameter_domain(surface, axis);
+      auto& [lower, upper] = ranges[static_cast<std::size_t>(axis)];
+      lower = (std::min)((std::max)(lower, begin), end);
+      upper = (std::min)((std::max)(upper, begin), end);
+    }
     return m_surfaces[surface].patch->part({ranges[0], ranges[1]}).values();
   }
 
