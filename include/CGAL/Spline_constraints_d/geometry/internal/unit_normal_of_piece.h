@@ -57,6 +57,10 @@ struct Unit_normal
 // Parameters where not all of some polynomials are zero. \pre one of them is not.
 inline std::array<Exact_rational, 2> parameters_off_zeros(const std::vector<Power_polynomial>& polynomials)
 {
+  const Exact_rational half = Exact_rational(1) / 2;
+  for (const Power_polynomial& f : polynomials)
+    if (value_at(f, half, half) != 0)
+      return {half, half};
   for (int n = 2;; ++n) // ends: only the zero polynomial is zero on all points of a fine grid
     for (int i = 1; i < n; ++i)
       for (int j = 1; j <= n; ++j) {

@@ -37,8 +37,11 @@ public:
   Trimmed_bisector_3(Rational_bisector_3 bisector, std::vector<Trimmed_surface_3> surfaces)
     : m_bisector(std::move(bisector)), m_surfaces(std::move(surfaces)), m_summary(m_bisector.summary())
   {
+    // the work of one surface has that of those before it
+    if (!m_surfaces.empty())
+      m_summary += m_surfaces.back().summary();
     for (const Trimmed_surface_3& surface : m_surfaces)
-      m_summary += surface.summary();
+      m_summary.is_complete = m_summary.is_complete && surface.is_complete();
   }
 
   //! the bisector, untrimmed.

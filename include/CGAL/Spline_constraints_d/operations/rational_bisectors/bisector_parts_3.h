@@ -100,7 +100,8 @@ trimmed surfaces.
 \param label the label of the regions; within a sphere, `WITH_POSITIVE_WEIGHT` and `WITH_NEGATIVE_WEIGHT` have no poles.
 \param error the greatest distance between a point of a triangle and that of the bisector with the same parameters.
 \param options limits of time and nodes, a visitor; the rest of the options has no effect.
-\throws Invalid_input when the error is not positive, or an option makes no sense.
+\throws Invalid_input when the error is not positive, a vertex has no foot on a sphere, as its center has none, or an
+option makes no sense.
 
 Complexity: that of `to_surface_mesh()`, and one evaluation for each vertex.
 */

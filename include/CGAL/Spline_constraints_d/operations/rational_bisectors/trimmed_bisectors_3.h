@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisectors_of_maps.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/trimmed_sphere_bisector.h>
 #endif
@@ -36,7 +37,7 @@ Trimmed_bisector_3 trimmed(Rational_bisector_3 bisector, const typename S::Kerne
                            const CGAL::Sphere_3<typename S::Kernel>& reach, const Solver_options& options)
 {
   auto surfaces = trimmed_sphere_bisector({exact_object(center), radius}, Common::exact_map<3>(surface), bisector,
-                                          exact_reach(reach), options);
+                                          exact_reach(reach), rest_of(options, bisector.summary()));
   return {std::move(bisector), std::move(surfaces)};
 }
 

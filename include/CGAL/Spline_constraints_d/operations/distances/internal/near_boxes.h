@@ -8,9 +8,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_NEAR_BOXES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_NEAR_BOXES_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -28,10 +28,6 @@ namespace Distances {
 
 // Errors of coordinates, relative to the greatest of them, that rounding and a few operations leave.
 constexpr double rounding_of_coordinates = 0x1p-48;
-
-// With an index.
-template <int d>
-using Indexed_box = CGAL::Box_intersection_d::Box_with_info_d<double, d, std::size_t>;
 
 // Ranges of coordinates, wider by a margin on both sides.
 template <int d>

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -125,7 +126,8 @@ double size_of_coordinates(const Spline_patch<d>& patch)
   double result = 0;
   for (const Exact_function& numerator : patch.numerators())
     result = (std::max)(result, greatest(numerator));
-  return result / greatest(patch.weight());
+  const double quotient = result / greatest(patch.weight());
+  return std::isfinite(quotient) ? quotient : (std::numeric_limits<double>::max)();
 }
 
 template <int d>

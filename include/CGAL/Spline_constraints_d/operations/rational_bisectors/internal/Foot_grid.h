@@ -84,7 +84,8 @@ struct Foot_piece
   // numerator and denominator of the square of the sum of both curvatures, and of their product; or of the sum and the
   // product times |n| and |n|^2, and the latter
   std::vector<Tensor> squared_sum, product;
-  std::vector<Tensor> sign_of_sum;
+  std::vector<Tensor> sign_of_sum; // two factors
+  std::vector<Tensor> orientation; // of the cross product of the derivatives, with respect to the normal
 
   static std::optional<Foot_piece> of(const Homogeneous_polynomials& surface)
   {
@@ -106,8 +107,12 @@ struct Foot_piece
                            k = second(1, 1), ww = w * w;
     const std::vector<Power_polynomial> forms = without_common_factors(
         {e * g - f * f, ww * (e * k + g * l - Power_polynomial(2) * f * m), ww * ww * (l * k - m * m)});
-    return Foot_piece{tensors_of(surface), tensors_of(normal), quotients({forms[1], forms[0]}, 2, normal),
-                      quotients({forms[2], forms[0]}, 1, normal), tensors_of({forms[1] * forms[0]})};
+    return Foot_piece{tensors_of(surface),
+                      tensors_of(normal),
+                      quotients({forms[1], forms[0]}, 2, normal),
+                      quotients({forms[2], forms[0]}, 1, normal),
+                      {tensors_of({forms[1]}).front(), tensors_of({forms[0]}).front()},
+                      tensors_of({dot({cross_product[0], cross_product[1], cross_product[2]}, n)})};
   }
 
 private:
@@ -187,7 +192,7 @@ public:
     for (std::size_t p = 0; p < m_pieces.size(); ++p) {
       auto& nets = m_nets.emplace_back();
       for (const auto* list : {&m_pieces[p].coordinates, &m_pieces[p].normal, &m_pieces[p].squared_sum,
-                               &m_pieces[p].product, &m_pieces[p].sign_of_sum})
+                               &m_pieces[p].product, &m_pieces[p].sign_of_sum, &m_pieces[p].orientation})
         for (const Tensor& f : *list)
           nets.emplace_back(f);
       auto& borders = m_borders.emplace_back();
@@ -242,14 +247,21 @@ public:
     }
   }
 
-  // A corner of a cell on the surface, approximately.
-  std::array<double, 3> corner(const Cell& cell, int i, int j) const
+  // A corner of a cell on the surface, and how far it may be from there.
+  std::pair<Vector, double> corner(const Cell& cell, int i, int j) const
   {
     const double u = static_cast<double>(cell.at[0] + i) / m_size, v = static_cast<double>(cell.at[1] + j) / m_size;
-    std::array<double, 4> x;
-    for (std::size_t c = 0; c < 4; ++c)
-      x[c] = midpoint(m_nets[cell.piece][c](u, v));
-    return {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
+    const Interval weight = m_nets[cell.piece][3](u, v);
+    if (weight.inf() <= 0 && weight.sup() >= 0)
+      return {{}, std::numeric_limits<double>::infinity()};
+    Vector result;
+    double error = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Interval x = m_nets[cell.piece][c](u, v) / weight;
+      result[c] = midpoint(x);
+      error += x.sup() - x.inf();
+    }
+    return {result, error};
   }
 
   static double midpoint(const Interval& x) { return 0.5 * (x.inf() + x.sup()); }
@@ -363,12 +375,15 @@ private:
     const std::size_t first = 7, second = first + piece.squared_sum.size();
     const std::optional<Interval> squared_sum = quotient(nets, first, piece.squared_sum.size(), 2),
                                   product = quotient(nets, second, piece.product.size(), 1);
-    result.is_regular = squared_length.inf() > 0 && squared_sum && product;
+    // Where the parametrisation folds, the cross product of the derivatives turns to the other side of the normal.
+    result.is_regular = squared_length.inf() > 0 && squared_sum && product && std::isfinite(result.distance) &&
+        nets.back().bounds().inf() >= 0;
     if (result.is_regular) {
       const Interval length = CGAL::sqrt(squared_length);
       for (std::size_t c = 0; c < 3; ++c)
         result.normal[c] = n[c] / length;
-      result.curvatures = principal_curvatures(nets.back().bounds(), *squared_sum, *product);
+      result.curvatures =
+          principal_curvatures(nets[nets.size() - 3].bounds() * nets[nets.size() - 2].bounds(), *squared_sum, *product);
     }
     return result;
   }

@@ -8,6 +8,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_NEAREST_FEET_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_NEAREST_FEET_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_grid.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -32,8 +33,8 @@ cell of a grid at once.
 
 Most cells of the grid are outside of all these balls, by their distance. The others, near the feet, are seen in a
 chart: S is projected along a direction d onto a plane, where they are within a disk. Cells are added until all that
-reach into the disk have their neighbours. On them <n,d> > 0, so the projection is one-to-one near each point, and that
-it is so on the whole disk is known from how often the boundary winds around it. Along a straight line in the disk the
+reach into the disk have their neighbours. On them <n,d> > 0 and S does not fold, so the projection keeps orientations,
+and it is one-to-one over the whole disk if the boundary winds around it once. Along a straight line in the disk the
 second derivative of half the squared distance from the center P of a ball is
 
   1 + c k,  c = <S-P,d> / <n,d>,
@@ -94,10 +95,10 @@ private:
 
 public:
   // \pre rounding is upwards, here and below; the size of the grid is a power of two.
-  explicit Nearest_feet(Foot_grid& grid) : m_grid(grid), m_last_visit(grid.number_of_cells(), 0)
+  Nearest_feet(Foot_grid& grid, const Operation_budget& budget) : m_grid(grid), m_last_visit(grid.number_of_cells(), 0)
   {
     for (std::size_t piece = 0; piece < grid.number_of_pieces(); ++piece)
-      m_roots.push_back(add_node({piece, {0, 0}}, grid.size()));
+      m_roots.push_back(add_node({piece, {0, 0}}, grid.size(), budget));
   }
 
   // For feet in a part of a cell.
@@ -118,8 +119,9 @@ public:
   }
 
 private:
-  std::size_t add_node(const Cell& first, int size)
+  std::size_t add_node(const Cell& first, int size, const Operation_budget& budget)
   {
+    budget.check();
     const std::size_t index = m_nodes.size();
     m_nodes.push_back({first, size, {}, 0, {}});
     Box box = m_grid.bounds(first).point;
@@ -128,14 +130,26 @@ private:
       std::size_t k = 0;
       for (const int i : {0, half})
         for (const int j : {0, half}) {
-          const std::size_t child = add_node({first.piece, {first.at[0] + i, first.at[1] + j}}, half);
+          const std::size_t child = add_node({first.piece, {first.at[0] + i, first.at[1] + j}}, half, budget);
           m_nodes[index].children[k++] = child;
           const Node& node = m_nodes[child];
+          const bool has_bounds = std::isfinite(node.radius);
           for (std::size_t c = 0; c < 3; ++c) {
+            if (!has_bounds) {
+              box[c] = Interval::largest();
+              continue;
+            }
             const Interval range = Interval(node.center[c]) + Interval(-node.radius, node.radius);
             box[c] = Interval((std::min)(box[c].inf(), range.inf()), (std::max)(box[c].sup(), range.sup()));
           }
         }
+    }
+    // Where a weight may be zero, points have no bounds.
+    const bool is_bounded =
+        std::ranges::all_of(box, [](const Interval& x) { return std::isfinite(x.inf()) && std::isfinite(x.sup()); });
+    if (!is_bounded) {
+      m_nodes[index].radius = std::numeric_limits<double>::infinity();
+      return index;
     }
     Interval square(0);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -176,6 +190,8 @@ private:
   // Of all balls: far from the feet, by the distance from their centers.
   static bool is_outside(const Bounds& cell, const Feet& feet)
   {
+    if (!std::isfinite(cell.distance))
+      return false;
     if (power(cell, feet.bounds, feet.x).inf() > 0)
       return true;
     // |c + s a + t b - P|^2 >= |c - P|^2 - 2 |<a,c-P>| - 2 |<b,c-P>|
@@ -376,8 +392,10 @@ private:
           std::array<int, 2> from{}, to{};
           from[static_cast<std::size_t>(axis)] = to[static_cast<std::size_t>(axis)] = side;
           (is_forward ? to : from)[static_cast<std::size_t>(1 - axis)] = 1;
-          const Chart_point a = in_chart(m_grid.corner(cell, from[0], from[1]), chart),
-                            b = in_chart(m_grid.corner(cell, to[0], to[1]), chart);
+          const auto first = m_grid.corner(cell, from[0], from[1]), last = m_grid.corner(cell, to[0], to[1]);
+          if (!(first.second + last.second < 0x1p-20 * chart.radius))
+            return 0;
+          const Chart_point a = in_chart(first.first, chart), b = in_chart(last.first, chart);
           angle += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
         }
     constexpr double turn = 6.283185307179586;

@@ -58,7 +58,7 @@ inline Surface_cell_3 part_of_cell(const Surface_cell_3& cell, const std::array<
 }
 
 // The cells of a continuous part, whose weights have no jumps, each cut into n times n.
-inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part, int n)
+inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part, int n, const Operation_budget& budget)
 {
   std::array<std::vector<Cell_polynomial>, 4> pieces;
   const std::array<Exact_function, 4> splines = part.splines();
@@ -72,8 +72,11 @@ inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part, int n
                                   Surface_cell_3::Range(part.breaks(1)[j - 1], part.breaks(1)[j])},
                                  {pieces[0][k], pieces[1][k], pieces[2][k], pieces[3][k]}};
       for (int a = 0; a < n; ++a)
-        for (int b = 0; b < n; ++b)
+        for (int b = 0; b < n; ++b) {
+          if (n > 1)
+            budget.check();
           result.push_back(n == 1 ? piece : part_of_cell(piece, {a, b}, n));
+        }
     }
   return result;
 }
@@ -83,24 +86,27 @@ class Bisector_trimming
 {
   std::vector<Surface_cell_3> m_cells;
   std::optional<Reach> m_reach;
-  std::vector<Cell_polynomial> m_powers; // of the cells: positive out of reach
+  std::vector<std::optional<Cell_polynomial>> m_powers; // of the cells: positive out of reach
 
 public:
-  Bisector_trimming(const Cell_functions<4>& part, const std::optional<Reach>& reach, int n)
-    : m_cells(cells_of(part, n)), m_reach(reach)
-  {
-    for (const Surface_cell_3& cell : m_cells)
-      if (m_reach)
-        m_powers.push_back(is_certainly_within(cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
-                                                     : power_of(cell));
-  }
+  Bisector_trimming(const Cell_functions<4>& part, const std::optional<Reach>& reach, int n,
+                    const Operation_budget& budget)
+    : m_cells(cells_of(part, n, budget)), m_reach(reach), m_powers(m_cells.size())
+  {}
 
   const std::vector<Surface_cell_3>& cells() const { return m_cells; }
 
 private:
-  Cell_polynomial power_of(const Surface_cell_3& cell) const
+  // When it is asked for.
+  const Cell_polynomial& power(std::size_t index)
   {
-    return power_of_distance(cell.coordinates, constant_coordinates(m_reach->center), m_reach->squared_radius);
+    const Surface_cell_3& cell = m_cells[index];
+    std::optional<Cell_polynomial>& result = m_powers[index];
+    if (!result)
+      result = is_certainly_within(cell)
+          ? Cell_polynomial::constant(2, Exact_rational(-1))
+          : power_of_distance(cell.coordinates, constant_coordinates(m_reach->center), m_reach->squared_radius);
+    return *result;
   }
 
   // By the control points, in doubles.
@@ -125,18 +131,18 @@ private:
   }
 
 public:
-  std::vector<Cell_polynomial> zeros(std::size_t cell) const
+  std::vector<Cell_polynomial> zeros(std::size_t cell)
   {
-    return {m_reach ? m_powers[cell] : m_cells[cell].coordinates[3]};
+    return {m_reach ? power(cell) : m_cells[cell].coordinates[3]};
   }
 
   // `label_within(cell, parameters in its unit box, whether the weight is positive)` within reach.
   template <class Label_within>
-  std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within) const
+  std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within)
   {
     const Surface_cell_3& place = m_cells[cell];
     const Parameters local{place.local_parameter(0, parameters[0]), place.local_parameter(1, parameters[1])};
-    if (m_reach && m_powers[cell](local) > 0)
+    if (m_reach && power(cell)(local) > 0)
       return OUT_OF_REACH;
     return label_within(place, local, place.coordinates[3](local) > 0);
   }
@@ -152,7 +158,7 @@ std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bise
   const Cell_functions<4> all = coordinates_on_bisector(bisector);
   std::vector<Trimmed_surface_3> result;
   for (const Continuous_part<4>& part : continuous_parts(all, false)) {
-    const Bisector_trimming cut(part.functions, reach, n);
+    Bisector_trimming cut(part.functions, reach, n, budget);
     Trimming trimming{cut.cells(),
                       {},
                       [&](std::size_t cell) { return cut.zeros(cell); },

@@ -45,11 +45,13 @@ struct Foot_pieces
   std::array<std::size_t, 2> shape;
 
   //! \pre no piece is a curve.
-  static Foot_pieces of(const std::vector<Polynomial_piece>& all)
+  static Foot_pieces of(const std::vector<Polynomial_piece>& all, const Operation_budget& budget)
   {
     Foot_pieces result;
-    for (const Polynomial_piece& piece : all)
+    for (const Polynomial_piece& piece : all) {
+      budget.check();
       result.pieces.push_back(Foot_piece::of(piece.coordinates).value());
+    }
     const auto is_in_first_row = [&](const Polynomial_piece& piece) { return piece.domain[0] == all[0].domain[0]; };
     result.shape[1] = static_cast<std::size_t>(std::ranges::count_if(all, is_in_first_row));
     result.shape[0] = all.size() / result.shape[1];
@@ -99,6 +101,7 @@ class Face_trimming
   const Operation_budget& m_budget;
   Foot_grid::Box m_center;
   Interval m_radius, m_reach; // of the sphere, with its sign; the greatest distance from its center
+  CGAL::Sign m_sign_of_radius;
   std::vector<Tensor> m_sides;
   std::vector<Piece_nets> m_nets;
   Foot_grid m_grid;
@@ -116,7 +119,8 @@ public:
       m_radius(to_double_interval(sphere.radius)),
       m_reach(CGAL::sqrt(Interval(to_double_interval(reach.squared_radius))) +
               CGAL::sqrt(Interval(to_double_interval(CGAL::squared_distance(sphere.center, reach.center))))),
-      m_grid(feet.pieces, feet.shape, feet.pieces.size() < 8 ? 32 : 16), m_feet(m_grid)
+      m_sign_of_radius(CGAL::sign(sphere.radius)), m_grid(feet.pieces, feet.shape, feet.pieces.size() < 8 ? 32 : 16),
+      m_feet(m_grid, budget)
   {
     const Rational_bisector_piece_3::Coordinates center = constant_coordinates(sphere.center),
                                                  center_of_reach = constant_coordinates(reach.center);
@@ -136,15 +140,21 @@ public:
   // what is in one of these.
   std::optional<int> label(std::size_t piece, const Parameters& local, bool is_cut)
   {
-    const bool is_positive = m_sides[piece](local) > 0;
+    const CGAL::Sign side = CGAL::sign(m_sides[piece](local));
+    if (side == CGAL::ZERO)
+      return std::nullopt;
+    const bool is_positive = side > 0;
     // x + r and r have different signs: the distance is that from the farthest point of the sphere.
-    if (is_positive ? m_radius.inf() > 0 : m_radius.sup() < 0)
+    if (is_positive ? m_sign_of_radius > 0 : m_sign_of_radius < 0)
       return NOT_NEAREST;
     auto [known, is_new] = m_answers.try_emplace({piece, is_positive});
     if (is_new)
       known->second = answers(piece, is_positive);
     const auto index = [&](std::size_t axis) {
-      const int i = static_cast<int>(std::floor(to_nearest_double(Exact_rational(local[axis] * m_grid.size()))));
+      const Exact_rational place(local[axis] * m_grid.size());
+      int i = static_cast<int>(std::floor(to_nearest_double(place)));
+      if (place < i) // it was rounded upwards
+        --i;
       return (std::min)((std::max)(i, 0), m_grid.size() - 1);
     };
     const std::array<int, 2> at{index(0), index(1)};
@@ -197,7 +207,6 @@ private:
     for (int i = 0; i < m_grid.size(); ++i) {
       const std::array<double, 2> column{i * step, (i + 1) * step};
       for (int j = 0; j < m_grid.size(); ++j) {
-        m_budget.check();
         result.push_back(answer({piece, {i, j}}, {column, {j * step, (j + 1) * step}}, is_positive, 0));
       }
     }
@@ -208,6 +217,7 @@ private:
   std::optional<Answer> answer(const Cell& cell, const std::array<Range, 2>& range, bool is_positive, int depth)
   {
     constexpr int most_halvings = 4;
+    m_budget.check();
     const std::optional<Nearest_feet::Feet> feet = feet_in(cell.piece, range, is_positive);
     if (!feet)
       return std::nullopt;
@@ -273,11 +283,18 @@ trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surfa
   Operation_budget budget(options);
   const std::vector<Polynomial_piece> pieces = pieces_in_powers(surface);
   std::optional<Face_trimming> faces;
-  bool is_cut = false;
-  const auto label = [&](const Parameters& parameters) {
+  bool is_cut = false, is_too_hard = false;
+  const auto label = [&](const Parameters& parameters) -> std::optional<int> {
+    if (!faces && is_too_hard)
+      return std::nullopt;
     const Upward_rounding_guard guard;
     if (!faces)
-      faces.emplace(bisector, pieces, Foot_pieces::of(pieces), sphere, reach, budget);
+      try {
+        faces.emplace(bisector, pieces, Foot_pieces::of(pieces, budget), sphere, reach, budget);
+      } catch (const Invalid_input&) { // polynomials of the curvatures would be too large
+        is_too_hard = true;
+        return std::nullopt;
+      }
     const auto contains = [&](const Rational_bisector_piece_3& piece) {
       return piece.contains(0, parameters[0]) && piece.contains(1, parameters[1]);
     };
@@ -290,7 +307,15 @@ trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surfa
   };
   std::vector<Trimmed_surface_3> result = parts_of_bisector(bisector, reach, label_of_face, budget);
   is_cut = faces && std::ranges::any_of(result, [](const Trimmed_surface_3& part) { return !part.is_complete(); });
-  return is_cut ? parts_of_bisector(bisector, reach, label_of_face, budget, faces->size_of_grid()) : result;
+  if (!is_cut || budget.must_stop())
+    return result;
+  try {
+    std::vector<Trimmed_surface_3> finer =
+        parts_of_bisector(bisector, reach, label_of_face, budget, faces->size_of_grid());
+    return budget.must_stop() ? result : finer;
+  } catch (const Run_stopped&) { // before there were cells
+    return result;
+  }
 }
 
 } // namespace Rational_bisectors

@@ -187,10 +187,13 @@ private:
           germ.is_known = germ.is_known && slopes.back() != 0;
           germ.branches += slopes.back() == germ.around ? 0 : 2;
         }
-        if (Germs_of_sight::is_monotone(slopes) || is_again(m_settled, m_grid.canonical(s.box)))
+        if (Germs_of_sight::is_monotone(slopes))
           continue;
-        if (!s.is_certified())
+        const bool is_known = is_again(m_settled, m_grid.canonical(s.box));
+        if (!s.is_certified() && !(is_known && is_small(s.box, box)))
           add_unclear(s);
+        else if (is_known)
+          continue;
         else if (!is_at_end(cell, other, functions, s))
           add(s.box, germ, velocity(cell, s.box));
       }
@@ -278,7 +281,9 @@ private:
         return result;
       };
       const std::vector<int> along_u = slopes(0, u_sides, v), along_v = slopes(1, v_sides, u);
-      if (Germs_of_sight::is_monotone(along_u) || Germs_of_sight::is_monotone(along_v) || is_again(m_settled, s.box))
+      if (Germs_of_sight::is_monotone(along_u) || Germs_of_sight::is_monotone(along_v))
+        continue;
+      if (is_again(m_settled, s.box) && (s.is_certified() || is_small(s.box, box)))
         continue;
       if (s.is_certified())
         add(s.box, Germ::at_vertex(along_u, along_v), velocity(cell, s.box));
@@ -295,6 +300,15 @@ private:
     return sign_of(m_equations.velocity(cell.planes, wide));
   }
 
+  // Whether a box is a tiny part of another one: next to a settled point, what the tolerance leaves of it.
+  static bool is_small(const Parameter_box& part, const Parameter_box& whole)
+  {
+    for (std::size_t j = 0; j < part.size(); ++j)
+      if ((part[j].second - part[j].first) * 1024 > whole[j].second - whole[j].first)
+        return false;
+    return true;
+  }
+
   // Whether a solution on a line is at an end of a cell, where it is found as a vertex.
   bool is_at_end(const Plane_cell& cell, int other, const std::vector<Plane_functions>& functions,
                  const Sight_solution& solution)
@@ -309,8 +323,12 @@ private:
       Parameter_box box = widened(solution.region, cell);
       for (const int axis : {0, 1})
         box[axis] = axis == other ? Parameter_range(end, end) : solution.box[axis];
-      if (!m_equations.solve(there, box).empty())
-        return true;
+      const std::vector<Sight_solution> found = m_equations.solve(there, box);
+      if (found.empty())
+        continue;
+      if (std::ranges::none_of(found, [](const Sight_solution& s) { return s.is_certified(); }))
+        add_unclear(solution);
+      return true;
     }
     return false;
   }

@@ -156,9 +156,11 @@ private:
       }
       for (const Sight_solution& s : solutions(constraints, e, domain)) {
         const auto is_known = [&](const Parameter_box& box) { return touch(box, s.box); };
-        if (std::any_of(known.begin(), known.end(), is_known))
+        const bool is_unclear = !s.is_certified() && !s.is_one();
+        if (!is_unclear && std::any_of(known.begin(), known.end(), is_known))
           continue;
-        known.push_back(s.box);
+        if (!is_unclear)
+          known.push_back(s.box);
         const bool is_on_side =
             touches_end(s.box, domain, 0) || touches_end(s.box, domain, 1) || touches_end(s.box, domain, 2);
         if (s.is_one() && is_at_pole(s.box, domain))

@@ -92,6 +92,7 @@ public:
       for (const int side : {0, 1})
         if (!m_is_flat && !surface.is_closed(axis))
           add_edge(axis, side);
+    m_is_supported = m_is_supported && (m_is_flat || covers_without_folds(budget));
   }
 
   // Whether all that follows is known.
@@ -121,7 +122,7 @@ public:
   // Whether the surface has another point on the ray from one of its points, before the eye, if there is one; nothing
   // if that is not decided. What looks along the surface hits it.
   std::optional<bool> is_hit(const Exact_triple& point, const Exact_triple& direction,
-                             const std::optional<Exact_triple>& eye, const Operation_budget& budget) const
+                             const std::optional<Exact_triple>& eye, Operation_budget& budget) const
   {
     Exact_rational slope(0), bend(0);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -140,6 +141,7 @@ public:
       hit[i] += place * direction[i];
     Common::Budgeted_solver solve(budget);
     const auto found = Intersections::common_points<3>(Patch_pair<3>(Spline_patch<3>(hit), m_surface), solve);
+    budget = solve.budget();
     if (found.empty())
       return false;
     const auto is_known = [](const Common_point& x) { return x.kind != Intersection_kind::UNDECIDED; };
@@ -147,6 +149,32 @@ public:
   }
 
 private:
+  // Whether the normal is on one side of the quadric everywhere. Where the surface turns back on it, it would end
+  // there, too.
+  bool covers_without_folds(const Operation_budget& budget) const
+  {
+    int sign = 0;
+    for (const Surface_cell_3& cell : cells_of(m_surface)) {
+      budget.check();
+      const Cell_vector x = numerators_of(cell);
+      Cell_vector gradient;
+      for (std::size_t i = 0; i < 3; ++i)
+        gradient[i] = dot(constant_vector(m_matrix[i]), x) + cell.coordinates[3] * m_linear[i];
+      const Cell_polynomial side = dot(normal_of(cell), gradient);
+      if (is_zero(side))
+        return false;
+      try {
+        const int own = certified_weight_sign(without_sides(side), {.maximal_depth = 12, .maximal_parts = 500});
+        if (sign != 0 && own != sign)
+          return false;
+        sign = own;
+      } catch (const Invalid_input&) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   // The plane of an edge; one of those through a straight one. Poles are left out: rays meet them from single points.
   void add_edge(int axis, int side)
   {

@@ -90,7 +90,7 @@ private:
       parts.push_back({{}, {{0, {to_double_range(cell.domain[0]), to_double_range(cell.domain[1])}}}, reason});
     Summary work = m_budget.total();
     work.seconds = m_budget.seconds();
-    work.why_not = m_budget.reason();
+    work.why_not = m_budget.reason() == Undecided_reason::NONE ? Undecided_reason::CONTINUUM : m_budget.reason();
     return {m_cells, {}, {}, {}, std::move(parts), work};
   }
 
@@ -136,6 +136,7 @@ private:
   std::vector<Cell_polynomial> zeros(std::size_t index)
   {
     const Surface_cell_3& cell = m_cells[index];
+    m_budget.check();
     const Cell_vector direction = m_directions[index] = direction_in(cell);
     const Cell_polynomial square = dot(direction, direction),
                           squared_weight = cell.coordinates[3] * cell.coordinates[3];
@@ -156,12 +157,14 @@ private:
         result.push_back(std::move(f));
     // One that is zero on the whole cell parts nothing: rays that touch a ball are in its way.
     std::erase_if(result, is_zero);
-    for (Cell_polynomial& f : result)
+    for (Cell_polynomial& f : result) {
+      m_budget.check();
       f = without_factors_of(cell.coordinates[3], f);
+    }
     return result;
   }
 
-  std::optional<Access> access(std::size_t index, const Parameters& parameters) const
+  std::optional<Access> access(std::size_t index, const Parameters& parameters)
   {
     const Surface_cell_3& cell = m_cells[index];
     const Parameters local{cell.local_parameter(0, parameters[0]), cell.local_parameter(1, parameters[1])};
