@@ -26,7 +26,7 @@ enum class Silhouette_event_kind
   DEATH,        ///< a curve shrinks to a point and is gone
   RECONNECTION, ///< two branches meet and part in another way; on an edge one branch is cut in two, or two become one
   PASSAGE,      ///< the end of a curve passes a corner, from one edge to the next one
-  DEGENERATE    ///< something of a higher order, or several of the others at one place: not told
+  DEGENERATE    ///< something of a higher order, or several of the others, perhaps beside a break: not told
 };
 
 //! \ingroup PkgSplineConstraintsDSurfaceCurves

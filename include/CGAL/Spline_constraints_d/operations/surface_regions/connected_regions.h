@@ -34,8 +34,9 @@ Connected_regions_3 united_regions(const std::vector<Trimmed_surface_3>& surface
 \ingroup PkgSplineConstraintsDSurfaceRegions
 
 the regions of several surfaces, united across edges that two of them have in common: where sides of their polynomial
-pieces are the same rational curve with the same parameters, or reversed, or one is a part of the other. This is decided
-exactly; edges that agree in other ways are not common ones here.
+pieces are the same rational curve with the same parameters, or reversed, or one is a part of the other that begins and
+ends at multiples of a sixty-fourth of its range. This is decided exactly; edges that agree in other ways, and those
+that are closed curves on one piece, are not common ones here.
 
 \param surfaces the surfaces with their regions.
 
