@@ -96,6 +96,22 @@ public:
 
   const std::vector<Surface_cell_3>& cells() const { return m_cells; }
 
+  std::vector<Cell_polynomial> zeros(std::size_t cell)
+  {
+    return {m_reach ? power(cell) : m_cells[cell].coordinates[3]};
+  }
+
+  // `label_within(cell, parameters in its unit box, whether the weight is positive)` within reach.
+  template <class Label_within>
+  std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within)
+  {
+    const Surface_cell_3& place = m_cells[cell];
+    const Parameters local{place.local_parameter(0, parameters[0]), place.local_parameter(1, parameters[1])};
+    if (m_reach && power(cell)(local) > 0)
+      return OUT_OF_REACH;
+    return label_within(place, local, place.coordinates[3](local) > 0);
+  }
+
 private:
   // When it is asked for.
   const Cell_polynomial& power(std::size_t index)
@@ -128,23 +144,6 @@ private:
         return false;
     }
     return true;
-  }
-
-public:
-  std::vector<Cell_polynomial> zeros(std::size_t cell)
-  {
-    return {m_reach ? power(cell) : m_cells[cell].coordinates[3]};
-  }
-
-  // `label_within(cell, parameters in its unit box, whether the weight is positive)` within reach.
-  template <class Label_within>
-  std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within)
-  {
-    const Surface_cell_3& place = m_cells[cell];
-    const Parameters local{place.local_parameter(0, parameters[0]), place.local_parameter(1, parameters[1])};
-    if (m_reach && power(cell)(local) > 0)
-      return OUT_OF_REACH;
-    return label_within(place, local, place.coordinates[3](local) > 0);
   }
 };
 
