@@ -68,16 +68,9 @@ int main(int argc, char* argv[])
     if (arguments.words.size() != 4)
       throw SC::Invalid_input("usage: point_surface_bisector [SURFACE.g2 X Y Z] [--reach R] [--error E] [--output "
                               "FILE.off|.vtp|.svg] [--time-limit S]");
-    const Surface surface = read_surface(arguments.words[0]);
-    const auto number = [&](std::size_t i) { return number_of<double>(arguments.words[i]); };
-    const K::Point_3 point(number(1), number(2), number(3));
-    std::vector<K::Point_3> points = points_of(surface);
-    points.push_back(point);
-    const auto begin = std::chrono::steady_clock::now();
-    const auto bisector =
-        SC::trimmed_point_surface_bisector(point, surface, reach_around(points, arguments.reach), arguments.options);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    return report(bisector, surface, point, arguments, seconds.count());
+    return of_file(arguments, [&](const K::Point_3& center, const Surface& surface, const K::Sphere_3& reach) {
+      return SC::trimmed_point_surface_bisector(center, surface, reach, arguments.options);
+    });
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -85,16 +85,10 @@ int main(int argc, char* argv[])
     if (arguments.words.size() != 5)
       throw SC::Invalid_input("usage: sphere_surface_bisector [SURFACE.g2 X Y Z R] [--reach R] [--error E] [--output "
                               "FILE.off|.vtp|.svg] [--time-limit S]");
-    const Surface surface = read_surface(arguments.words[0]);
-    const auto number = [&](std::size_t i) { return number_of<double>(arguments.words[i]); };
-    const K::Point_3 center(number(1), number(2), number(3));
-    std::vector<K::Point_3> points = points_of(surface);
-    points.push_back(center);
-    const auto begin = std::chrono::steady_clock::now();
-    const auto bisector = SC::trimmed_sphere_surface_bisector(center, number(4), surface,
-                                                              reach_around(points, arguments.reach), arguments.options);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    return report(bisector, surface, center, arguments, seconds.count());
+    const double radius = number_of<double>(arguments.words[4]);
+    return of_file(arguments, [&](const K::Point_3& center, const Surface& surface, const K::Sphere_3& reach) {
+      return SC::trimmed_sphere_surface_bisector(center, radius, surface, reach, arguments.options);
+    });
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';
     return 2;

@@ -47,4 +47,20 @@ inline int report(const SC::Trimmed_bisector_3& bisector, const Surface& surface
   return is_complete ? 0 : 3;
 }
 
+// Of the surface of a file and a point or center, whose coordinates are the next words: `trimmed(center, surface,
+// reach)` is the bisector.
+template <class Trimmed>
+int of_file(const Bisector_arguments& arguments, const Trimmed& trimmed)
+{
+  const Surface surface = read_surface(arguments.words[0]);
+  const auto number = [&](std::size_t i) { return number_of<double>(arguments.words[i]); };
+  const K::Point_3 center(number(1), number(2), number(3));
+  std::vector<K::Point_3> points = points_of(surface);
+  points.push_back(center);
+  const auto begin = std::chrono::steady_clock::now();
+  const SC::Trimmed_bisector_3 bisector = trimmed(center, surface, reach_around(points, arguments.reach));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  return report(bisector, surface, center, arguments, seconds.count());
+}
+
 #endif // TRIMMED_BISECTOR_PROGRAM_H
