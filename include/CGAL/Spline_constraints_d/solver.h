@@ -9,8 +9,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_H
 
-// All of the floor of solvers: systems, the solvers of points and of curves, verification. For solvers with traits of
-// your own include solver/own_traits.h as well, which has the definitions that the compiled library has for the others.
+// All of the floor of solvers: systems, the solvers of points, of curves and of surfaces, verification.
+// For solvers with traits of your own include solver/own_traits.h as well, which has the definitions that the compiled
+// library has for the others.
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
@@ -22,6 +23,8 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 #include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>

@@ -136,7 +136,8 @@ struct Undecided_region
 namespace internal {
 
 // The box around the boxes of a region, rounded to doubles.
-inline std::vector<Undecided_part::Range> ranges_of(const Undecided_region& region)
+template <class Region>
+std::vector<Undecided_part::Range> ranges_of(const Region& region)
 {
   std::vector<Undecided_part::Range> result;
   for (std::size_t j = 0; j < region.boxes.front().size(); ++j) {

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/Newton_result.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_search.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
@@ -36,9 +37,8 @@ using Coordinate_of = typename Number_traits<typename Traits::Number_type>::Coor
 
 // All solutions of a system, in no order; defined in subdivision/all_solutions.h.
 template <class Traits, class Concurrency_tag>
-std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions(const Constraint_system_d& system,
-                                                             const Solver_options& options, Run_control& control,
-                                                             Summary& summary);
+std::vector<Solution_d<Coordinate_of<Traits>>>
+all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary);
 
 // All curves of solutions of a system; defined in curves/all_curves.h.
 template <class Traits, class Concurrency_tag>
@@ -46,6 +46,10 @@ Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_
                                 const Curve_search& search);
 
 // Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
+template <class Traits>
+Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
+                                    Run_control& control);
+
 Newton_result improved_point(const Constraint_system_d& system, std::vector<double> start,
                              const Newton_options& options);
 
@@ -76,6 +80,8 @@ constexpr bool is_compiled_for_all_cores = false;
 template <class Traits, class Concurrency_tag>
 constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_traits> &&
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> || is_compiled_for_all_cores);
+template <class Traits>
+constexpr bool are_surfaces_compiled = std::same_as<Traits, Certified_solver_traits>;
 template <class Traits, class Concurrency_tag>
 constexpr bool are_points_compiled = are_curves_compiled<Traits, Concurrency_tag> ||
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> &&
@@ -83,7 +89,10 @@ constexpr bool are_points_compiled = are_curves_compiled<Traits, Concurrency_tag
       std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>));
 
 template <class T>
-concept Complete_type = requires { sizeof(T); };
+concept Complete_type = requires
+{
+  sizeof(T);
+};
 
 // Fails to compile where neither the compiled library nor the program has a solver.
 template <class Traits, bool is_compiled>
@@ -103,6 +112,10 @@ constexpr void check_definitions()
   EXTERN template Curve_solution_set_d all_curves<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,      \
                                                                Run_control&, const Curve_search&);
 
+#define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS)                                                     \
+  EXTERN template Surface_solution_set_d all_surfaces<TRAITS>(const Constraint_system_d&, const Solver_options&,       \
+                                                              Run_control&);
+
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
@@ -117,6 +130,7 @@ constexpr void check_definitions()
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Multiprecision_solver_traits, CGAL::Sequential_tag)                 \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Exact_solver_traits, CGAL::Sequential_tag)                          \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits)                                          \
   CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED

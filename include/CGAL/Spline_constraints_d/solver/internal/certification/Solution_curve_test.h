@@ -10,7 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_SOLUTION_CURVE_TEST_H
 
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
-#include <CGAL/Spline_constraints_d/solver/internal/certification/Curve_graph_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/Graph_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_refinement.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Box_node.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source.h>
@@ -47,7 +47,7 @@ class Solution_curve_test
   Exact_source& m_source;
   Node_analysis<NT> m_analysis;
   Box_node<NT> m_node;
-  Curve_graph_test m_graph;
+  Graph_test m_graph;
   std::vector<double> m_place, m_value, m_spread;
   std::vector<Exact_source::Value> m_values;
   double m_resolution = 0;   // of places in the node

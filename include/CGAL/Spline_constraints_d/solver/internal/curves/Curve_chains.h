@@ -10,11 +10,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_CURVE_CHAINS_H
 
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/union_of_boxes.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -132,53 +132,12 @@ private:
     }
   }
 
-  // Of each box one of those that it is connected to, the same for all of them. By a sweep.
-  std::vector<std::size_t> roots_of_regions() const
-  {
-    std::vector<std::size_t> root(m_boxes.size()), order(m_boxes.size());
-    std::iota(root.begin(), root.end(), 0);
-    std::iota(order.begin(), order.end(), 0);
-    const auto find = [&](std::size_t i) {
-      while (root[i] != i)
-        i = root[i] = root[root[i]];
-      return i;
-    };
-    const std::size_t axis = axis_of_sweep();
-    const auto range = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& {
-      return m_boxes[i].box[axis];
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t i, std::size_t k) { return range(i).first < range(k).first; });
-    for (std::size_t a = 0; a < order.size(); ++a)
-      for (std::size_t b = a + 1; b < order.size() && range(order[b]).first <= range(order[a]).second; ++b)
-        if (find(order[a]) != find(order[b]) && touch(m_boxes[order[a]].box, m_boxes[order[b]].box))
-          root[find(order[a])] = find(order[b]);
-    for (std::size_t i = 0; i < root.size(); ++i)
-      root[i] = find(i);
-    return root;
-  }
-
-  // The unknown whose ranges begin at the most places: boxes along a face all have the same one of another unknown.
-  std::size_t axis_of_sweep() const
-  {
-    std::size_t result = 0, most = 0;
-    for (std::size_t j = 0; j < m_domain.size(); ++j) {
-      std::vector<double> places;
-      for (const Undecided_box& box : m_boxes)
-        places.push_back(CGAL::to_double(box.box[j].first));
-      std::sort(places.begin(), places.end());
-      const auto count = static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
-      if (count > most) {
-        most = count;
-        result = j;
-      }
-    }
-    return result;
-  }
-
   std::vector<Undecided_region> regions() const
   {
-    const std::vector<std::size_t> root = roots_of_regions();
+    std::vector<Exact_ranges> boxes;
+    for (const Undecided_box& own : m_boxes)
+      boxes.push_back(own.box);
+    const std::vector<std::size_t> root = roots_of_touching(boxes);
     std::map<std::size_t, Undecided_region> all;
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
       Undecided_region& region =

@@ -10,24 +10,15 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_CURVE_SUBDIVISION_H
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/Local_box.h>
-#include <CGAL/Spline_constraints_d/solver/internal/certification/Curve_graph_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Singular_branch_finder.h>
-#include <CGAL/Spline_constraints_d/solver/internal/node/Dense_preconditioner.h>
-#include <CGAL/Spline_constraints_d/solver/internal/node/Node_analysis.h>
-#include <CGAL/Spline_constraints_d/solver/internal/node/cell_boxes.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Depth_first_subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/splitters.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,7 +50,7 @@ struct Curve_findings
   Curve_vertices vertices;
   std::vector<Curve_piece> pieces = {};
   std::vector<Undecided_box> undecided = {};
-  std::vector<Curve_task> pending = {};   // what is left when the budget is used up
+  std::vector<Curve_task> pending = {}; // what is left when the budget is used up
   Summary summary = {};
 
   // Numbers the vertices as the map says.
@@ -85,38 +76,26 @@ Inequalities that neither hold everywhere in a box nor exclude it have their zer
 that they hold for all points between two vertices or for none.
 */
 template <class Traits>
-class Curve_subdivision
+class Curve_subdivision : Graph_box_search<Traits>
 {
-  using NT = typename Traits::Number_type;
-  using Coordinate = typename Number_traits<NT>::Coordinate;
-  using Node = Box_node<NT>;
+  using Search = Graph_box_search<Traits>;
+  using Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities, Search::m_graph,
+      Search::m_layout, Search::m_open_inequalities, Search::m_options, Search::m_source, Search::m_summary,
+      Search::m_system;
+  using typename Search::Node;
 
 public:
   // What the driver keeps for a box.
   struct State
   {
     Exact_ranges box;
-    Vertex_indices vertices;   // on its boundary
-    int age = 0;               // changes since the coefficients were exact
+    Vertex_indices vertices; // on its boundary
+    int age = 0;             // changes since the coefficients were exact
   };
 
 private:
-  const Constraint_system_d m_system, m_equalities, m_closure;   // the last without inequations
-  const System_layout m_layout;
-  Exact_source m_source;
-  Summary& m_summary;
-  Node_analysis<NT> m_analysis;
-  Curve_graph_test m_graph;
-  typename Traits::Splitter m_splitter;
-  Dense_preconditioner m_combinations;
-  Local_box m_part;   // of the node: what may hold solutions
-  bool m_has_rows = false;
-  const Solver_options& m_options;
-  Run_control& m_control;
+  const Constraint_system_d m_closure; // without inequations
   Curve_vertices& m_vertices;
-  Depth_first_subdivision<NT> m_driver;
-  const std::vector<double>& m_domain_widths;
-  std::vector<std::size_t> m_open_inequalities;   // of the node
   Singular_branch_finder m_singular_branches;
   std::size_t m_budget = 0, m_open_before = 0;
   std::vector<Curve_piece>& m_pieces;
@@ -127,11 +106,8 @@ public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
                     const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
                     Curve_findings& findings)
-    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)),
-      m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
-      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding),
-      m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control),
-      m_vertices(findings.vertices), m_driver(m_layout), m_domain_widths(domain_widths),
+    : Search(system, cell, 1, domain_widths, options, control, findings.summary),
+      m_closure(without_inequations(m_system)), m_vertices(findings.vertices),
       m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces),
       m_undecided(findings.undecided), m_pending(findings.pending)
   {}
@@ -141,24 +117,17 @@ public:
   {
     m_budget = budget;
     m_open_before = open_before;
-    const Exact_ranges& cell = task.box;
     Vertex_indices vertices(task.vertices.size());
     std::iota(vertices.begin(), vertices.end(), std::size_t(0));
-    Node& root = m_driver.root();
-    for (std::size_t j = 0; j < cell.size(); ++j)
-      std::tie(root.lower[j], root.upper[j]) =
-          dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
-    m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower),
-                      std::span<const Coordinate>(root.upper));
-    m_analysis.rebuild(Cell(cell.size(), 0), root);
-    m_driver.run(*this, State{cell, std::move(vertices)}, task.depth);
+    this->enter(task.box);
+    m_driver.run(*this, State{task.box, std::move(vertices)}, task.depth);
     m_source.leave_home();
   }
 
   // For the driver: false when a limit or the budget is reached.
   bool goes_on(const Node&, State& state, int depth)
   {
-    if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
+    if (const Undecided_reason reason = this->limit(); reason != Undecided_reason::NONE) {
       m_undecided.push_back({std::move(state.box), std::move(state.vertices), reason});
       return false;
     }
@@ -173,28 +142,12 @@ public:
 
   Box_verdict examine(Node& node, State& state, int depth)
   {
-    constexpr int oldest = 12;   // rounding errors do not matter yet
     auto& [box, vertices, age] = state;
-    if (age == oldest) {
-      m_analysis.rebuild(Cell(box.size(), 0), node);
-      age = 0;
-    }
-    ++age;
-    m_analysis.look_at(node);
-    if (is_excluded() || is_empty_or_graph(m_analysis.view, box, vertices))
-      return Box_verdict::DONE;
-    m_part.reset(m_layout.dimension);
-    if (!contract_by_rows(m_analysis.view))
-      return Box_verdict::DONE;
-    if (Node_view* combined = is_worth_a_pass(node) ? nullptr : combined_equalities())
-      if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
-        return Box_verdict::DONE;
-    if (is_worth_a_pass(node) && shrink(node, box)) {
-      // of which nothing was proved: there is none
+    const Box_verdict verdict =
+        this->examine_box(node, box, age, [&] { return joined(box, vertices, m_graph.parameter()); });
+    if (verdict == Box_verdict::AGAIN) // nothing was proved of these: there are none
       std::erase_if(vertices, [&, &own = box](std::size_t i) { return !touch(m_vertices[i].box, own); });
-      return Box_verdict::AGAIN;
-    }
-    return has_singular_point(box, vertices, depth) ? Box_verdict::DONE : Box_verdict::SPLIT;
+    return verdict == Box_verdict::SPLIT && has_singular_point(box, vertices, depth) ? Box_verdict::DONE : verdict;
   }
 
   // None for a box that is too small.
@@ -219,84 +172,10 @@ private:
   struct Plane
   {
     int axis;
-    double place;   // between the ends of the node
+    double place; // between the ends of the node
     Exact_rational value;
     Vertex_indices vertices;
   };
-
-  Undecided_reason limit()
-  {
-    return m_control.must_stop(true) ? m_control.reason() : Undecided_reason::NONE;
-  }
-
-  bool is_excluded()
-  {
-    for (int f = 0; f < m_layout.equalities; ++f)
-      if (is_certainly_violated(Relation::EQUAL, m_analysis.view.lower(f), m_analysis.view.upper(f)))
-        return true;
-    m_open_inequalities.clear();
-    for (std::size_t g = 0; g < m_system.inequalities().size(); ++g) {
-      const int f = m_layout.equalities + static_cast<int>(g);
-      const double lower = m_analysis.view.lower(f), upper = m_analysis.view.upper(f);
-      if (is_certainly_violated(m_system.inequalities()[g].relation, lower, upper))
-        return true;
-      if (!is_certainly_satisfied(m_system.inequalities()[g].relation, lower, upper))
-        m_open_inequalities.push_back(g);
-    }
-    return false;
-  }
-
-  // Whether a box is finished by what the equalities, or combinations of them, say.
-  bool is_empty_or_graph(Node_view& equalities, const Exact_ranges& box, const Vertex_indices& vertices)
-  {
-    m_has_rows = m_graph.eliminate(equalities);
-    return m_has_rows &&
-        (m_graph.is_empty(equalities) || (m_graph.is_graph() && joined(box, vertices, m_graph.parameter())));
-  }
-
-  // The combinations that were eliminated last as functions of their own; null if there are none. What cancels between
-  // equalities does so before anything is bounded.
-  Node_view* combined_equalities()
-  {
-    if (!m_has_rows || m_layout.equalities == 1)
-      return nullptr;
-    m_combinations.prepare(m_layout);
-    return &m_combinations.apply(m_analysis.view, m_graph.transform());
-  }
-
-  // Shrinks the part of the node that may hold solutions; false when there are none.
-  bool contract_by_rows(Node_view& equalities)
-  {
-    if (!m_analysis.linear.contract_by_equations(equalities, m_part))
-      return false;
-    m_analysis.linear.precondition(equalities);
-    return m_analysis.linear.contract_by_preconditioned(m_part);
-  }
-
-  // Nothing shrinks below the tolerance.
-  auto least_shares(const Node& node) const
-  {
-    return [this, &node](int j) {
-      return (std::max)(Box_contraction::thinnest, m_options.tolerance * magnitude(node, j) / width(node, j));
-    };
-  }
-
-  bool is_worth_a_pass(const Node& node) const { return Box_contraction::is_worth_a_pass(m_part, least_shares(node)); }
-
-  // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its
-  // vertices. False when it stays as it is.
-  bool shrink(Node& node, Exact_ranges& box)
-  {
-    Box_contraction::widen(m_part, least_shares(node));
-    node.restrict_to(m_layout, m_part, Box_contraction::least_gain);
-    bool is_smaller = false;
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      const Exact_rational lower(node.lower[j]), upper(node.upper[j]);
-      is_smaller = is_smaller || box[j].first < lower || upper < box[j].second;
-      box[j] = {(std::max)(box[j].first, lower), (std::min)(box[j].second, upper)};
-    }
-    return is_smaller;
-  }
 
   // Makes the pieces of a box whose only solutions are branches that end in one singular point.
   bool has_singular_point(const Exact_ranges& box, const Vertex_indices& vertices, int depth)
@@ -333,49 +212,18 @@ private:
   {
     constexpr double far = 0.2;
     const Exact_point* singular_point = m_singular_branches.known_point_in(box);
-    for (const int axis : rated_axes(node))
+    for (const int axis : this->rated_axes(node, m_open_before + m_undecided.size()))
       for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
           continue;
         if (singular_point &&
-            CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * width(node, axis))
+            CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * this->width(node, axis))
           continue;
         if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
           return Plane{axis, place, value, std::move(*on_plane)};
       }
     return std::nullopt;
-  }
-
-  static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
-  static double magnitude(const Node& node, int j)
-  {
-    return (std::max)({1.0, std::abs(CGAL::to_double(node.lower[j])), std::abs(CGAL::to_double(node.upper[j]))});
-  }
-
-  // The axes that can be split, the best one first.
-  std::vector<int> rated_axes(const Node& node)
-  {
-    constexpr double thinnest = 0.125, coarsening = 4;
-    // after so many more have been left undecided, others may be wider: the number of boxes does not grow with the
-    // tolerance
-    constexpr std::size_t many_boxes = 128;
-    const double tolerance = m_options.tolerance *
-        std::pow(coarsening, static_cast<double>((m_open_before + m_undecided.size()) / many_boxes));
-    const int n = m_layout.dimension;
-    std::vector<double> widths, rating;
-    double widest = 0;
-    for (int j = 0; j < n; ++j) {
-      widths.push_back(width(node, j) / m_domain_widths[j]);
-      widest = (std::max)(widest, widths.back());
-    }
-    m_splitter.rate(m_analysis.view, widths, rating);
-    std::vector<int> result;
-    for (int j = 0; j < n; ++j)
-      if (width(node, j) > tolerance * magnitude(node, j) && widths[j] >= thinnest * widest)
-        result.push_back(j);
-    std::stable_sort(result.begin(), result.end(), [&](int i, int j) { return rating[i] > rating[j] * (1 + 1e-9); });
-    return result;
   }
 
   // Finishes a box where the solutions are a graph over one unknown; false when something cannot be decided.

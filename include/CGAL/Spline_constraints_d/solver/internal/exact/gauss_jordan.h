@@ -9,6 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_GAUSS_JORDAN_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_GAUSS_JORDAN_H
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -58,6 +60,31 @@ std::vector<int> gauss_jordan(std::vector<NT>& matrix, std::size_t length, std::
       }
   }
   return row_of;
+}
+
+// The sign of the determinant of a square row-major matrix.
+inline int sign_of_determinant(std::vector<Exact_rational> matrix, std::size_t size)
+{
+  int sign = 1;
+  for (std::size_t k = 0; k < size; ++k) {
+    std::size_t row = k;
+    while (row < size && matrix[row * size + k] == 0)
+      ++row;
+    if (row == size)
+      return 0;
+    if (row != k) {
+      std::swap_ranges(matrix.begin() + k * size, matrix.begin() + (k + 1) * size, matrix.begin() + row * size);
+      sign = -sign;
+    }
+    const Exact_rational pivot = matrix[k * size + k];
+    sign *= pivot < 0 ? -1 : 1;
+    for (std::size_t i = k + 1; i < size; ++i) {
+      const Exact_rational multiple = matrix[i * size + k] / pivot;
+      for (std::size_t j = k; j < size; ++j)
+        matrix[i * size + j] -= multiple * matrix[k * size + j];
+    }
+  }
+  return sign;
 }
 
 } // namespace internal

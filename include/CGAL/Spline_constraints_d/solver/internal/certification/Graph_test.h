@@ -6,9 +6,10 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_CURVE_GRAPH_TEST_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_CURVE_GRAPH_TEST_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_GRAPH_TEST_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_GRAPH_TEST_H
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
 
@@ -21,22 +22,25 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Tells whether n - 1 combinations of at least as many equalities are zero, in a node, on at most a curve that is a graph
-over one of the unknowns.
+Tells whether n - d combinations of at least as many equalities are zero, in a node, on at most a graph over d of the
+unknowns: part of a curve for d = 1, of a surface for d = 2.
 
-Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - 1 rows are solved for all unknowns
-but one, the parameter. When their derivatives by these unknowns, bounded on all of the node, differ from the identity
-by less than one in the row sums, then for each value of the parameter at most one point of the node makes these rows
+Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - d rows are solved for all unknowns
+but d, the parameters. When their derivatives by these unknowns, bounded on all of the node, differ from the identity by
+less than one in the row sums, then for each value of the parameters at most one point of the node makes these rows
 zero: for two of them x and y the mean value theorem gives |g(x) - g(y) - (x - y)| < |x - y| in the maximum norm.
 */
-class Curve_graph_test
+class Graph_test
 {
-  int m_dimension, m_equalities;
+  int m_dimension, m_equalities, m_solved; // unknowns, equalities, rows that are solved
   std::vector<double> m_middle, m_radius, m_rows, m_transform;
-  std::vector<int> m_row;   // of g, per unknown; -1: the parameter
+  std::vector<int> m_row; // of g, per unknown; -1: a parameter
 
 public:
-  Curve_graph_test(int dimension, int equalities) : m_dimension(dimension), m_equalities(equalities) {}
+  // `dimension`: number of unknowns; `parameters`: d.
+  Graph_test(int dimension, int equalities, int parameters = 1)
+    : m_dimension(dimension), m_equalities(equalities), m_solved(dimension - parameters)
+  {}
 
   // Makes T; false where the Jacobian at the middle is singular.
   bool eliminate(Node_view& view)
@@ -50,12 +54,12 @@ public:
         m_radius[i * n() + j] = 0.5 * (upper - lower);
       }
     const int length = n() + m();
-    m_rows.assign(m() * length, 0.0);   // (J | I)
+    m_rows.assign(m() * length, 0.0); // (J | I)
     for (int i = 0; i < m(); ++i) {
       std::copy_n(m_middle.begin() + i * n(), n(), m_rows.begin() + i * length);
       m_rows[i * length + n() + i] = 1;
     }
-    m_row = gauss_jordan(m_rows, length, n(), n() - 1, [](double x) { return std::abs(x); });
+    m_row = gauss_jordan(m_rows, length, n(), m_solved, [](double x) { return std::abs(x); });
     if (m_row.empty())
       return false;
     m_transform.resize(m() * m());
@@ -68,18 +72,18 @@ public:
 
   bool is_graph() const { return contraction() < 1; }
 
-  // Bounds in the node on the row sums of what the derivatives of the first n - 1 rows, by all unknowns but the
-  // parameter, differ from the identity by.
+  // Bounds in the node on the row sums of what the derivatives of the solved rows, by all unknowns but the
+  // parameters, differ from the identity by.
   double contraction() const
   {
     double result = 0;
-    for (int i = 0; i + 1 < n(); ++i)
+    for (int i = 0; i < m_solved; ++i)
       if (const double own = spread(i); own > result || std::isnan(own))
         result = own;
     return result;
   }
 
-  // One of these; for the other rows, of their derivatives themselves: for the same parameter they change by at most
+  // One of these; for the other rows, of their derivatives themselves: for the same parameters they change by at most
   // this times the distance, in the maximum norm.
   double spread(int row) const
   {
@@ -100,10 +104,10 @@ public:
     return difference + rounding * size;
   }
 
-  // Some of the first n - 1 rows has no zero in the node, by the linear parts of the equalities.
+  // Some of the solved rows has no zero in the node, by the linear parts of the equalities.
   bool is_empty(Node_view& view) const
   {
-    for (int i = 0; i + 1 < n(); ++i) {
+    for (int i = 0; i < m_solved; ++i) {
       double value = 0, reach = 0, size = 0;
       for (int l = 0; l < m(); ++l) {
         const double factor = transform(i, l), lower = view.rest_lower(l), upper = view.rest_upper(l);
@@ -125,10 +129,32 @@ public:
     return false;
   }
 
-  // The unknown that the graph is over.
+  // The unknown that the graph is over, the first one if there are several.
   int parameter() const { return static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin()); }
 
-  // The row that is solved for an unknown; -1 for the parameter.
+  // All of them.
+  std::vector<int> parameters() const
+  {
+    std::vector<int> result;
+    for (int j = 0; j < n(); ++j)
+      if (m_row[j] < 0)
+        result.push_back(j);
+    return result;
+  }
+
+  // The sign of the determinant of the derivatives of the equalities by the unknowns that are solved for, the same in
+  // all of the node where it is a graph: there T times this matrix is nearer to the identity than one in the row sums,
+  // and so has a positive determinant. For as many equalities as rows that are solved.
+  int sign_of_minor() const
+  {
+    std::vector<Exact_rational> rows;
+    for (int j = 0; j < n(); ++j)
+      for (int i = 0; i < m_solved && m_row[j] >= 0; ++i)
+        rows.emplace_back(transform(m_row[j], i));
+    return sign_of_determinant(std::move(rows), static_cast<std::size_t>(m_solved));
+  }
+
+  // The row that is solved for an unknown; -1 for a parameter.
   int row_of(int unknown) const { return m_row[unknown]; }
 
   // T, row by row.
@@ -149,4 +175,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_CURVE_GRAPH_TEST_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CERTIFICATION_GRAPH_TEST_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SURFACE_SOLVER_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SURFACE_SOLVER_D_H
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
+#endif
+
+#include <array>
+#include <concepts>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Finds all solutions of a system with two equalities less than unknowns: surfaces, with their topology by proof.
+
+The domain is cut into boxes. The curves in which surfaces meet the cutting planes are found by the solver for curves,
+once for the boxes on both sides, and cut where other planes cross them. A box is dropped when it is proved to hold no
+solution, and accepted when its solutions are proved to be a graph over two unknowns, and the curves on its boundary one
+loop: then they are a disk. So no component and no hole is lost, however small, and nothing is joined by distance.
+
+A surface may touch a face of the domain: for one equality in three unknowns, and at a point with rational coordinates
+where the contact is of second order, it is decided from which side. Corners of the domain that surfaces pass through
+are decided for three unknowns. Inequalities cut surfaces as faces of the domain do, see `Surface_solution_set_d`.
+Singular points and curves of surfaces, repeated factors, and edges of the domain that are solutions, are left
+undecided; boxes that touch are one region.
+
+\tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
+number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.
+
+Source: \cgalCite{me-tgbs-15}, of which the curves between neighbours are shared here.
+*/
+template <ConstraintSolverTraits Traits = Certified_solver_traits>
+class Surface_solver_d
+{
+  Solver_options m_options;
+
+public:
+  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not
+  //! split any further; the limit of nodes holds for boxes and what is looked at on planes together.
+  //! \throws Invalid_input when an option makes no sense.
+  explicit Surface_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options)
+  {
+    m_options.check();
+  }
+
+  //! all surfaces of solutions.
+  //! \param system the constraints; two equalities less than unknowns.
+  //! \throws Invalid_input when the number of equalities is another one, the range of an unknown is one number, or a
+  //! function that is not to be zero may be so somewhere.
+  Surface_solution_set_d operator()(const Constraint_system_d& system) const
+  {
+    internal::check_definitions<Traits, internal::are_surfaces_compiled<Traits>>();
+    internal::Run_control control(m_options);
+    return internal::all_surfaces<Traits>(system, m_options, control);
+  }
+
+  //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
+  //! goes on.
+  template <SolverVisitor Visitor>
+  Surface_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
+  {
+    Solver_options options = m_options;
+    options.visitor = visitor;
+    return Surface_solver_d(options)(system);
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+all solutions of a system with two equalities less than unknowns, with the default traits: surfaces, with their topology
+by proof.
+\param system the constraints; two equalities less than unknowns.
+\param options as for `Surface_solver_d`.
+\throws Invalid_input as `Surface_solver_d`.
+*/
+inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
+                                             const Solver_options& options = {.tolerance = 1e-8})
+{
+  return Surface_solver_d<>(options)(system);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+all surfaces of solutions of constraints written as formulas: `solve_surfaces(x*x + y*y + z*z == 1)`.
+\throws Invalid_input as `make_system()` and the function above.
+*/
+template <std::same_as<Constraint>... Constraints>
+Surface_solution_set_d solve_surfaces(const Constraint& first, const Constraints&... others)
+{
+  const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
+  return solve_surfaces(make_system(constraints));
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SURFACE_SOLVER_D_H

@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_SURFACE_SUBDIVISION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_SURFACE_SUBDIVISION_H
+
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/arc_loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A box that was left undecided, with the arcs on its boundary.
+struct Undecided_surface_box
+{
+  Exact_ranges box;
+  Arc_indices arcs;
+  Undecided_reason reason;
+};
+
+// What comes of all boxes.
+struct Surface_findings
+{
+  Arc_store arcs = {};
+  std::vector<Exact_ranges> open_parts = {}; // of planes: what was not decided there
+  std::vector<Surface_patch> patches = {};
+  std::vector<std::size_t> points = {}; // vertices that are all of a surface in the domain
+  std::vector<Undecided_surface_box> undecided = {};
+  Summary summary = {};
+};
+
+// The curves of a system of polynomials on a box, where these vertices are all on its boundary.
+inline void find_curves(const Constraint_system_d& system, const Exact_ranges& box, const Solver_options& options,
+                        Run_control& control, std::size_t budget, Curve_findings& found)
+{
+  std::vector<double> widths;
+  for (const auto& [lower, upper] : box)
+    widths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
+  std::vector<std::size_t> vertices(found.vertices.size());
+  Curve_subdivision<Certified_solver_traits>(system, box, widths, options, control, found)
+      .run({box, box, std::move(vertices), 0}, budget, 0);
+}
+
+/*
+The surfaces in one cell, where all functions are polynomials. The arcs on the boundary of a box are known before it is
+looked at: the curves on the plane that it is split along are found before it is split, after the points where they
+meet the arcs, which are cut there, and both halves get them. A plane is taken when all of this is proved to be regular.
+
+A box is finished when it has no solutions, or when they are a graph over two unknowns whose boundary is one loop: seen
+along the other unknowns the loop is a simple closed curve, and the graph is the disk that it bounds. Without arcs the
+graph would have no boundary, and there is none. With several loops the box is split.
+*/
+template <class Traits>
+class Surface_subdivision : Graph_box_search<Traits>
+{
+  using Search = Graph_box_search<Traits>;
+  using Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities, Search::m_graph,
+      Search::m_layout, Search::m_options, Search::m_source, Search::m_summary;
+  using typename Search::Node;
+
+public:
+  // What the driver keeps for a box.
+  struct State
+  {
+    Exact_ranges box;
+    Arc_indices arcs; // on its boundary
+    int age = 0;      // changes since the coefficients were exact
+  };
+
+private:
+  Surface_findings& m_found;
+  Node m_below, m_above; // parts of a box that is to be split
+
+  // That a box is split along.
+  struct Plane
+  {
+    int axis;
+    double place; // between the ends of the node
+    Arc_indices below, above;
+  };
+
+public:
+  Surface_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
+                      const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
+                      Surface_findings& found)
+    : Search(system, cell, 2, domain_widths, options, control, found.summary), m_found(found)
+  {
+    m_below.allocate(m_layout);
+    m_above.allocate(m_layout);
+  }
+
+  // `arcs`: all that lie on the boundary of the box.
+  void run(const Exact_ranges& box, const Arc_indices& arcs)
+  {
+    this->enter(box);
+    m_driver.run(*this, State{box, arcs}, 0);
+    m_source.leave_home();
+  }
+
+  // For the driver: false when a limit is reached.
+  bool goes_on(const Node&, State& state, int depth)
+  {
+    Undecided_reason reason = this->limit();
+    if (reason == Undecided_reason::NONE && m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit)
+      reason = Undecided_reason::NODES;
+    if (reason != Undecided_reason::NONE) {
+      m_found.undecided.push_back({std::move(state.box), std::move(state.arcs), reason});
+      return false;
+    }
+    ++m_summary.nodes;
+    m_summary.depth = (std::max)(m_summary.depth, depth);
+    return true;
+  }
+
+  Box_verdict examine(Node& node, State& state, int)
+  {
+    state.arcs = m_found.arcs.parts_of(state.arcs); // boxes on the other side may have cut them
+    return this->examine_box(node, state.box, state.age, [&] { return is_patch(state.box, state.arcs); });
+  }
+
+  // None for a box that is too small.
+  std::optional<Box_split<State>> split(const Node& node, State& state, int)
+  {
+    std::optional<Plane> plane = plane_of_split(node, state.box, state.arcs);
+    if (!plane) {
+      const Undecided_reason reason = this->limit();
+      m_found.undecided.push_back({std::move(state.box), std::move(state.arcs),
+                                   reason == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : reason});
+      return std::nullopt;
+    }
+    const Exact_rational value(place_between(node.lower[plane->axis], node.upper[plane->axis], plane->place));
+    Exact_ranges lower_box = std::move(state.box), upper_box = lower_box;
+    upper_box[plane->axis].first = lower_box[plane->axis].second = value;
+    return Box_split<State>{plane->axis,
+                            plane->place,
+                            {std::move(lower_box), std::move(plane->below), state.age},
+                            {std::move(upper_box), std::move(plane->above), state.age}};
+  }
+
+private:
+  const Arc_store& store() const { return m_found.arcs; }
+
+  // Finishes a box where the solutions are a graph, if its arcs are one loop, or none.
+  bool is_patch(const Exact_ranges& box, const Arc_indices& arcs)
+  {
+    const auto is_near = [&](const Exact_ranges& part) { return touch(part, box); };
+    if (std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(), is_near))
+      return false;
+    if (arcs.empty())
+      return true;
+    std::optional<std::vector<Surface_patch::Side>> loop = single_loop(m_found.arcs, arcs);
+    if (!loop)
+      return false;
+    const std::vector<int> parameters = m_graph.parameters();
+    m_found.patches.push_back({box, {parameters[0], parameters[1]}, this->sign_of_minor(), *std::move(loop)});
+    return true;
+  }
+
+  // A plane where a part of the box is seen to be empty, or that surfaces cross; there are many through a small box
+  // that will do, unless it is too small.
+  std::optional<Plane> plane_of_split(const Node& node, const Exact_ranges& box, const Arc_indices& arcs)
+  {
+    for (const int axis : this->rated_axes(node, m_found.undecided.size()))
+      for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
+        const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
+        if (value <= box[axis].first || box[axis].second <= value)
+          continue;
+        if (m_control.must_stop(true))
+          return std::nullopt;
+        if (const auto [is_below, is_above] = possible_parts(node, axis, place); !is_below || !is_above)
+          return Plane{axis, place, is_below ? arcs : Arc_indices(), is_above ? arcs : Arc_indices()};
+        if (auto parts = parts_at(box, arcs, axis, value))
+          return Plane{axis, place, std::move(parts->first), std::move(parts->second)};
+      }
+    return std::nullopt;
+  }
+
+  // Whether there may be solutions in the two parts of a node, each with its boundary.
+  std::pair<bool, bool> possible_parts(const Node& node, int axis, double place)
+  {
+    m_below.copy_from(node);
+    m_below.split(m_layout, axis, place, m_above);
+    m_analysis.look_at(m_below);
+    const bool is_below = !this->is_excluded();
+    m_analysis.look_at(m_above);
+    return {is_below, !this->is_excluded()};
+  }
+
+  // Finds the arcs on a plane, cuts those that it meets, and tells which are on which side of it. None, and nothing has
+  // changed, when something there is not regular, or not certain.
+  std::optional<std::pair<Arc_indices, Arc_indices>> parts_at(const Exact_ranges& box, const Arc_indices& arcs,
+                                                              int axis, const Exact_rational& value)
+  {
+    if (meets_open_part(box, axis, value) || !are_ends_beside(arcs, axis, value))
+      return std::nullopt;
+    const Constraint_system_d plane = on_plane(m_equalities, box, axis, value);
+    Curve_findings found{Curve_vertices(m_options)};
+    Arc_store::Cuts cuts;
+    if (!find_crossings(plane, box, arcs, axis, value, found.vertices, cuts))
+      return std::nullopt;
+    if (!find_regular_curves(plane, found))
+      return std::nullopt;
+    return divided(arcs, cuts, m_found.arcs.add(found, axis, value), found, axis, value);
+  }
+
+  // Whether a curve on the plane might end where nothing is known.
+  bool meets_open_part(const Exact_ranges& box, int axis, const Exact_rational& value) const
+  {
+    return std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(), [&](const Exact_ranges& part) {
+      return part[axis].first <= value && value <= part[axis].second && touch(part, box);
+    });
+  }
+
+  // No end of an arc may be on the plane.
+  bool are_ends_beside(const Arc_indices& arcs, int axis, const Exact_rational& value) const
+  {
+    for (const std::size_t a : arcs)
+      for (const std::size_t i : store().arcs()[a].ends) {
+        const auto& [lower, upper] = store().vertices()[i].box[axis];
+        if (lower <= value && value <= upper)
+          return false;
+      }
+    return true;
+  }
+
+  // The points where the plane meets arcs: on each face of the box that has arcs which may reach it, all solutions on
+  // both, each on just one of the arcs.
+  bool find_crossings(const Constraint_system_d& plane, const Exact_ranges& box, const Arc_indices& arcs, int axis,
+                      const Exact_rational& value, Curve_vertices& points, Arc_store::Cuts& cuts)
+  {
+    std::set<std::pair<int, Exact_rational>> faces;
+    for (const std::size_t a : arcs) {
+      const Stored_arc& arc = store().arcs()[a];
+      if (arc.box[axis].first <= value && value <= arc.box[axis].second)
+        faces.emplace(arc.plane, arc.box[arc.plane].first);
+    }
+    Exact_ranges reduced = box;
+    reduced.erase(reduced.begin() + axis);
+    for (const auto& [face, place] : faces) {
+      const std::size_t before = points.size();
+      if (face == axis || !points.on_plane(plane, reduced, face - (face > axis ? 1 : 0), place, {}, true))
+        return false;
+      for (std::size_t i = before; i < points.size(); ++i) {
+        if (points[i].planes() != 1)
+          return false;
+        const std::optional<std::size_t> arc = store().arc_of(with_plane(points[i], axis, value), face, arcs);
+        if (!arc)
+          return false;
+        cuts[*arc].push_back(i);
+      }
+    }
+    return are_sides_consistent(arcs, cuts, axis, value);
+  }
+
+  bool is_above(std::size_t vertex, int axis, const Exact_rational& value) const
+  {
+    return value < store().vertices()[vertex].box[axis].first;
+  }
+
+  // An arc crosses the plane at each of its points there.
+  bool are_sides_consistent(const Arc_indices& arcs, const Arc_store::Cuts& cuts, int axis,
+                            const Exact_rational& value) const
+  {
+    return std::all_of(arcs.begin(), arcs.end(), [&](std::size_t a) {
+      const auto own = cuts.find(a);
+      const std::size_t count = own == cuts.end() ? 0 : own->second.size();
+      const auto& [first, last] = store().arcs()[a].ends;
+      return (is_above(first, axis, value) != is_above(last, axis, value)) == (count % 2 == 1);
+    });
+  }
+
+  // The curves on a plane; false when not all of them are proved to be regular.
+  bool find_regular_curves(const Constraint_system_d& plane, Curve_findings& found)
+  {
+    constexpr std::size_t budget = 4096;
+    find_curves(plane, domain_of(plane), m_options, m_control, budget, found);
+    m_summary.nodes += found.summary.nodes + found.vertices.work().nodes;
+    if (!found.undecided.empty() || !found.pending.empty())
+      return false;
+    for (std::size_t i = 0; i < found.vertices.size(); ++i)
+      if (found.vertices[i].kind != Plane_point::REGULAR || found.vertices[i].is_singular)
+        return false;
+    return std::all_of(found.pieces.begin(), found.pieces.end(),
+                       [](const Curve_piece& piece) { return piece.parameter >= 0; });
+  }
+
+  // Cuts arcs, and puts the parts on both sides of the plane, with the new arcs on it.
+  std::optional<std::pair<Arc_indices, Arc_indices>> divided(const Arc_indices& arcs, Arc_store::Cuts& cuts,
+                                                             const Arc_indices& on_plane, const Curve_findings& found,
+                                                             int axis, const Exact_rational& value)
+  {
+    std::vector<Plane_point> points;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < found.vertices.size(); ++i) {
+      points.push_back(with_plane(found.vertices[i], axis, value));
+      indices.push_back(points.back().planes() > 1 ? m_found.arcs.add_vertex(points.back()) : 0);
+    }
+    if (!store().sort(cuts, points))
+      return std::nullopt;
+    std::pair<Arc_indices, Arc_indices> result{on_plane, on_plane};
+    for (const std::size_t a : arcs) {
+      bool is_upper = is_above(store().arcs()[a].ends[0], axis, value);
+      std::vector<std::size_t> own;
+      if (const auto place = cuts.find(a); place != cuts.end())
+        for (const std::size_t i : place->second)
+          own.push_back(indices[i]);
+      for (const std::size_t part : own.empty() ? Arc_indices{a} : m_found.arcs.cut(a, own)) {
+        (is_upper ? result.second : result.first).push_back(part);
+        is_upper = !is_upper;
+      }
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_SURFACE_SUBDIVISION_H

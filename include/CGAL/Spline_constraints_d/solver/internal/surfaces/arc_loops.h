@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ARC_LOOPS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ARC_LOOPS_H
+
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The loop that the arcs are; none if they are several, or an end does not belong to two of them.
+inline std::optional<std::vector<Surface_patch::Side>> single_loop(const Arc_store& store, const Arc_indices& arcs)
+{
+  std::map<std::size_t, std::vector<std::size_t>> arcs_at;
+  for (const std::size_t a : arcs)
+    for (const std::size_t end : store.arcs()[a].ends)
+      arcs_at[end].push_back(a);
+  for (const auto& [vertex, own] : arcs_at)
+    if (own.size() != 2 || own[0] == own[1])
+      return std::nullopt;
+  std::vector<Surface_patch::Side> loop;
+  std::size_t arc = arcs.front(), vertex = store.arcs()[arc].ends[0];
+  do {
+    const std::array<std::size_t, 2>& ends = store.arcs()[arc].ends;
+    const bool is_reversed = ends[0] != vertex;
+    loop.push_back({arc, is_reversed});
+    vertex = ends[is_reversed ? 0 : 1];
+    const std::vector<std::size_t>& both = arcs_at[vertex];
+    arc = both[0] == arc ? both[1] : both[0];
+  } while (arc != arcs.front());
+  return loop.size() == arcs.size() ? std::optional(std::move(loop)) : std::nullopt;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ARC_LOOPS_H

@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces of solutions: their numbers, Euler characteristics and loops against known ones, in the plain position and
+// under random rational rotations; cells that are shared by two patches at most; faces that are touched; inequalities;
+// splines with breaks; what stays undecided.
+
+#include <CGAL/Spline_constraints_d/function/Expression.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace surface_solver_test {
+
+namespace SC = CGAL::Spline_constraints;
+using SC::Power_polynomial;
+using SC::Relation;
+using Rational = SC::Exact_rational;
+using Counts = std::vector<std::pair<int, std::size_t>>; // Euler characteristic and loops, of each surface
+
+namespace {
+
+Power_polynomial variable(int i) { return Power_polynomial::variable(i); }
+Power_polynomial number(const Rational& value) { return Power_polynomial(value); }
+Power_polynomial square(const Power_polynomial& p) { return p * p; }
+
+const Power_polynomial x = variable(0), y = variable(1), z = variable(2), w = variable(3);
+const Power_polynomial sphere = square(x) + square(y) + square(z) - number(1);
+
+// Around the third axis, with radii 1 and 3/10.
+Power_polynomial torus(const Power_polynomial& a, const Power_polynomial& b, const Power_polynomial& c)
+{
+  const Power_polynomial ring = square(a) + square(b);
+  return square(ring + square(c) + number(1) - number(Rational(9) / 100)) - number(4) * ring;
+}
+
+Power_polynomial tangle_cube(const Power_polynomial& a, const Power_polynomial& b, const Power_polynomial& c)
+{
+  Power_polynomial result = number(Rational(59) / 5);
+  for (const Power_polynomial& t : {a, b, c})
+    result += square(square(t)) - number(5) * square(t);
+  return result;
+}
+
+Power_polynomial chebyshev(const Power_polynomial& t, int degree)
+{
+  Power_polynomial before = number(1), last = t;
+  for (int k = 1; k < degree; ++k)
+    before = std::exchange(last, number(2) * t * last - before);
+  return last;
+}
+
+SC::Constraint_system_d system(const std::vector<std::pair<Rational, Rational>>& domain,
+                               const std::vector<Power_polynomial>& equalities)
+{
+  SC::Constraint_system_d result(domain);
+  for (const Power_polynomial& equality : equalities)
+    result.add(equality, Relation::EQUAL);
+  return result;
+}
+
+std::vector<std::pair<Rational, Rational>> cube(const Rational& size, std::size_t dimension = 3)
+{
+  return std::vector<std::pair<Rational, Rational>>(dimension, {Rational(-size), size});
+}
+
+// Each arc has one patch or two, boundaries are loops of arcs, and the numbers of cells give the characteristic.
+void check_complex(const SC::Surface_solution_set_d& set)
+{
+  std::vector<int> patches(set.arcs().size(), 0);
+  for (const SC::Surface_patch& patch : set.patches()) {
+    EXPECT_EQ(std::abs(patch.orientation), 1);
+    ASSERT_FALSE(patch.boundary.empty());
+    for (std::size_t k = 0; k < patch.boundary.size(); ++k) {
+      const SC::Surface_patch::Side side = patch.boundary[k], next = patch.boundary[(k + 1) % patch.boundary.size()];
+      ++patches[side.arc];
+      EXPECT_EQ(set.arcs()[side.arc].ends[side.is_reversed ? 0 : 1],
+                set.arcs()[next.arc].ends[next.is_reversed ? 1 : 0]);
+    }
+  }
+  std::size_t boundary = 0, on_loops = 0;
+  for (std::size_t a = 0; a < patches.size(); ++a) {
+    EXPECT_EQ(patches[a], set.arcs()[a].patches);
+    EXPECT_TRUE(patches[a] == 1 || patches[a] == 2);
+    boundary += patches[a] == 1 ? 1 : 0;
+  }
+  for (const SC::Solution_surface& surface : set.surfaces())
+    for (const std::vector<std::size_t>& loop : surface.boundary)
+      on_loops += loop.size();
+  EXPECT_EQ(boundary, on_loops);
+  EXPECT_EQ(set.euler_characteristic(),
+            static_cast<int>(set.vertices().size() - set.points().size()) - static_cast<int>(set.arcs().size()) +
+                static_cast<int>(set.patches().size()));
+}
+
+Counts counts_of(const SC::Surface_solution_set_d& set)
+{
+  Counts result;
+  for (const SC::Solution_surface& surface : set.surfaces())
+    result.emplace_back(surface.euler_characteristic, surface.boundary.size());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Of a complete answer.
+Counts counts(const SC::Constraint_system_d& system)
+{
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(system);
+  EXPECT_TRUE(set.is_complete()) << set;
+  check_complex(set);
+  return counts_of(set);
+}
+
+// The images of the unknowns under a rotation by a random quaternion with small integers.
+std::array<Power_polynomial, 3> rotated(std::mt19937& random)
+{
+  std::uniform_int_distribution<int> any(-4, 4);
+  const int a = any(random), b = any(random), c = any(random), d = any(random) + 9;
+  const Rational s = Rational(1) / (a * a + b * b + c * c + d * d);
+  const auto row = [&](int p, int q, int r) {
+    return number(Rational(p * s)) * x + number(Rational(q * s)) * y + number(Rational(r * s)) * z;
+  };
+  return {row(a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)),
+          row(2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)),
+          row(2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d)};
+}
+
+} // namespace
+
+TEST(Surface_solver, closed_surfaces)
+{
+  EXPECT_EQ(counts(system(cube(2), {sphere})), (Counts{{2, 0}}));
+  EXPECT_EQ(counts(system(cube(2), {torus(x, y, z)})), (Counts{{0, 0}}));
+  EXPECT_EQ(counts(system(cube(3), {tangle_cube(x, y, z)})), (Counts{{-8, 0}}));
+  EXPECT_EQ(counts(system(cube(Rational(6) / 5), {chebyshev(x, 6) + chebyshev(y, 6) + chebyshev(z, 6)})),
+            (Counts{{-54, 0}}));
+  const SC::Surface_solution_set_d genus_5 =
+      SC::solve_surfaces(system(cube(Rational(6) / 5), {chebyshev(x, 4) + chebyshev(y, 4) + chebyshev(z, 4)}));
+  ASSERT_EQ(genus_5.surfaces().size(), 1u);
+  EXPECT_EQ(genus_5.surfaces()[0].genus(), 5);
+  EXPECT_TRUE(genus_5.surfaces()[0].is_closed());
+  std::ostringstream line;
+  line << genus_5;
+  EXPECT_EQ(line.str().rfind("surfaces: 1 components, Euler characteristic -8, 0 boundary loops, 0 singular points, 0 "
+                             "undecided; complete: yes; nodes ",
+                             0),
+            0u)
+      << line.str();
+}
+
+TEST(Surface_solver, random_rotations)
+{
+  std::mt19937 random(53);
+  for (int k = 0; k < 4; ++k) {
+    const auto [a, b, c] = rotated(random);
+    EXPECT_EQ(counts(system(cube(2), {torus(a, b, c)})), (Counts{{0, 0}}));
+    EXPECT_EQ(counts(system(cube(5), {tangle_cube(a, b, c)})), (Counts{{-8, 0}}));
+    SC::Constraint_system_d half = system(cube(2), {torus(a, b, c)});
+    half.add(c, k % 2 == 0 ? Relation::GREATER_EQUAL : Relation::LESS);
+    EXPECT_EQ(counts(half), (Counts{{0, 2}}));
+  }
+}
+
+TEST(Surface_solver, more_unknowns)
+{
+  EXPECT_EQ(counts(system(cube(2, 4), {square(x) + square(y) - number(1), square(z) + square(w) - number(1)})),
+            (Counts{{0, 0}}));
+  const Power_polynomial v = variable(4);
+  EXPECT_EQ(counts(system(cube(2, 5),
+                          {sphere + square(w) + square(v), x - y + w - number(Rational(1) / 4),
+                           number(2) * x - v + w - z + number(Rational(1) / 8)})),
+            (Counts{{2, 0}}));
+}
+
+TEST(Surface_solver, domain_cuts_surfaces)
+{
+  EXPECT_EQ(counts(system(cube(Rational(4) / 5), {sphere})), (Counts{{-4, 6}}));
+  EXPECT_EQ(counts(system(cube(Rational(3) / 5), {sphere})), Counts(8, {1, 1}));
+  EXPECT_EQ(counts(system(cube(1), {z - x * y})), (Counts{{1, 1}})); // through four corners
+}
+
+TEST(Surface_solver, domain_touches_surfaces)
+{
+  EXPECT_EQ(counts(system(cube(1), {sphere})), (Counts{{2, 0}})); // all six faces, from within
+  const SC::Surface_solution_set_d outside = SC::solve_surfaces(system({{1, 3}, {-2, 2}, {-2, 2}}, {sphere})),
+                                   corner = SC::solve_surfaces(system({{0, 1}, {0, 1}, {0, 1}}, {x + y + z - 3}));
+  for (const SC::Surface_solution_set_d* set : {&outside, &corner}) {
+    EXPECT_TRUE(set->is_complete());
+    EXPECT_TRUE(set->surfaces().empty());
+    ASSERT_EQ(set->points().size(), 1u);
+  }
+  EXPECT_EQ(outside.vertices()[outside.points()[0]].point(), (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(corner.vertices()[corner.points()[0]].point(), (std::vector<double>{1, 1, 1}));
+}
+
+TEST(Surface_solver, inequalities_cut_surfaces)
+{
+  SC::Constraint_system_d ring = system(cube(2), {torus(x, y, z)});
+  ring.add(x, Relation::GREATER_EQUAL);
+  EXPECT_EQ(counts(ring), (Counts{{0, 2}}));
+  ring.add(x - number(3), Relation::LESS); // which holds everywhere
+  EXPECT_EQ(SC::solve_surfaces(ring).system().dimension(), 4);
+  EXPECT_EQ(counts(ring), (Counts{{0, 2}}));
+  SC::Constraint_system_d bands = system(cube(2), {sphere});
+  bands.add(square(z) - number(Rational(1) / 9), Relation::GREATER);
+  EXPECT_EQ(counts(bands), (Counts{{1, 1}, {1, 1}}));
+}
+
+TEST(Surface_solver, small_parts_are_found)
+{
+  const Rational tiny = Rational(1) / 1000000;
+  // a ball of radius 1/1000 beside a large one
+  const Power_polynomial small = square(x - number(Rational(3) / 2)) + square(y - number(Rational(7) / 5)) + square(z);
+  EXPECT_EQ(counts(system(cube(2), {sphere * (small - number(tiny)) - number(tiny * tiny)})), (Counts{{2, 0}, {2, 0}}));
+}
+
+TEST(Surface_solver, splines_with_breaks)
+{
+  // |x| + |y| + |z| = 1, each term two lines that meet at zero: an octahedron, whose corners lie on edges of cells
+  const auto size_of = [](int unknown, const Rational& shift) {
+    SC::Spline_term term{{unknown}, {1}, {{Rational(-2), shift, Rational(2)}}, {{shift, -1}, {Rational(-shift), 1}}};
+    return SC::Spline_function(std::move(term));
+  };
+  SC::Constraint_system_d octahedron(cube(2));
+  SC::Spline_function sum = size_of(0, 0);
+  sum += size_of(1, 0);
+  sum += size_of(2, 0);
+  sum += SC::Spline_function(number(-1));
+  octahedron.add(sum, Relation::EQUAL);
+  EXPECT_EQ(counts(octahedron), (Counts{{2, 0}}));
+}
+
+TEST(Surface_solver, singular_points_are_undecided)
+{
+  const SC::Surface_solution_set_d cone =
+      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)}));
+  EXPECT_FALSE(cone.is_complete());
+  check_complex(cone);
+  EXPECT_EQ(counts_of(cone), (Counts{{0, 2}, {0, 2}})); // without the apex
+  ASSERT_EQ(cone.undecided_regions().size(), 1u);
+  const std::vector<SC::Undecided_part> undecided = cone.undecided();
+  for (const auto& [lower, upper] : undecided[0].place) {
+    EXPECT_LT(lower, 1e-6);
+    EXPECT_GT(upper, -1e-6);
+  }
+  for (const SC::Solution_surface& surface : cone.surfaces())
+    EXPECT_TRUE(surface.is_open_ended);
+}
+
+TEST(Surface_solver, limits_and_bad_input)
+{
+  SC::Solver_options options{.tolerance = 1e-8};
+  options.node_limit = 50;
+  const SC::Surface_solution_set_d cut_short = SC::solve_surfaces(system(cube(2), {torus(x, y, z)}), options);
+  EXPECT_FALSE(cut_short.is_complete());
+  ASSERT_FALSE(cut_short.undecided_regions().empty());
+  EXPECT_EQ(cut_short.undecided_regions()[0].reason, SC::Undecided_reason::NODES);
+  EXPECT_FALSE(SC::solve_surfaces(system(cube(2), {Power_polynomial()})).is_complete());
+  EXPECT_THROW(SC::solve_surfaces(system(cube(2), {sphere, x})), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_surfaces(system(cube(2, 2), {})), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_surfaces(system({{0, 1}, {0, 0}, {0, 1}}, {sphere})), SC::Invalid_input);
+  SC::Constraint_system_d divided = system(cube(2), {sphere});
+  divided.add(x, Relation::NOT_EQUAL);
+  EXPECT_THROW(SC::solve_surfaces(divided), SC::Invalid_input);
+}
+
+} // namespace surface_solver_test
