@@ -65,7 +65,8 @@ is undecided.
 \throws Invalid_input as `point_surface_bisector()` and `bisector_parts()`; when the bisector was not completed because
 of a limit.
 
-Complexity: that of `bisector_parts()`, and for each of some 1,000 cells of a grid a search among all of them. Source:
+Complexity: that of `bisector_parts()`, and for blocks of some 1,000 cells of a grid, in the worst case for parts of all
+these, a search among all of them. Source:
 \cgalCite{ek-crb-99} trims by supporting planes of samples, without a proof of what is kept.
 */
 template <ParametricSurface_3 S>

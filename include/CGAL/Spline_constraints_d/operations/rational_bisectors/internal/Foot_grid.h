@@ -161,6 +161,7 @@ public:
     Box point;
     Vector center, first, second;       // center + s first + t second with s and t in [-1,1]
     double distance;                    // from there
+    double radius;                      // the greatest distance from the center
     bool is_regular = false;            // else nothing else is known
     Box normal;                         // of length one
     std::array<Interval, 2> curvatures; // the principal ones with respect to it
@@ -358,15 +359,14 @@ private:
     if (column.empty())
       for (const Interval_net& net : m_nets[cell.piece])
         column.push_back(net.restricted(0, range(0)[0], range(0)[1]));
-    return bounds_of(m_pieces[cell.piece], column, range(1));
-  }
-
-  // Of nets that are restricted along the first axis.
-  static Bounds bounds_of(const Foot_piece& piece, const std::vector<Interval_net>& column, const Range& range)
-  {
     std::vector<Interval_net> nets;
     for (const Interval_net& net : column)
-      nets.push_back(net.restricted(1, range[0], range[1]));
+      nets.push_back(net.restricted(1, range(1)[0], range(1)[1]));
+    return bounds_of(m_pieces[cell.piece], nets);
+  }
+
+  static Bounds bounds_of(const Foot_piece& piece, const std::vector<Interval_net>& nets)
+  {
     Bounds result;
     result.point = hull_of_quotients(nets);
     add_parallelogram(result, nets);
@@ -379,7 +379,7 @@ private:
     result.is_regular = squared_length.inf() > 0 && squared_sum && product && std::isfinite(result.distance) &&
         nets.back().bounds().inf() >= 0;
     if (result.is_regular) {
-      const Interval length = CGAL::sqrt(squared_length);
+      const Interval length = square_root(squared_length);
       for (std::size_t c = 0; c < 3; ++c)
         result.normal[c] = n[c] / length;
       result.curvatures =
@@ -412,8 +412,8 @@ private:
     const auto positive = [](const Interval& x) {
       return Interval((std::max)(x.inf(), 0.0), (std::max)(x.sup(), 0.0));
     };
-    const Interval square = positive(squared_sum) / Interval(4), size = CGAL::sqrt(square),
-                   radius = CGAL::sqrt(positive(square - product));
+    const Interval square = positive(squared_sum) / Interval(4), size = square_root(square),
+                   radius = square_root(positive(square - product));
     const Interval half = sign.inf() >= 0 ? size : sign.sup() <= 0 ? -size : Interval(-size.sup(), size.sup());
     return {half - radius, half + radius};
   }
@@ -442,18 +442,17 @@ private:
     result.distance = weight.inf() > 0 ? (Interval(error) / Interval(weight.inf())).sup() * (1 + 0x1p-40) +
             0x1p-40 * (norm(result.center) + norm(result.first) + norm(result.second))
                                        : std::numeric_limits<double>::infinity();
+    result.radius = result.distance + norm(result.first) + norm(result.second);
   }
 
 public:
   static double norm(const Vector& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-  // Of a part of a piece.
-  Bounds bounds(std::size_t piece, const std::array<Range, 2>& range) const
+  // Nets of a piece, and the bounds of a part of it that these are restricted to.
+  const std::vector<Interval_net>& nets(std::size_t piece) const { return m_nets[piece]; }
+  Bounds bounds(std::size_t piece, const std::vector<Interval_net>& part) const
   {
-    std::vector<Interval_net> column;
-    for (const Interval_net& net : m_nets[piece])
-      column.push_back(net.restricted(0, range[0][0], range[0][1]));
-    return bounds_of(m_pieces[piece], column, range[1]);
+    return bounds_of(m_pieces[piece], part);
   }
 
   // Bounds of the points of homogeneous coordinates: those of the control points, if all weights have one sign.

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,13 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
+
+// Of an interval, with rounding upwards, which `CGAL::sqrt()` changes and restores, in most of its time.
+inline CGAL::Interval_nt<false> square_root(const CGAL::Interval_nt<false>& x)
+{
+  const double least = std::sqrt((std::max)(x.inf(), 0.0));
+  return {-((0x1p-51 - 1) * least), std::sqrt((std::max)(x.sup(), 0.0))};
+}
 
 // The Bernstein coefficients of a polynomial in two parameters as intervals. Used with rounding upwards.
 class Interval_net
@@ -40,6 +48,11 @@ public:
   {
     for (const Exact_rational& c : f.coefficients())
       m_values.push_back(Interval(to_double_interval(c)));
+  }
+
+  static Interval_net constant(double value)
+  {
+    return Interval_net(Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(value)));
   }
 
   const std::vector<Interval>& values() const { return m_values; }
@@ -83,7 +96,7 @@ public:
         }
         greatest = Interval((std::max)(greatest.sup(), square.sup()));
       }
-    return (CGAL::sqrt(greatest) / Interval(p * q)).sup();
+    return (square_root(greatest) / Interval(p * q)).sup();
   }
 
   // Bounds of the polynomial over the unit box.
@@ -97,17 +110,20 @@ public:
     return Interval(least, greatest);
   }
 
-  // Over another range of an axis, which may lead out of the unit box: the two ends of the range are taken one after
-  // the other, by the algorithm of de Casteljau, in the order that keeps what is left longer.
+  // Over another range of an axis, which may lead out of the unit box: ends of the range that are not those of the box
+  // are taken one after the other, by the algorithm of de Casteljau, in the order that keeps what is left longer.
   Interval_net restricted(int axis, double begin, double end) const
   {
     Interval_net result(*this);
     const Interval b(begin), e(end);
     if (begin < 0.5) {
-      result.move_end(axis, 0, b);
-      result.move_end(axis, 1, (e - b) / (Interval(1) - b));
+      if (begin != 0)
+        result.move_end(axis, 0, b);
+      if (end != 1)
+        result.move_end(axis, 1, (e - b) / (Interval(1) - b));
     } else {
-      result.move_end(axis, 1, e);
+      if (end != 1)
+        result.move_end(axis, 1, e);
       result.move_end(axis, 0, b / e);
     }
     return result;

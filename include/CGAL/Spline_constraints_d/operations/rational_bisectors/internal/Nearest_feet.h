@@ -29,7 +29,7 @@ namespace Rational_bisectors {
 /*
 Whether feet F on a surface S are the nearest points of it: whether the ball around a point F + x n of the bisector,
 with the normal n at the foot, that touches the surface there, has no point of it inside, for all feet in a part of a
-cell of a grid at once.
+piece at once.
 
 Most cells of the grid are outside of all these balls, by their distance. The others, near the feet, are seen in a
 chart: S is projected along a direction d onto a plane, where they are within a disk. Cells are added until all that
@@ -57,7 +57,7 @@ public:
     UNKNOWN
   };
 
-  // Of feet in a part of a cell, and of the bisector there: x, and the points if they are bounded.
+  // Of feet in a part of a piece, and of the bisector there: x, and the points if they are bounded.
   struct Feet
   {
     Bounds bounds;
@@ -101,8 +101,7 @@ public:
       m_roots.push_back(add_node({piece, {0, 0}}, grid.size(), budget));
   }
 
-  // For feet in a part of a cell.
-  Answer operator()(const Cell& foot, const Feet& feet)
+  Answer operator()(const Feet& feet)
   {
     if (!feet.bounds.is_regular)
       return Answer::UNKNOWN;
@@ -114,8 +113,10 @@ public:
     const std::optional<std::vector<Cell>> near = cells_near_balls(feet);
     if (!near)
       return Answer::NO;
+    if (near->empty())
+      return Answer::UNKNOWN; // no cell has bounds
     constexpr std::size_t most_cells = 400;
-    return near->size() <= most_cells && is_nearest(foot, feet, *near) ? Answer::YES : Answer::UNKNOWN;
+    return near->size() <= most_cells && is_nearest(feet, *near) ? Answer::YES : Answer::UNKNOWN;
   }
 
 private:
@@ -156,7 +157,7 @@ private:
       m_nodes[index].center[c] = Foot_grid::midpoint(box[c]);
       square += CGAL::square(box[c] - Interval(m_nodes[index].center[c]));
     }
-    m_nodes[index].radius = CGAL::sqrt(square).sup();
+    m_nodes[index].radius = square_root(square).sup();
     return index;
   }
 
@@ -171,7 +172,7 @@ private:
       Bounds ball;
       ball.center = node.center;
       ball.first = ball.second = {0, 0, 0};
-      ball.distance = node.radius;
+      ball.distance = ball.radius = node.radius;
       if (is_outside(ball, feet))
         continue;
       if (node.size > 1) {
@@ -201,7 +202,7 @@ private:
     Interval square = CGAL::square(difference[0]) + CGAL::square(difference[1]) + CGAL::square(difference[2]);
     for (const auto* vector : {&cell.first, &cell.second})
       square -= Interval(2) * CGAL::abs(dot({(*vector)[0], (*vector)[1], (*vector)[2]}, difference));
-    return square.inf() > 0 && (CGAL::sqrt(square) - Interval(cell.distance) - CGAL::abs(feet.x)).inf() > 0;
+    return square.inf() > 0 && (square_root(square) - Interval(cell.distance) - CGAL::abs(feet.x)).inf() > 0;
   }
 
   /*
@@ -216,12 +217,10 @@ private:
   {
     if (!std::isfinite(cell.distance) || !std::isfinite(feet.distance))
       return Interval::largest();
-    Interval square(0), extent = Interval(cell.distance) + Interval(feet.distance);
+    Interval square(0), extent = Interval(cell.radius) + Interval(feet.radius);
     for (std::size_t c = 0; c < 3; ++c)
       square += CGAL::square(Interval(cell.center[c]) - Interval(feet.center[c]));
-    for (const auto* vector : {&cell.first, &cell.second, &feet.first, &feet.second})
-      extent += Interval(Foot_grid::norm(*vector));
-    const Interval distance = CGAL::sqrt(square) + Interval(-extent.sup(), extent.sup());
+    const Interval distance = square_root(square) + Interval(-extent.sup(), extent.sup());
     return CGAL::square(Interval((std::max)(distance.inf(), 0.0), distance.sup())) -
         Interval(2) * x * height(cell, feet, feet.normal);
   }
@@ -231,7 +230,7 @@ private:
   // <X,d> for points of a cell, without its center and with it.
   static Interval extent(const Bounds& cell, const Box& d)
   {
-    const Interval length = CGAL::sqrt(dot(d, d));
+    const Interval length = square_root(dot(d, d));
     Interval slack = Interval(cell.distance) * length;
     for (const auto* vector : {&cell.first, &cell.second})
       slack += CGAL::abs(dot({(*vector)[0], (*vector)[1], (*vector)[2]}, d));
@@ -252,12 +251,12 @@ private:
     return dot(difference, d) + extent(cell, d) + extent(feet, d);
   }
 
-  bool is_nearest(const Cell& foot, const Feet& feet, const std::vector<Cell>& near)
+  bool is_nearest(const Feet& feet, const std::vector<Cell>& near)
   {
-    const std::optional<Chart> chart = chart_of(foot, near);
+    const std::optional<Chart> chart = chart_of(feet.bounds, near);
     if (!chart)
       return false;
-    const std::optional<std::vector<Cell>> cells = cells_around_disk(foot, *chart);
+    const std::optional<std::vector<Cell>> cells = cells_around_disk(nearest_cell(feet.bounds, near), *chart);
     if (!cells)
       return false;
     for (const Cell& cell : near)
@@ -269,15 +268,24 @@ private:
     return winding_number(*cells, *chart) == 1;
   }
 
-  // With a disk that has all cells that are near to the balls, and the foot.
-  std::optional<Chart> chart_of(const Cell& foot, const std::vector<Cell>& near)
+  // \pre there are some.
+  const Cell& nearest_cell(const Bounds& feet, const std::vector<Cell>& near)
   {
-    const Bounds& bounds = m_grid.bounds(foot);
-    if (!bounds.is_regular)
-      return std::nullopt;
+    const auto squared_distance = [&](const Cell& cell) {
+      double result = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        result += CGAL::square(m_grid.bounds(cell).center[c] - feet.center[c]);
+      return result;
+    };
+    return *std::ranges::min_element(near, {}, squared_distance);
+  }
+
+  // With a disk that has all cells that are near to the balls: those of the feet are.
+  std::optional<Chart> chart_of(const Bounds& feet, const std::vector<Cell>& near)
+  {
     std::array<double, 3> n;
     for (std::size_t c = 0; c < 3; ++c)
-      n[c] = Foot_grid::midpoint(bounds.normal[c]);
+      n[c] = Foot_grid::midpoint(feet.normal[c]);
     const std::size_t least =
         static_cast<std::size_t>(std::ranges::min_element(n, {}, [](double x) { return std::abs(x); }) - n.begin());
     std::array<double, 3> unit{};
@@ -299,8 +307,7 @@ private:
     };
     result.direction = cross(intervals(result.axes[0]), intervals(result.axes[1]));
     for (const std::size_t axis : {0, 1})
-      result.center[axis] = Foot_grid::midpoint(projected(bounds.point, result, axis));
-    result.radius = farthest(foot, result);
+      result.center[axis] = Foot_grid::midpoint(projected(feet.point, result, axis));
     for (const Cell& cell : near)
       result.radius = (std::max)(result.radius, farthest(cell, result));
     return std::isfinite(result.radius) ? std::optional(result) : std::nullopt;
@@ -321,7 +328,7 @@ private:
     return result;
   }
 
-  double farthest(const Cell& cell, const Chart& chart) { return CGAL::sqrt(squared_distances(cell, chart)).sup(); }
+  double farthest(const Cell& cell, const Chart& chart) { return square_root(squared_distances(cell, chart)).sup(); }
 
   bool reaches_into_disk(const Cell& cell, const Chart& chart)
   {
@@ -332,13 +339,13 @@ private:
 
   bool visit(const Cell& cell) { return std::exchange(m_last_visit[m_grid.index(cell)], m_visit) != m_visit; }
 
-  // From the foot on, with all neighbours of those that reach into the disk; none if some are not known.
-  std::optional<std::vector<Cell>> cells_around_disk(const Cell& foot, const Chart& chart)
+  // From one of them on, with all neighbours of those that reach into the disk; none if some are not known.
+  std::optional<std::vector<Cell>> cells_around_disk(const Cell& first, const Chart& chart)
   {
     constexpr std::size_t most_cells = 2000;
     ++m_visit;
-    std::vector<Cell> result{foot};
-    visit(foot);
+    std::vector<Cell> result{first};
+    visit(first);
     for (std::size_t k = 0; k < result.size(); ++k) {
       if (!reaches_into_disk(result[k], chart))
         continue;

@@ -29,11 +29,13 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,70 +44,114 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-// One of the n times n equal parts of a cell.
-inline Surface_cell_3 part_of_cell(const Surface_cell_3& cell, const std::array<int, 2>& at, int n)
+// A block of a piece of a bisector, by its place among n times n equal ones.
+struct Bisector_block
 {
-  Surface_cell_3 result;
-  std::vector<Surface_cell_3::Range> box;
-  for (const std::size_t axis : {0, 1}) {
-    box.emplace_back(Exact_rational(at[axis]) / n, Exact_rational(at[axis] + 1) / n);
-    result.domain[axis] = {cell.parameter(static_cast<int>(axis), box.back().first),
-                           cell.parameter(static_cast<int>(axis), box.back().second)};
+  Surface_cell_3 cell;
+  std::size_t piece; // of the continuous part
+  std::array<int, 2> at{};
+  int n = 1;
+
+  std::vector<Surface_cell_3::Range> box() const
+  {
+    std::vector<Surface_cell_3::Range> result;
+    for (const int i : at)
+      result.emplace_back(Exact_rational(i) / n, Exact_rational(i + 1) / n);
+    return result;
   }
+};
+
+inline std::array<Surface_cell_3, 2> halves(const Surface_cell_3& cell, int axis)
+{
+  std::array<Surface_cell_3, 2> result{cell, cell};
+  const std::size_t own = static_cast<std::size_t>(axis);
+  result[0].domain[own].second = result[1].domain[own].first = cell.parameter(axis, inverse_power_of_two(1));
   for (std::size_t c = 0; c < 4; ++c)
-    result.coordinates[c] = cell.coordinates[c].restricted_to_box(box);
+    std::tie(result[0].coordinates[c], result[1].coordinates[c]) = cell.coordinates[c].split(axis);
   return result;
 }
 
-// The cells of a continuous part, whose weights have no jumps, each cut into n times n.
-inline std::vector<Surface_cell_3> cells_of(const Cell_functions<4>& part, int n, const Operation_budget& budget)
+// Adds a block, or its quarters, theirs and so on, as long as `must_be_cut(place, n)`.
+template <class Must_be_cut>
+void add_blocks(std::vector<Bisector_block>& result, Bisector_block block, const Must_be_cut& must_be_cut,
+                const Operation_budget& budget)
+{
+  if (!must_be_cut(block.at, block.n)) {
+    result.push_back(std::move(block));
+    return;
+  }
+  budget.check();
+  const std::array<Surface_cell_3, 2> columns = halves(block.cell, 0);
+  for (const int a : {0, 1}) {
+    const std::array<Surface_cell_3, 2> cells = halves(columns[static_cast<std::size_t>(a)], 1);
+    for (const int b : {0, 1})
+      add_blocks(
+          result,
+          {cells[static_cast<std::size_t>(b)], block.piece, {2 * block.at[0] + a, 2 * block.at[1] + b}, 2 * block.n},
+          must_be_cut, budget);
+  }
+}
+
+// The pieces of a continuous part, whose weights have no jumps, as blocks.
+inline std::vector<Bisector_block> pieces_of(const Cell_functions<4>& part)
 {
   std::array<std::vector<Cell_polynomial>, 4> pieces;
   const std::array<Exact_function, 4> splines = part.splines();
   for (std::size_t i = 0; i < 4; ++i)
     pieces[i] = splines[i].bezier_pieces();
-  std::vector<Surface_cell_3> result;
+  std::vector<Bisector_block> result;
   std::size_t k = 0;
   for (std::size_t i = 1; i < part.breaks(0).size(); ++i)
-    for (std::size_t j = 1; j < part.breaks(1).size(); ++j, ++k) {
-      const Surface_cell_3 piece{{Surface_cell_3::Range(part.breaks(0)[i - 1], part.breaks(0)[i]),
-                                  Surface_cell_3::Range(part.breaks(1)[j - 1], part.breaks(1)[j])},
-                                 {pieces[0][k], pieces[1][k], pieces[2][k], pieces[3][k]}};
-      for (int a = 0; a < n; ++a)
-        for (int b = 0; b < n; ++b) {
-          if (n > 1)
-            budget.check();
-          result.push_back(n == 1 ? piece : part_of_cell(piece, {a, b}, n));
-        }
-    }
+    for (std::size_t j = 1; j < part.breaks(1).size(); ++j, ++k)
+      result.push_back({{{Surface_cell_3::Range(part.breaks(0)[i - 1], part.breaks(0)[i]),
+                          Surface_cell_3::Range(part.breaks(1)[j - 1], part.breaks(1)[j])},
+                         {pieces[0][k], pieces[1][k], pieces[2][k], pieces[3][k]}},
+                        k});
   return result;
 }
 
 // Cuts a continuous part at its poles, or at a sphere.
 class Bisector_trimming
 {
-  std::vector<Surface_cell_3> m_cells;
+  std::vector<Bisector_block> m_pieces, m_blocks;
   std::optional<Reach> m_reach;
-  std::vector<std::optional<Cell_polynomial>> m_powers; // of the cells: positive out of reach
+  std::vector<std::optional<Cell_polynomial>> m_powers_of_pieces, m_powers; // of the blocks: positive out of reach
 
 public:
-  Bisector_trimming(const Cell_functions<4>& part, const std::optional<Reach>& reach, int n,
-                    const Operation_budget& budget)
-    : m_cells(cells_of(part, n, budget)), m_reach(reach), m_powers(m_cells.size())
-  {}
+  // `must_be_cut(piece of the bisector, place, n)` of blocks.
+  template <class Must_be_cut>
+  Bisector_trimming(const Rational_bisector_3& bisector, const Cell_functions<4>& part,
+                    const std::optional<Reach>& reach, const Must_be_cut& must_be_cut, const Operation_budget& budget)
+    : m_pieces(pieces_of(part)), m_reach(reach), m_powers_of_pieces(m_pieces.size())
+  {
+    for (const Bisector_block& piece : m_pieces) {
+      const auto is_same = [&](const Rational_bisector_piece_3& other) { return other.domain() == piece.cell.domain; };
+      const std::size_t own =
+          static_cast<std::size_t>(std::ranges::find_if(bisector.pieces(), is_same) - bisector.pieces().begin());
+      add_blocks(
+          m_blocks, piece, [&](const std::array<int, 2>& at, int n) { return must_be_cut(own, at, n); }, budget);
+    }
+    m_powers.resize(m_blocks.size());
+  }
 
-  const std::vector<Surface_cell_3>& cells() const { return m_cells; }
+  std::vector<Surface_cell_3> cells() const
+  {
+    std::vector<Surface_cell_3> result;
+    for (const Bisector_block& block : m_blocks)
+      result.push_back(block.cell);
+    return result;
+  }
 
   std::vector<Cell_polynomial> zeros(std::size_t cell)
   {
-    return {m_reach ? power(cell) : m_cells[cell].coordinates[3]};
+    return {m_reach ? power(cell) : m_blocks[cell].cell.coordinates[3]};
   }
 
   // `label_within(cell, parameters in its unit box, whether the weight is positive)` within reach.
   template <class Label_within>
   std::optional<int> label(std::size_t cell, const Parameters& parameters, const Label_within& label_within)
   {
-    const Surface_cell_3& place = m_cells[cell];
+    const Surface_cell_3& place = m_blocks[cell].cell;
     const Parameters local{place.local_parameter(0, parameters[0]), place.local_parameter(1, parameters[1])};
     if (m_reach && power(cell)(local) > 0)
       return OUT_OF_REACH;
@@ -116,12 +162,21 @@ private:
   // When it is asked for.
   const Cell_polynomial& power(std::size_t index)
   {
-    const Surface_cell_3& cell = m_cells[index];
+    const Bisector_block& block = m_blocks[index];
     std::optional<Cell_polynomial>& result = m_powers[index];
     if (!result)
-      result = is_certainly_within(cell)
-          ? Cell_polynomial::constant(2, Exact_rational(-1))
-          : power_of_distance(cell.coordinates, constant_coordinates(m_reach->center), m_reach->squared_radius);
+      result = is_certainly_within(block.cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
+          : block.n == 1                       ? power_of_piece(block.piece)
+                                               : power_of_piece(block.piece).restricted_to_box(block.box());
+    return *result;
+  }
+
+  const Cell_polynomial& power_of_piece(std::size_t piece)
+  {
+    std::optional<Cell_polynomial>& result = m_powers_of_pieces[piece];
+    if (!result)
+      result = power_of_distance(m_pieces[piece].cell.coordinates, constant_coordinates(m_reach->center),
+                                 m_reach->squared_radius);
     return *result;
   }
 
@@ -147,17 +202,18 @@ private:
   }
 };
 
-// The regions of all continuous parts, whose pieces are cut into n times n cells.
-template <class Label_within>
+// The regions of all continuous parts, whose pieces are cut into blocks.
+template <class Label_within, class Must_be_cut>
 std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach,
-                                                 const Label_within& label_within, Operation_budget& budget, int n = 1)
+                                                 const Label_within& label_within, Operation_budget& budget,
+                                                 const Must_be_cut& must_be_cut)
 {
   if (!bisector.is_complete())
     throw Invalid_input("bisector_parts: pieces of the bisector were not computed");
   const Cell_functions<4> all = coordinates_on_bisector(bisector);
   std::vector<Trimmed_surface_3> result;
   for (const Continuous_part<4>& part : continuous_parts(all, false)) {
-    Bisector_trimming cut(part.functions, reach, n, budget);
+    Bisector_trimming cut(bisector, part.functions, reach, must_be_cut, budget);
     Trimming trimming{cut.cells(),
                       {},
                       [&](std::size_t cell) { return cut.zeros(cell); },
@@ -172,6 +228,8 @@ std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bise
   return result;
 }
 
+inline bool is_never_cut(std::size_t, const std::array<int, 2>&, int) { return false; }
+
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Trimmed_surface_3>
 parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach, const Solver_options& options)
 {
@@ -179,7 +237,7 @@ parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach
   const auto label = [](const Surface_cell_3&, const Parameters&, bool is_positive) -> std::optional<int> {
     return is_positive ? WITH_POSITIVE_WEIGHT : WITH_NEGATIVE_WEIGHT;
   };
-  return parts_of_bisector(bisector, reach, label, budget);
+  return parts_of_bisector(bisector, reach, label, budget, is_never_cut);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Bisector_mesh_3 mesh_of_bisector(const Rational_bisector_3& bisector,

@@ -88,26 +88,35 @@ class Face_trimming
 {
   using Interval = Interval_net::Interval;
   using Answer = Nearest_feet::Answer;
-  using Cell = Nearest_feet::Cell;
-  using Range = Foot_grid::Range;
 
-  struct Piece_nets
+  // Of a piece, or a part of it.
+  struct Nets
   {
+    std::vector<Interval_net> feet;        // those of the grid
     std::vector<Interval_net> coordinates; // the point from the center of the sphere, times the weight, and the weight
     Interval_net power;                    // positive out of reach
     Interval_net side;                     // zero at poles
   };
+
+  // A square of cells of the grid, or a part of a cell.
+  struct Block
+  {
+    std::array<int, 2> at;
+    int size;
+  };
+
+  // Those of all cells of the grid, row by row; none out of reach.
+  using Answers = std::vector<std::optional<Answer>>;
 
   const Operation_budget& m_budget;
   Foot_grid::Box m_center;
   Interval m_radius, m_reach; // of the sphere, with its sign; the greatest distance from its center
   CGAL::Sign m_sign_of_radius;
   std::vector<Tensor> m_sides;
-  std::vector<Piece_nets> m_nets;
+  std::vector<Nets> m_nets;
   Foot_grid m_grid;
   Nearest_feet m_feet;
-  // of a piece and the sign of its side: the answers of its cells, none out of reach
-  std::map<std::pair<std::size_t, bool>, std::vector<std::optional<Answer>>> m_answers;
+  std::map<std::pair<std::size_t, bool>, Answers> m_answers; // of a piece and the sign of its side
 
 public:
   // \pre rounding is upwards, here and below
@@ -127,8 +136,10 @@ public:
     for (std::size_t k = 0; k < surface.size(); ++k) {
       const auto& x = bisector.pieces()[k].coordinates();
       m_sides.push_back(side_of_bisector(sphere, surface[k]));
-      Piece_nets nets{
-          {}, Interval_net(power_of_distance(x, center_of_reach, reach.squared_radius)), Interval_net(m_sides.back())};
+      Nets nets{m_grid.nets(k),
+                {},
+                Interval_net(power_of_distance(x, center_of_reach, reach.squared_radius)),
+                Interval_net(m_sides.back())};
       for (std::size_t c = 0; c < 3; ++c)
         nets.coordinates.emplace_back(x[c] - x[3] * center[c]);
       nets.coordinates.emplace_back(x[3]);
@@ -136,8 +147,8 @@ public:
     }
   }
 
-  // For the face around parameters in the unit box of a piece; or, if pieces are cut into the cells of the grid, for
-  // what is in one of these.
+  // For the face around parameters in the unit box of a piece; or, if pieces are cut into blocks that need not be cut
+  // any further, for what is in one of these.
   std::optional<int> label(std::size_t piece, const Parameters& local, bool is_cut)
   {
     const CGAL::Sign side = CGAL::sign(m_sides[piece](local));
@@ -148,8 +159,10 @@ public:
     if (is_positive ? m_sign_of_radius > 0 : m_sign_of_radius < 0)
       return NOT_NEAREST;
     auto [known, is_new] = m_answers.try_emplace({piece, is_positive});
-    if (is_new)
-      known->second = answers(piece, is_positive);
+    if (is_new) {
+      known->second.resize(static_cast<std::size_t>(m_grid.size() * m_grid.size()));
+      add_answers(known->second, piece, m_nets[piece], {{0, 0}, m_grid.size()}, is_positive);
+    }
     const auto index = [&](std::size_t axis) {
       const Exact_rational place(local[axis] * m_grid.size());
       int i = static_cast<int>(std::floor(to_nearest_double(place)));
@@ -158,8 +171,7 @@ public:
       return (std::min)((std::max)(i, 0), m_grid.size() - 1);
     };
     const std::array<int, 2> at{index(0), index(1)};
-    switch (is_cut ? known->second[static_cast<std::size_t>(at[0] * m_grid.size() + at[1])].value_or(Answer::UNKNOWN)
-                   : common_answer(known->second, at)) {
+    switch (is_cut ? known->second[index_of(at)].value_or(Answer::UNKNOWN) : connected_answer(known->second, at)) {
     case Answer::YES:
       return NEAREST;
     case Answer::NO:
@@ -169,14 +181,44 @@ public:
     }
   }
 
-  int size_of_grid() const { return m_grid.size(); }
+  // Whether faces in a block of a piece, given by its place among those of its size, have different answers, or cells
+  // of the grid have none. All faces have been asked for.
+  bool must_be_cut(std::size_t piece, const std::array<int, 2>& at, int blocks) const
+  {
+    const int size = m_grid.size() / blocks;
+    if (size <= 1)
+      return false;
+    for (const bool is_positive : {false, true})
+      if (const auto known = m_answers.find({piece, is_positive}); known != m_answers.end())
+        if (common_answer(known->second, {{at[0] * size, at[1] * size}, size}) == Answer::UNKNOWN)
+          return true;
+    return false;
+  }
 
 private:
+  std::size_t index_of(const std::array<int, 2>& at) const
+  {
+    return static_cast<std::size_t>(at[0] * m_grid.size() + at[1]);
+  }
+
+  // Of all cells of a block, none if all are out of reach.
+  std::optional<Answer> common_answer(const Answers& answers, const Block& block) const
+  {
+    std::optional<Answer> result;
+    for (int i = block.at[0]; i < block.at[0] + block.size; ++i)
+      for (int j = block.at[1]; j < block.at[1] + block.size; ++j)
+        if (const std::optional<Answer> answer = answers[index_of({i, j})]; answer && !result)
+          result = answer;
+        else if (answer && *answer != *result)
+          return Answer::UNKNOWN;
+    return result;
+  }
+
   // Of all cells that are connected with one.
-  Answer common_answer(const std::vector<std::optional<Answer>>& answers, const std::array<int, 2>& start) const
+  Answer connected_answer(const Answers& answers, const std::array<int, 2>& start) const
   {
     const int n = m_grid.size();
-    const auto index = [n](const std::array<int, 2>& at) { return static_cast<std::size_t>(at[0] * n + at[1]); };
+    const auto index = [this](const std::array<int, 2>& at) { return index_of(at); };
     if (!answers[index(start)])
       return Answer::UNKNOWN;
     std::vector<bool> is_known(answers.size(), false);
@@ -200,59 +242,77 @@ private:
     return *answers[index(start)];
   }
 
-  std::vector<std::optional<Answer>> answers(std::size_t piece, bool is_positive)
+  // Of the cells in a block; it is halved along both axes where nothing is known.
+  void add_answers(Answers& answers, std::size_t piece, const Nets& nets, const Block& block, bool is_positive)
   {
-    std::vector<std::optional<Answer>> result;
-    const double step = 1.0 / m_grid.size();
-    for (int i = 0; i < m_grid.size(); ++i) {
-      const std::array<double, 2> column{i * step, (i + 1) * step};
-      for (int j = 0; j < m_grid.size(); ++j) {
-        result.push_back(answer({piece, {i, j}}, {column, {j * step, (j + 1) * step}}, is_positive, 0));
-      }
+    m_budget.check();
+    const std::optional<Nearest_feet::Feet> feet = feet_in(piece, nets, is_positive);
+    if (!feet)
+      return;
+    const bool is_large = 4 * block.size > m_grid.size();
+    Answer answer = is_large ? Answer::UNKNOWN : m_feet(*feet);
+    if (answer == Answer::UNKNOWN && block.size > 1) {
+      const int half = block.size / 2;
+      for (const int a : {0, 1})
+        for (const int b : {0, 1})
+          add_answers(answers, piece, quarter(nets, a, b), {{block.at[0] + a * half, block.at[1] + b * half}, half},
+                      is_positive);
+      return;
     }
+    if (answer == Answer::UNKNOWN)
+      answer = answer_of_quarters(piece, nets, is_positive, 0).value_or(Answer::UNKNOWN);
+    for (int i = block.at[0]; i < block.at[0] + block.size; ++i)
+      for (int j = block.at[1]; j < block.at[1] + block.size; ++j)
+        answers[index_of({i, j})] = answer;
+  }
+
+  // Of a part of a cell, by its quarters; none out of reach.
+  std::optional<Answer> answer_of_quarters(std::size_t piece, const Nets& nets, bool is_positive, int depth)
+  {
+    constexpr int most_halvings = 4;
+    if (depth == most_halvings)
+      return Answer::UNKNOWN;
+    std::optional<Answer> result;
+    for (const int a : {0, 1})
+      for (const int b : {0, 1}) {
+        m_budget.check();
+        const Nets part = quarter(nets, a, b);
+        const std::optional<Nearest_feet::Feet> feet = feet_in(piece, part, is_positive);
+        if (!feet)
+          continue;
+        std::optional<Answer> answer = m_feet(*feet);
+        if (answer == Answer::UNKNOWN)
+          answer = answer_of_quarters(piece, part, is_positive, depth + 1);
+        if (answer == Answer::UNKNOWN || (answer && result && *answer != *result))
+          return Answer::UNKNOWN;
+        if (answer)
+          result = answer;
+      }
     return result;
   }
 
-  // Of feet in a part of a cell, which is halved along both axes where nothing is known; none out of reach.
-  std::optional<Answer> answer(const Cell& cell, const std::array<Range, 2>& range, bool is_positive, int depth)
+  static Nets quarter(const Nets& nets, int a, int b)
   {
-    constexpr int most_halvings = 4;
-    m_budget.check();
-    const std::optional<Nearest_feet::Feet> feet = feet_in(cell.piece, range, is_positive);
-    if (!feet)
-      return std::nullopt;
-    if (const Answer own = m_feet(cell, *feet); own != Answer::UNKNOWN || depth == most_halvings)
-      return own;
-    std::optional<Answer> result;
-    const auto half = [&](std::size_t axis, int k) {
-      const double middle = 0.5 * (range[axis][0] + range[axis][1]);
-      return k == 0 ? Range{range[axis][0], middle} : Range{middle, range[axis][1]};
+    const auto part = [&](const Interval_net& net) {
+      return net.restricted(0, 0.5 * a, 0.5 * (a + 1)).restricted(1, 0.5 * b, 0.5 * (b + 1));
     };
-    for (const int a : {0, 1})
-      for (const int b : {0, 1}) {
-        const std::optional<Answer> part = answer(cell, {half(0, a), half(1, b)}, is_positive, depth + 1);
-        if (part == Answer::UNKNOWN || (part && result && *part != *result))
-          return Answer::UNKNOWN;
-        if (part)
-          result = part;
-      }
+    // within reach, its degree is not needed any more
+    const bool is_within = nets.power.bounds().sup() < 0;
+    Nets result{{}, {}, is_within ? Interval_net::constant(-1) : part(nets.power), part(nets.side)};
+    for (const auto list : {&Nets::feet, &Nets::coordinates})
+      for (const Interval_net& net : nets.*list)
+        (result.*list).push_back(part(net));
     return result;
   }
 
   // Bounds of the feet of points of the bisector that are within reach on a side of the poles; none if there are none.
   // The distance of these points from the center of the sphere is |x + r|.
-  std::optional<Nearest_feet::Feet> feet_in(std::size_t piece, const std::array<Range, 2>& range,
-                                            bool is_positive) const
+  std::optional<Nearest_feet::Feet> feet_in(std::size_t piece, const Nets& part, bool is_positive) const
   {
-    const auto on_range = [&](const Interval_net& net) {
-      return net.restricted(0, range[0][0], range[0][1]).restricted(1, range[1][0], range[1][1]);
-    };
-    const Interval side = on_range(m_nets[piece].side).bounds();
-    if ((is_positive ? !(side.sup() > 0) : !(side.inf() < 0)) || on_range(m_nets[piece].power).bounds().inf() > 0)
+    const Interval side = part.side.bounds();
+    if ((is_positive ? !(side.sup() > 0) : !(side.inf() < 0)) || part.power.bounds().inf() > 0)
       return std::nullopt;
-    std::vector<Interval_net> nets;
-    for (const Interval_net& net : m_nets[piece].coordinates)
-      nets.push_back(on_range(net));
+    const std::vector<Interval_net>& nets = part.coordinates;
     const Interval weight = CGAL::abs(nets[3].bounds());
     const bool is_bounded = weight.inf() > 0;
     Nearest_feet::Feet result;
@@ -261,7 +321,7 @@ private:
     Interval square(0);
     for (const Interval& c : result.centers)
       square += CGAL::square(c);
-    const Interval length = CGAL::sqrt(square);
+    const Interval length = square_root(square);
     const double least = is_bounded ? length.inf() : (Interval(length.inf()) / Interval(weight.sup())).inf(),
                  greatest = is_bounded ? (std::min)(length.sup(), m_reach.sup()) : m_reach.sup();
     if (least > greatest)
@@ -270,12 +330,12 @@ private:
     result.x = (is_positive ? -distance : distance) - m_radius;
     for (std::size_t c = 0; c < 3; ++c)
       result.centers[c] = m_center[c] + (is_bounded ? result.centers[c] : Interval(-greatest, greatest));
-    result.bounds = m_grid.bounds(piece, range);
+    result.bounds = m_grid.bounds(piece, part.feet);
     return result;
   }
 };
 
-// If a face is undecided, the pieces are cut into the cells of the grid, and these are labelled.
+// If a face is undecided, the pieces are cut into blocks of the grid, and these are labelled.
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Trimmed_surface_3>
 trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surface, const Rational_bisector_3& bisector,
                         const Reach& reach, const Solver_options& options)
@@ -305,13 +365,15 @@ trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surfa
   const auto label_of_face = [&](const Surface_cell_3& cell, const Parameters& local, bool) {
     return label({cell.parameter(0, local[0]), cell.parameter(1, local[1])});
   };
-  std::vector<Trimmed_surface_3> result = parts_of_bisector(bisector, reach, label_of_face, budget);
+  std::vector<Trimmed_surface_3> result = parts_of_bisector(bisector, reach, label_of_face, budget, is_never_cut);
   is_cut = faces && std::ranges::any_of(result, [](const Trimmed_surface_3& part) { return !part.is_complete(); });
   if (!is_cut || budget.must_stop())
     return result;
   try {
-    std::vector<Trimmed_surface_3> finer =
-        parts_of_bisector(bisector, reach, label_of_face, budget, faces->size_of_grid());
+    const auto must_be_cut = [&](std::size_t piece, const std::array<int, 2>& at, int blocks) {
+      return faces->must_be_cut(piece, at, blocks);
+    };
+    std::vector<Trimmed_surface_3> finer = parts_of_bisector(bisector, reach, label_of_face, budget, must_be_cut);
     return budget.must_stop() ? result : finer;
   } catch (const Run_stopped&) { // before there were cells
     return result;
