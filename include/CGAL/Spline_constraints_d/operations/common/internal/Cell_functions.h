@@ -141,22 +141,27 @@ public:
         f = f * factor;
   }
 
-  // As splines. \pre They do not jump.
+  // Of one function, of the degrees of the highest one, in row-major order.
+  std::vector<Bernstein_tensor<Exact_rational>> pieces(std::size_t f) const
+  {
+    const std::vector<int> degrees = common_degrees();
+    std::vector<Bernstein_tensor<Exact_rational>> result;
+    for (const Functions& functions : m_cells)
+      result.push_back(functions[f].elevated(degrees).bezier_pieces().front());
+    return result;
+  }
+
+  // As splines, which have no breaks along an axis where they are constant. \pre They do not jump.
   Functions splines() const
   {
     Break_grid<Exact_rational> grid(2);
-    std::vector<int> degrees(2, 0);
-    for (const Functions& functions : m_cells)
-      raise(degrees, functions);
+    const std::vector<int> degrees = common_degrees();
     for (std::size_t axis = 0; axis < 2; ++axis)
       for (const Exact_rational& value : m_breaks[axis])
         grid[axis].push_back({value, degrees[axis]});
     Functions result;
     for (std::size_t f = 0; f < k; ++f) {
-      std::vector<Bernstein_tensor<Exact_rational>> pieces;
-      for (const Functions& functions : m_cells)
-        pieces.push_back(functions[f].elevated(degrees).bezier_pieces().front());
-      auto [axes, coefficients] = assembled_cells(degrees, grid, pieces);
+      auto [axes, coefficients] = assembled_cells(degrees, grid, pieces(f));
       result[f] = Exact_function(degrees, {*axes[0].knots, *axes[1].knots}, std::move(coefficients));
     }
     return result;
@@ -177,6 +182,14 @@ private:
     std::vector<std::size_t> result;
     for (std::size_t other = 0; other < size(1 - axis); ++other)
       result.push_back(axis == 0 ? strip * size(1) + other : other * size(1) + strip);
+    return result;
+  }
+
+  std::vector<int> common_degrees() const
+  {
+    std::vector<int> result(2, 0);
+    for (const Functions& functions : m_cells)
+      raise(result, functions);
     return result;
   }
 

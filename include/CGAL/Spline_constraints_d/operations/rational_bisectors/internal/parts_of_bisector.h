@@ -96,9 +96,8 @@ void add_blocks(std::vector<Bisector_block>& result, Bisector_block block, const
 inline std::vector<Bisector_block> pieces_of(const Cell_functions<4>& part)
 {
   std::array<std::vector<Cell_polynomial>, 4> pieces;
-  const std::array<Exact_function, 4> splines = part.splines();
   for (std::size_t i = 0; i < 4; ++i)
-    pieces[i] = splines[i].bezier_pieces();
+    pieces[i] = part.pieces(i);
   std::vector<Bisector_block> result;
   std::size_t k = 0;
   for (std::size_t i = 1; i < part.breaks(0).size(); ++i)

@@ -181,16 +181,14 @@ public:
     }
   }
 
-  // Whether faces in a block of a piece, given by its place among those of its size, have different answers, or cells
-  // of the grid have none. All faces have been asked for.
+  // Whether cells in a block of a piece, given by its place among those of its size, have different answers. All faces
+  // have been asked for.
   bool must_be_cut(std::size_t piece, const std::array<int, 2>& at, int blocks) const
   {
     const int size = m_grid.size() / blocks;
-    if (size <= 1)
-      return false;
     for (const bool is_positive : {false, true})
       if (const auto known = m_answers.find({piece, is_positive}); known != m_answers.end())
-        if (common_answer(known->second, {{at[0] * size, at[1] * size}, size}) == Answer::UNKNOWN)
+        if (!agree(known->second, {{at[0] * size, at[1] * size}, size}))
           return true;
     return false;
   }
@@ -201,17 +199,18 @@ private:
     return static_cast<std::size_t>(at[0] * m_grid.size() + at[1]);
   }
 
-  // Of all cells of a block, none if all are out of reach.
-  std::optional<Answer> common_answer(const Answers& answers, const Block& block) const
+  // Whether all cells of a block that are not out of reach have the same answer.
+  bool agree(const Answers& answers, const Block& block) const
   {
-    std::optional<Answer> result;
+    std::optional<Answer> first;
     for (int i = block.at[0]; i < block.at[0] + block.size; ++i)
       for (int j = block.at[1]; j < block.at[1] + block.size; ++j)
-        if (const std::optional<Answer> answer = answers[index_of({i, j})]; answer && !result)
-          result = answer;
-        else if (answer && *answer != *result)
-          return Answer::UNKNOWN;
-    return result;
+        if (const std::optional<Answer> answer = answers[index_of({i, j})]) {
+          if (first && *first != *answer)
+            return false;
+          first = answer;
+        }
+    return true;
   }
 
   // Of all cells that are connected with one.
