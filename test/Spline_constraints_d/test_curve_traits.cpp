@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of solutions with all traits, and a visitor that stops the solver.
+// Curves and surfaces of solutions with all traits, and a visitor that stops the solver.
 
 #include "curve_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,31 @@ TYPED_TEST(Curve_solver_traits, domains_that_are_no_doubles)
   auto [x, y] = unknowns({Rational(-1, 3), Rational(2, 3)}, {Rational(-1, 3), Rational(2, 3)});
   // through (1/3, 1/3), it ends at (-1/3, 1/3) and (1/3, -1/3)
   expect_curves(SC::Curve_solver_d<TypeParam>()(SC::make_system(std::array{9 * x * x + 9 * y * y == 2})), 0, 1);
+}
+
+TYPED_TEST(Curve_solver_traits, surfaces)
+{
+  auto [x, y, z] = unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const SC::Surface_solver_d<TypeParam> solver;
+  const SC::Surface_solution_set_d sphere = solver(SC::make_system(std::array{x * x + y * y + z * z == 1})),
+                                   cap = solver(SC::make_system(std::array{x * x + y * y + z * z == 1, z >= x}));
+  EXPECT_TRUE(sphere.is_complete() && cap.is_complete());
+  ASSERT_EQ(sphere.surfaces().size(), 1u);
+  EXPECT_EQ(sphere.surfaces()[0].euler_characteristic, 2);
+  ASSERT_EQ(cap.surfaces().size(), 1u);
+  EXPECT_EQ(cap.surfaces()[0].euler_characteristic, 1);
+  EXPECT_EQ(cap.surfaces()[0].boundary.size(), 1u);
+}
+
+TEST(Surface_solver, is_stopped_by_a_visitor)
+{
+  auto [x, y, z] = unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  Stopping_visitor visitor;
+  const SC::Surface_solution_set_d set =
+      SC::Surface_solver_d<>()(SC::make_system(std::array{x * x + y * y + z * z == 1}), visitor);
+  EXPECT_FALSE(set.is_complete());
+  ASSERT_FALSE(set.undecided_regions().empty());
+  EXPECT_EQ(set.undecided_regions()[0].reason, SC::Undecided_reason::STOPPED);
 }
 
 TEST(Curve_solver, is_stopped_by_a_visitor)

@@ -151,6 +151,16 @@ std::vector<Undecided_part::Range> ranges_of(const Region& region)
   return result;
 }
 
+// Undecided regions, with the box around each.
+template <class Region>
+std::vector<Undecided_part> parts_of_regions(const std::vector<Region>& regions)
+{
+  std::vector<Undecided_part> result;
+  for (const Region& region : regions)
+    result.push_back({ranges_of(region), {}, in_words(region.reason)});
+  return result;
+}
+
 template <class Curve>
 std::size_t number_of_closed(const std::vector<Curve>& curves)
 {
@@ -205,10 +215,7 @@ public:
   //! the same regions, with the box around each.
   std::vector<Undecided_part> undecided() const
   {
-    std::vector<Undecided_part> result;
-    for (const Undecided_region& region : m_undecided)
-      result.push_back({internal::ranges_of(region), {}, internal::in_words(region.reason)});
-    return result;
+    return internal::parts_of_regions(m_undecided);
   }
 
   //! number of closed curves.

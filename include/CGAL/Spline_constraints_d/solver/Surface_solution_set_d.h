@@ -90,7 +90,7 @@ struct Solution_surface
   //! indices of its patches.
   std::vector<std::size_t> patches;
 
-  //! vertices less arcs plus patches.
+  //! vertices less arcs plus patches, where a vertex in which it meets itself counts as often as it does.
   int euler_characteristic;
 
   //! the loops that bound it, each with the indices of its arcs in order: on the boundary of the domain, where an
@@ -142,7 +142,7 @@ class Surface_solution_set_d
   std::vector<Surface_arc> m_arcs;
   std::vector<Surface_patch> m_patches;
   std::vector<Solution_surface> m_surfaces;
-  std::vector<std::size_t> m_points;
+  std::vector<std::size_t> m_points, m_singular_points;
   std::vector<Undecided_surface_region> m_undecided;
   Summary m_summary;
 
@@ -152,11 +152,11 @@ public:
   Surface_solution_set_d(std::shared_ptr<const Constraint_system_d> system, int dimension,
                          std::vector<Curve_vertex> vertices, std::vector<Surface_arc> arcs,
                          std::vector<Surface_patch> patches, std::vector<Solution_surface> surfaces,
-                         std::vector<std::size_t> points, std::vector<Undecided_surface_region> undecided,
-                         const Summary& summary)
+                         std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
+                         std::vector<Undecided_surface_region> undecided, const Summary& summary)
     : m_system(std::move(system)), m_dimension(dimension), m_vertices(std::move(vertices)), m_arcs(std::move(arcs)),
       m_patches(std::move(patches)), m_surfaces(std::move(surfaces)), m_points(std::move(points)),
-      m_undecided(std::move(undecided)), m_summary(summary)
+      m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
 
   //! the connected surfaces.
@@ -175,13 +175,17 @@ public:
   //! there, from outside.
   const std::vector<std::size_t>& points() const { return m_points; }
 
+  //! indices of the vertices where surfaces meet each other, or one itself, in a point. Singular points elsewhere are
+  //! undecided.
+  const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
+
   //! number of unknowns of the problem. Ranges of boxes beyond are those of inequalities.
   int dimension() const { return m_dimension; }
 
   //! the equalities that the boxes belong to: with one unknown more for each inequality.
   const Constraint_system_d& system() const { return *m_system; }
 
-  //! vertices less arcs plus patches, of all surfaces.
+  //! the sum over all surfaces.
   int euler_characteristic() const
   {
     int result = 0;
@@ -203,13 +207,7 @@ public:
   const std::vector<Undecided_surface_region>& undecided_regions() const { return m_undecided; }
 
   //! the same regions, with the box around each.
-  std::vector<Undecided_part> undecided() const
-  {
-    std::vector<Undecided_part> result;
-    for (const Undecided_surface_region& region : m_undecided)
-      result.push_back({internal::ranges_of(region), {}, internal::in_words(region.reason)});
-    return result;
-  }
+  std::vector<Undecided_part> undecided() const { return internal::parts_of_regions(m_undecided); }
 
   //! whether all solutions lie on the surfaces, or are points, by proof: nothing is undecided.
   bool is_complete() const { return m_summary.is_complete; }
@@ -218,7 +216,7 @@ public:
   const Summary& summary() const { return m_summary; }
 };
 
-//! writes one line with the counts.
+//! writes one line with the counts; single points are counted as singular ones.
 //! \relates Surface_solution_set_d
 inline std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d& set)
 {
@@ -226,9 +224,9 @@ inline std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d&
   const char* const least = is_complete ? "" : "at least ";
   return out << "surfaces: " << least << set.surfaces().size() << " components, Euler characteristic "
              << set.euler_characteristic() << ", " << set.number_of_boundary_loops() << " boundary loops, " << least
-             << set.points().size() << " singular points, " << set.undecided_regions().size()
-             << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes " << set.summary().nodes
-             << "; seconds " << set.summary().seconds;
+             << set.points().size() + set.singular_points().size() << " singular points, "
+             << set.undecided_regions().size() << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes "
+             << set.summary().nodes << "; seconds " << set.summary().seconds;
 }
 
 } // namespace Spline_constraints

@@ -249,7 +249,7 @@ private:
     if (!feet)
       return;
     const bool is_large = 4 * block.size > m_grid.size();
-    Answer answer = is_large ? Answer::UNKNOWN : m_feet(*feet);
+    const Answer answer = is_large ? Answer::UNKNOWN : m_feet(*feet);
     if (answer == Answer::UNKNOWN && block.size > 1) {
       const int half = block.size / 2;
       for (const int a : {0, 1})
@@ -258,11 +258,11 @@ private:
                       is_positive);
       return;
     }
-    if (answer == Answer::UNKNOWN)
-      answer = answer_of_quarters(piece, nets, is_positive, 0).value_or(Answer::UNKNOWN);
+    const std::optional<Answer> of_all =
+        answer == Answer::UNKNOWN ? answer_of_quarters(piece, nets, is_positive, 0) : std::optional(answer);
     for (int i = block.at[0]; i < block.at[0] + block.size; ++i)
       for (int j = block.at[1]; j < block.at[1] + block.size; ++j)
-        answers[index_of({i, j})] = answer;
+        answers[index_of({i, j})] = of_all;
   }
 
   // Of a part of a cell, by its quarters; none out of reach.

@@ -250,17 +250,6 @@ private:
   }
 };
 
-inline void check_curve_system(const Constraint_system_d& system)
-{
-  const int n = system.dimension();
-  if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
-    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) + " unknowns");
-  for (int v = 0; v < n; ++v)
-    if (!(system.domain(v).first < system.domain(v).second))
-      throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
-}
-
 // What to do with the curves of a system in a face of the domain, or a plane of breaks.
 enum class Use_of_face { FIND, SKIP, LEAVE };
 
@@ -372,7 +361,7 @@ template <class Traits, class Concurrency_tag>
 Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
                                 const Curve_search& search)
 {
-  check_curve_system(system);
+  check_codimension(system, 1, "solve_curves");
   Found_curves found =
       found_curves<Traits, Concurrency_tag>(system, control.options_of_parts(options), control, search);
   found.summary.seconds = control.seconds();

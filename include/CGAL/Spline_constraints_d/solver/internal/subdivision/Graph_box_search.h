@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_GRAPH_BOX_SEARCH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_GRAPH_BOX_SEARCH_H
 
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Graph_test.h>
@@ -25,6 +26,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -32,6 +34,18 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// Whether the solutions of a system may have a dimension. \throws Invalid_input, in the name of a function, if not
+inline void check_codimension(const Constraint_system_d& system, int dimension_of_solutions, const std::string& name)
+{
+  const int n = system.dimension();
+  if (n <= dimension_of_solutions || static_cast<int>(system.equalities().size()) != n - dimension_of_solutions)
+    throw Invalid_input(name + ": " + std::to_string(system.equalities().size()) + " equalities for " +
+                        std::to_string(n) + " unknowns");
+  for (int v = 0; v < n; ++v)
+    if (!(system.domain(v).first < system.domain(v).second))
+      throw Invalid_input(name + ": the range of unknown " + std::to_string(v) + " is one number");
+}
 
 /*
 What a search for boxes that hold a graph, part of a curve or of a surface of solutions, does with one box in a cell,

@@ -74,23 +74,25 @@ public:
     return place->second;
   }
 
-  // Adds what was found on a plane, and returns the indices of the arcs.
-  Arc_indices add(const Curve_findings& found, int axis, const Exact_rational& value)
+  std::vector<std::size_t> add_vertices(const std::vector<Plane_point>& points)
   {
-    std::vector<std::size_t> place;
-    for (std::size_t i = 0; i < found.vertices.size(); ++i)
-      place.push_back(add_vertex(with_plane(found.vertices[i], axis, value)));
+    std::vector<std::size_t> result;
+    for (const Plane_point& point : points)
+      result.push_back(add_vertex(point));
+    return result;
+  }
+
+  // Adds the pieces of curves on a plane, whose ends are numbered as these vertices, and returns the indices.
+  Arc_indices add_arcs(const std::vector<Curve_piece>& pieces, const std::vector<std::size_t>& vertices, int axis,
+                       const Exact_rational& value)
+  {
     Arc_indices result;
-    for (const Curve_piece& piece : found.pieces) {
+    for (const Curve_piece& piece : pieces) {
       Exact_ranges box = piece.box;
       box.insert(box.begin() + axis, {value, value});
+      const int parameter = piece.parameter + (piece.parameter >= axis ? 1 : 0); // -1 stays
       result.push_back(m_arcs.size());
-      m_arcs.push_back({std::move(box),
-                        axis,
-                        piece.parameter + (piece.parameter >= axis ? 1 : 0),
-                        {place[piece.ends[0]], place[piece.ends[1]]}});
-      if (piece.parameter < 0)
-        m_arcs.back().parameter = -1;
+      m_arcs.push_back({std::move(box), axis, parameter, {vertices[piece.ends[0]], vertices[piece.ends[1]]}});
     }
     return result;
   }

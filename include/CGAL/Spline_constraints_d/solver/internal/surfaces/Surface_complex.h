@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -30,7 +30,9 @@ namespace internal {
 
 /*
 The complex that patches make with their arcs and vertices: each arc belongs to at most two patches, and what shares
-arcs is connected. All cells are disks, so that the Euler characteristic is the alternating sum of their numbers.
+arcs is connected. All cells are disks, so that the Euler characteristic is the alternating sum of their numbers, where
+a vertex counts once for each fan of patches around it. Where there are several, surfaces meet, or one itself, in a
+singular point.
 */
 class Surface_complex
 {
@@ -38,6 +40,15 @@ class Surface_complex
   std::vector<Surface_arc> m_arcs;
   std::map<std::size_t, std::size_t> m_place_of_arc, m_place_of_vertex;
   std::vector<Curve_vertex> m_vertices;
+  std::vector<std::size_t> m_first_corner;    // per patch
+  std::vector<std::size_t> m_singular_points; // vertices
+
+  using Sets = boost::disjoint_sets_with_storage<>;
+
+  struct Side_of_patch
+  {
+    std::size_t patch, side;
+  };
 
 public:
   explicit Surface_complex(Surface_findings&& found) : m_found(std::move(found)) {}
@@ -59,7 +70,7 @@ public:
     }
     return Surface_solution_set_d(std::move(system), dimension, std::move(m_vertices), std::move(m_arcs),
                                   std::move(m_found.patches), std::move(surfaces), std::move(points),
-                                  std::move(undecided), summary);
+                                  std::move(m_singular_points), std::move(undecided), summary);
   }
 
 private:
@@ -127,70 +138,117 @@ private:
     return result;
   }
 
+  // Joins what shares arcs: patches to surfaces, and corners of patches at a vertex to fans.
   std::vector<Solution_surface> connected_surfaces(const std::vector<Undecided_surface_region>& undecided)
   {
     std::vector<Surface_patch>& patches = m_found.patches;
-    boost::disjoint_sets_with_storage<> sets(patches.size());
-    std::vector<std::vector<std::size_t>> patches_at(m_arcs.size());
+    std::size_t corners = 0;
+    for (const Surface_patch& patch : patches) {
+      m_first_corner.push_back(corners);
+      corners += patch.boundary.size();
+    }
+    Sets surfaces(patches.size()), fans(corners);
+    std::vector<std::optional<Side_of_patch>> sides(m_arcs.size());
     for (std::size_t p = 0; p < patches.size(); ++p)
-      for (const Surface_patch::Side& side : patches[p].boundary) {
-        patches_at[side.arc].push_back(p);
-        sets.union_set(patches_at[side.arc].front(), p);
+      for (std::size_t k = 0; k < patches[p].boundary.size(); ++k) {
+        std::optional<Side_of_patch>& other = sides[patches[p].boundary[k].arc];
+        if (!other) {
+          other = {p, k};
+          continue;
+        }
+        surfaces.union_set(p, other->patch);
+        for (const std::size_t end : {0, 1})
+          fans.union_set(corner({p, k}, end), corner(*other, end));
       }
+    find_singular_points(fans);
+    std::set<std::size_t> open_arcs;
+    for (const Undecided_surface_region& region : undecided)
+      open_arcs.insert(region.arcs.begin(), region.arcs.end());
     std::map<std::size_t, std::size_t> place;
     std::vector<Solution_surface> result;
     for (std::size_t p = 0; p < patches.size(); ++p) {
-      const auto [entry, is_new] = place.try_emplace(sets.find_set(p), result.size());
+      const auto [entry, is_new] = place.try_emplace(surfaces.find_set(p), result.size());
       if (is_new)
         result.push_back({{}, 0, {}, false});
       patches[p].surface = entry->second;
       result[entry->second].patches.push_back(p);
     }
-    std::set<std::size_t> open_arcs;
-    for (const Undecided_surface_region& region : undecided)
-      open_arcs.insert(region.arcs.begin(), region.arcs.end());
     for (Solution_surface& surface : result)
-      describe(surface, open_arcs);
+      describe(surface, open_arcs, fans);
     return result;
   }
 
-  void describe(Solution_surface& surface, const std::set<std::size_t>& open_arcs) const
+  // Of a patch, where the arc of a side has its end: corner k is where side k begins.
+  std::size_t corner(const Side_of_patch& own, std::size_t end) const
   {
-    std::set<std::size_t> arcs, vertices;
-    for (const std::size_t p : surface.patches)
-      for (const Surface_patch::Side& side : m_found.patches[p].boundary) {
-        arcs.insert(side.arc);
-        vertices.insert(m_arcs[side.arc].ends.begin(), m_arcs[side.arc].ends.end());
-      }
-    surface.euler_characteristic =
-        static_cast<int>(vertices.size()) - static_cast<int>(arcs.size()) + static_cast<int>(surface.patches.size());
-    std::erase_if(arcs, [&](std::size_t a) { return m_arcs[a].patches != 1; });
-    surface.is_open_ended =
-        std::any_of(arcs.begin(), arcs.end(), [&](std::size_t a) { return open_arcs.count(a) > 0; });
-    surface.boundary = loops_of(arcs);
+    const std::vector<Surface_patch::Side>& boundary = m_found.patches[own.patch].boundary;
+    const bool is_begin = (end == 0) != boundary[own.side].is_reversed;
+    return m_first_corner[own.patch] + (is_begin ? own.side : (own.side + 1) % boundary.size());
   }
 
-  std::vector<std::vector<std::size_t>> loops_of(const std::set<std::size_t>& arcs) const
+  std::size_t vertex_at(const Surface_patch::Side& side) const
   {
-    std::map<std::size_t, std::vector<std::size_t>> arcs_at;
-    for (const std::size_t a : arcs)
-      for (const std::size_t end : m_arcs[a].ends)
-        arcs_at[end].push_back(a);
-    std::set<std::size_t> left = arcs;
-    std::vector<std::vector<std::size_t>> result;
-    while (!left.empty()) {
-      std::vector<std::size_t>& loop = result.emplace_back();
-      std::size_t arc = *left.begin(), vertex = m_arcs[arc].ends[0];
-      for (auto next = left.begin(); next != left.end();) {
-        arc = *next;
-        loop.push_back(arc);
-        left.erase(next);
-        vertex = m_arcs[arc].ends[m_arcs[arc].ends[0] == vertex ? 1 : 0];
-        next = left.end();
-        for (const std::size_t a : arcs_at[vertex])
-          if (next == left.end())
-            next = left.find(a);
+    return m_arcs[side.arc].ends[side.is_reversed ? 1 : 0];
+  }
+
+  // The vertices with several fans.
+  void find_singular_points(Sets& fans)
+  {
+    std::map<std::size_t, std::size_t> fan_at;
+    std::set<std::size_t> result;
+    for (std::size_t p = 0; p < m_found.patches.size(); ++p)
+      for (std::size_t k = 0; k < m_found.patches[p].boundary.size(); ++k) {
+        const std::size_t own = vertex_at(m_found.patches[p].boundary[k]), fan = fans.find_set(m_first_corner[p] + k);
+        if (fan_at.try_emplace(own, fan).first->second != fan)
+          result.insert(own);
       }
+    m_singular_points.assign(result.begin(), result.end());
+    for (const std::size_t i : m_singular_points)
+      m_vertices[i].is_singular = true;
+  }
+
+  // A vertex counts once for each of its fans.
+  void describe(Solution_surface& surface, const std::set<std::size_t>& open_arcs, Sets& fans) const
+  {
+    std::set<std::size_t> arcs, own_fans;
+    std::map<std::size_t, std::vector<std::size_t>> boundary_at; // of fans
+    for (const std::size_t p : surface.patches)
+      for (std::size_t k = 0; k < m_found.patches[p].boundary.size(); ++k) {
+        const std::size_t a = m_found.patches[p].boundary[k].arc;
+        arcs.insert(a);
+        own_fans.insert(fans.find_set(m_first_corner[p] + k));
+        for (const std::size_t end : {0, 1})
+          if (m_arcs[a].patches == 1)
+            boundary_at[fans.find_set(corner({p, k}, end))].push_back(a);
+        surface.is_open_ended = surface.is_open_ended || (m_arcs[a].patches == 1 && open_arcs.count(a) > 0);
+      }
+    surface.euler_characteristic =
+        static_cast<int>(own_fans.size()) - static_cast<int>(arcs.size()) + static_cast<int>(surface.patches.size());
+    surface.boundary = loops_of(boundary_at);
+  }
+
+  // A fan at the boundary has two arcs there: each arc leads from one fan to the next.
+  static std::vector<std::vector<std::size_t>>
+  loops_of(const std::map<std::size_t, std::vector<std::size_t>>& boundary_at)
+  {
+    std::map<std::size_t, std::vector<std::size_t>> fans_of; // of arcs
+    for (const auto& [fan, arcs] : boundary_at)
+      for (const std::size_t a : arcs)
+        fans_of[a].push_back(fan);
+    std::set<std::size_t> done;
+    std::vector<std::vector<std::size_t>> result;
+    for (const auto& [first, ends] : fans_of) {
+      if (done.count(first) > 0)
+        continue;
+      std::vector<std::size_t>& loop = result.emplace_back();
+      std::size_t arc = first, fan = ends[0];
+      do {
+        loop.push_back(arc);
+        done.insert(arc);
+        fan = fans_of[arc][fans_of[arc][0] == fan ? 1 : 0];
+        const std::vector<std::size_t>& both = boundary_at.at(fan);
+        arc = both[0] == arc ? both[1] : both[0];
+      } while (arc != first);
     }
     return result;
   }

@@ -218,7 +218,13 @@ private:
       return std::nullopt;
     if (!find_regular_curves(plane, found))
       return std::nullopt;
-    return divided(arcs, cuts, m_found.arcs.add(found, axis, value), found, axis, value);
+    std::vector<Plane_point> points;
+    for (std::size_t i = 0; i < found.vertices.size(); ++i)
+      points.push_back(with_plane(found.vertices[i], axis, value));
+    if (!store().sort(cuts, points))
+      return std::nullopt;
+    const std::vector<std::size_t> vertices = m_found.arcs.add_vertices(points);
+    return divided(arcs, cuts, vertices, m_found.arcs.add_arcs(found.pieces, vertices, axis, value), axis, value);
   }
 
   // Whether a curve on the plane might end where nothing is known.
@@ -302,26 +308,19 @@ private:
                        [](const Curve_piece& piece) { return piece.parameter >= 0; });
   }
 
-  // Cuts arcs, and puts the parts on both sides of the plane, with the new arcs on it.
-  std::optional<std::pair<Arc_indices, Arc_indices>> divided(const Arc_indices& arcs, Arc_store::Cuts& cuts,
-                                                             const Arc_indices& on_plane, const Curve_findings& found,
-                                                             int axis, const Exact_rational& value)
+  // Cuts arcs, and puts the parts on both sides of the plane, with the new arcs on it. `vertices`: of the points that
+  // the cuts refer to.
+  std::pair<Arc_indices, Arc_indices> divided(const Arc_indices& arcs, const Arc_store::Cuts& cuts,
+                                              const std::vector<std::size_t>& vertices, const Arc_indices& on_plane,
+                                              int axis, const Exact_rational& value)
   {
-    std::vector<Plane_point> points;
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < found.vertices.size(); ++i) {
-      points.push_back(with_plane(found.vertices[i], axis, value));
-      indices.push_back(points.back().planes() > 1 ? m_found.arcs.add_vertex(points.back()) : 0);
-    }
-    if (!store().sort(cuts, points))
-      return std::nullopt;
     std::pair<Arc_indices, Arc_indices> result{on_plane, on_plane};
     for (const std::size_t a : arcs) {
       bool is_upper = is_above(store().arcs()[a].ends[0], axis, value);
       std::vector<std::size_t> own;
       if (const auto place = cuts.find(a); place != cuts.end())
         for (const std::size_t i : place->second)
-          own.push_back(indices[i]);
+          own.push_back(vertices[i]);
       for (const std::size_t part : own.empty() ? Arc_indices{a} : m_found.arcs.cut(a, own)) {
         (is_upper ? result.second : result.first).push_back(part);
         is_upper = !is_upper;

@@ -9,7 +9,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ALL_SURFACES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ALL_SURFACES_H
 
-#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
@@ -25,7 +24,6 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -145,12 +143,16 @@ private:
     for (const Curve_piece& piece : found.pieces)
       for (const std::size_t end : piece.ends)
         has_piece[end] = true;
+    std::vector<Plane_point> points;
     for (std::size_t i = 0; i < found.vertices.size(); ++i)
-      if (found.vertices[i].kind == Plane_point::UNKNOWN)
-        m_found.open_parts.push_back(lifted(found.vertices[i].region));
+      points.push_back(with_plane(found.vertices[i], axis, value));
+    const std::vector<std::size_t> vertices = m_found.arcs.add_vertices(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].kind == Plane_point::UNKNOWN)
+        m_found.open_parts.push_back(points[i].region);
       else if (!has_piece[i])
-        m_touching.push_back({with_plane(found.vertices[i], axis, value), axis});
-    return m_found.arcs.add(found, axis, value);
+        m_touching.push_back({points[i], vertices[i], axis});
+    return m_found.arcs.add_arcs(found.pieces, vertices, axis, value);
   }
 
   // Points on faces where curves on these do not end. Some are ends of arcs on other faces.
@@ -160,29 +162,18 @@ private:
     for (const Stored_arc& arc : m_found.arcs.arcs())
       known.insert(arc.ends.begin(), arc.ends.end());
     for (const Touching_point& point : m_touching)
-      if (const std::size_t i = m_found.arcs.add_vertex(point.vertex); known.insert(i).second)
+      if (known.insert(point.index).second)
         switch (position_of(point, m_system)) {
         case Touching_position::INSIDE:
           break;
         case Touching_position::OUTSIDE:
-          m_found.points.push_back(i);
+          m_found.points.push_back(point.index);
           break;
         case Touching_position::UNKNOWN:
           m_found.undecided.push_back({point.vertex.box, {}, Undecided_reason::TOLERANCE});
         }
   }
 };
-
-inline void check_surface_system(const Constraint_system_d& system)
-{
-  const int n = system.dimension();
-  if (n < 3 || static_cast<int>(system.equalities().size()) != n - 2)
-    throw Invalid_input("solve_surfaces: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) + " unknowns");
-  for (int v = 0; v < n; ++v)
-    if (!(system.domain(v).first < system.domain(v).second))
-      throw Invalid_input("solve_surfaces: the range of unknown " + std::to_string(v) + " is one number");
-}
 
 // All surfaces of solutions of a system.
 template <class Traits>
@@ -191,7 +182,7 @@ Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Sol
 {
   [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
-  check_surface_system(system);
+  check_codimension(system, 2, "solve_surfaces");
   auto equalities = std::make_shared<const Constraint_system_d>(inequalities_as_unknowns(system));
   Surface_findings found;
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere))

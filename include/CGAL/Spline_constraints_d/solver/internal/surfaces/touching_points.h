@@ -9,9 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_TOUCHING_POINTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_TOUCHING_POINTS_H
 
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_polynomials.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +26,8 @@ namespace internal {
 struct Touching_point
 {
   Plane_point vertex;
-  int axis; // of the face
+  std::size_t index; // of the vertex
+  int axis;          // of the face
 };
 
 enum class Touching_position
@@ -32,43 +37,10 @@ enum class Touching_position
   UNKNOWN
 };
 
-// The derivative of a function by some unknowns, at a point; of a spline, in the cell below it.
-inline Exact_rational derivative_at(const Spline_function& function, const std::vector<int>& unknowns,
-                                    const std::vector<Exact_rational>& point)
-{
-  Exact_rational result(0);
-  for (const Spline_term& term : function.terms()) {
-    std::size_t piece = 0;
-    for (std::size_t j = 0; j < term.variables.size(); ++j)
-      piece = piece * term.cells(j) + cell_at(term.breaks[j], point[term.variables[j]]);
-    for (std::size_t i = 0; i < term.pieces[piece].size(); ++i) {
-      Exact_rational value = term.pieces[piece][i];
-      std::size_t taken = 0;
-      for (std::size_t j = term.degrees.size(), rest = i; j-- > 0;) {
-        const std::size_t count = static_cast<std::size_t>(term.degrees[j]) + 1;
-        int exponent = static_cast<int>(rest % count);
-        rest /= count;
-        for (const int unknown : unknowns)
-          if (unknown == term.variables[j]) {
-            value *= exponent--;
-            ++taken;
-            if (exponent < 0)
-              break;
-          }
-        for (; exponent > 0; --exponent)
-          value *= point[term.variables[j]];
-      }
-      if (taken == unknowns.size())
-        result += value;
-    }
-  }
-  return result;
-}
-
 /*
-Where the surface of one equality in three unknowns lies beside a face that it touches at a rational point: near it the
-surface is x_k - c = - Q / (2 f_k) + ..., with the quadratic form Q of the second derivatives along the face, which is
-definite. One sign of a second derivative tells which way, if it is not zero.
+Where the surface of one equality in three unknowns lies beside a face of the domain that it touches at a rational
+point p. In the differences from p the equality is s x_k + Q + ... with a quadratic form Q of the unknowns along the
+face: near p the surface is x_k = - Q / s + ..., to one side if Q is definite.
 
 On an edge or a corner of the domain the surface would leave arcs on the faces if it had other points in the domain near
 this one: no plane lies in a wedge. So a regular point there without arcs is alone.
@@ -76,36 +48,37 @@ this one: no plane lies in a wedge. So a regular point there without arcs is alo
 inline Touching_position position_of(const Touching_point& point, const Constraint_system_d& system)
 {
   const Plane_point& vertex = point.vertex;
-  const std::size_t axis = static_cast<std::size_t>(point.axis);
-  const bool is_upper = vertex.box[axis].first == system.domain(point.axis).second,
-             is_lower = vertex.box[axis].first == system.domain(point.axis).first;
-  std::vector<Exact_rational> place;
-  bool is_rational = true, is_at_break = false;
+  Exact_point place;
   for (std::size_t j = 0; j < vertex.box.size(); ++j) {
     const auto& [lower, upper] = vertex.box[j];
     const auto& [begin, end] = system.domain(static_cast<int>(j));
-    is_rational = is_rational && lower == upper;
-    is_at_break = is_at_break || (vertex.is_fixed[j] && lower != begin && lower != end);
+    if (lower != upper || (vertex.is_fixed[j] && lower != begin && lower != end))
+      return Touching_position::UNKNOWN; // irrational, or on a break
     place.push_back(lower);
   }
-  if (system.dimension() != 3 || !is_rational || is_at_break || (!is_lower && !is_upper))
+  if (system.dimension() != 3)
     return Touching_position::UNKNOWN;
-  const Spline_function& equality = system.equalities().front();
-  const auto has_slope = [&](int unknown) { return derivative_at(equality, {unknown}, place) != 0; };
+  const Spline_function polynomial = on_cell(system, vertex.box).equalities().front();
+  const Power_polynomial at_point = centred(*restricted(polynomial, Partial_point(3)), place);
+  const auto coefficient = [&](std::initializer_list<int> unknowns) {
+    Monomial monomial;
+    for (const int v : unknowns)
+      monomial = monomial.with_exponent(v, monomial.exponent(v) + 1);
+    const auto term = at_point.terms().find(monomial);
+    return term == at_point.terms().end() ? Exact_rational(0) : term->second;
+  };
+  if (coefficient({}) != 0)
+    return Touching_position::UNKNOWN;
   if (vertex.planes() > 1)
-    return has_slope(0) || has_slope(1) || has_slope(2) ? Touching_position::OUTSIDE : Touching_position::UNKNOWN;
-  if (!vertex.is_singular)
+    return coefficient({0}) != 0 || coefficient({1}) != 0 || coefficient({2}) != 0 ? Touching_position::OUTSIDE
+                                                                                   : Touching_position::UNKNOWN;
+  const int first = point.axis == 0 ? 1 : 0, second = 3 - point.axis - first;
+  const Exact_rational slope = coefficient({point.axis}), a = coefficient({first, first}),
+                       b = coefficient({first, second}), c = coefficient({second, second});
+  if (slope == 0 || Exact_rational(4 * a * c - b * b) <= 0)
     return Touching_position::UNKNOWN;
-  const int other = point.axis == 0 ? 1 : 0, third = 3 - point.axis - other;
-  const Exact_rational slope = derivative_at(equality, {point.axis}, place),
-                       a = derivative_at(equality, {other, other}, place),
-                       b = derivative_at(equality, {other, third}, place),
-                       c = derivative_at(equality, {third, third}, place);
-  if (slope == 0 || Exact_rational(a * c - b * b) <= 0)
-    return Touching_position::UNKNOWN;
-  // the surface lies at greater values of the unknown where a and the slope have opposite signs
-  const bool is_greater = (a > 0) != (slope > 0);
-  return is_greater == is_lower ? Touching_position::INSIDE : Touching_position::OUTSIDE;
+  const bool is_greater = (a > 0) != (slope > 0), is_lower_face = place[point.axis] == system.domain(point.axis).first;
+  return is_greater == is_lower_face ? Touching_position::INSIDE : Touching_position::OUTSIDE;
 }
 
 } // namespace internal

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces of solutions with their topology.
+
+#include <CGAL/Spline_constraints_d/function/Expression.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+
+namespace SC = CGAL::Spline_constraints;
+using Rational = SC::Exact_rational;
+
+namespace {
+
+const auto unknowns = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
+const SC::Expression x = std::get<0>(unknowns), y = std::get<1>(unknowns), z = std::get<2>(unknowns);
+
+SC::Constraint torus(const SC::Expression& a, const SC::Expression& b, const SC::Expression& c)
+{
+  const SC::Expression ring = square(a) + square(b);
+  return square(ring + square(c) + Rational(91) / 100) - 4 * ring == 0;
+}
+
+SC::Constraint tangle_cube()
+{
+  const auto quartic = [](const SC::Expression& t) { return square(square(t)) - 5 * square(t); };
+  return quartic(x) + quartic(y) + quartic(z) + Rational(59) / 5 == 0;
+}
+
+// The sum of three Chebyshev polynomials: of genus 28.
+SC::Constraint chebyshev_surface()
+{
+  auto [a, b, c] = SC::unknowns({Rational(-6) / 5, Rational(6) / 5}, {Rational(-6) / 5, Rational(6) / 5},
+                                {Rational(-6) / 5, Rational(6) / 5});
+  const auto t6 = [](const SC::Expression& t) {
+    return 32 * square(t * t * t) - 48 * square(square(t)) + 18 * square(t) - 1;
+  };
+  return t6(a) + t6(b) + t6(c) == 0;
+}
+
+SC::Constraint_system_d clifford_torus()
+{
+  auto [a, b, c, d] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
+  return SC::make_system(std::array{square(a) + square(b) == 1, square(c) + square(d) == 1});
+}
+
+void solve_surfaces(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  std::size_t patches = 0, nodes = 0;
+  bool is_complete = false;
+  for (auto _ : state) {
+    const SC::Surface_solution_set_d set = SC::solve_surfaces(system);
+    patches = set.patches().size();
+    nodes = set.summary().nodes;
+    is_complete = set.is_complete();
+  }
+  state.counters["patches"] = static_cast<double>(patches);
+  state.counters["nodes"] = static_cast<double>(nodes);
+  state.counters["complete"] = is_complete;
+}
+
+#define SURFACES(name, system) BENCHMARK_CAPTURE(solve_surfaces, name, system)->Unit(benchmark::kMillisecond)
+
+SURFACES(sphere, SC::make_system(std::array{square(x) + square(y) + square(z) == 1}));
+SURFACES(torus, SC::make_system(std::array{torus(x, y, z)}));
+SURFACES(half_torus, SC::make_system(std::array{torus(x, y, z), x >= 0}));
+SURFACES(tangle_cube, SC::make_system(std::array{tangle_cube()}));
+SURFACES(genus_28, SC::make_system(std::array{chebyshev_surface()}));
+SURFACES(clifford_torus, clifford_torus());
+
+} // namespace
