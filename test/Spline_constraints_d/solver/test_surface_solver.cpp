@@ -272,6 +272,23 @@ TEST(Surface_solver, singular_points_are_undecided)
     EXPECT_TRUE(surface.is_open_ended);
 }
 
+// A saddle on a face of the domain, and a face that is touched along a circle: planes keep away from what is not known
+// there, and what is left is right.
+TEST(Surface_solver, undecided_faces)
+{
+  const SC::Surface_solution_set_d saddle =
+      SC::solve_surfaces(system({{Rational(7) / 10, 2}, {-2, 2}, {-2, 2}}, {torus(x, y, z)}));
+  EXPECT_FALSE(saddle.is_complete());
+  check_complex(saddle);
+  EXPECT_EQ(counts_of(saddle), (Counts{{1, 1}})); // a strip less what is near the saddle
+  ASSERT_EQ(saddle.undecided_regions().size(), 1u);
+  EXPECT_FALSE(saddle.undecided_regions()[0].arcs.empty());
+  const SC::Surface_solution_set_d circle =
+      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-2, Rational(3) / 10}}, {torus(x, y, z)}));
+  EXPECT_FALSE(circle.is_complete());
+  EXPECT_FALSE(circle.undecided_regions().empty());
+}
+
 TEST(Surface_solver, limits_and_bad_input)
 {
   SC::Solver_options options{.tolerance = 1e-8};
