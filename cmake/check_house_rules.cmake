@@ -11,7 +11,7 @@ cmake_minimum_required(VERSION 3.25)
 # A folder includes itself and those before it; "." stands for the folder itself and its internal/.
 set(floors number function solver geometry operations output IO)
 set(order_of_geometry . curves surfaces conversions healing)
-set(order_of_solver/internal control exact node certification subdivision curves surfaces verification)
+set(order_of_solver/internal control exact node certification subdivision curves surfaces meshing verification)
 set(order_of_operations/voronoi/internal sites disks candidates envelope offset diagram)
 set(ordered_folders geometry solver/internal operations/voronoi/internal)
 
@@ -109,7 +109,7 @@ foreach(header IN LISTS headers)
   if(header MATCHES "^${package}/([^/]+)/")
     set(of_floor ${package}/${CMAKE_MATCH_1}.h)
     if(EXISTS ${SOURCE_DIR}/include/${of_floor} AND NOT header IN_LIST includes_of_${of_floor} AND
-       NOT header MATCHES "/internal/|/(opencascade|own_traits|read_SVG|subjects)\\.h$")
+       NOT header MATCHES "/internal/|/(Solution_surface_mesh|opencascade|own_traits|read_SVG|subjects|surface_mesh)\\.h$")
       report(${of_floor} "lacks ${header}")
     endif()
   endif()

@@ -104,6 +104,9 @@ public:
 
   bool is_finite() const { return std::isfinite(m_high) && std::isfinite(m_low) && std::isfinite(m_error); }
 
+  // The double that is nearest to it.
+  double nearest() const { return m_high; }
+
   // An upper bound of the absolute value.
   double greatest() const { return magnitude() + m_error; }
 };

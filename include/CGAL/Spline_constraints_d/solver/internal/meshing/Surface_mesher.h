@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_MESHER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_MESHER_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Mesh_points.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Patch_triangulation.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Triangles of all patches. Arcs are polylines, which the patches on both sides share, and are made finer where one of
+them needs it; the others are triangulated again then.
+*/
+class Surface_mesher
+{
+  using Triangle = std::array<std::size_t, 3>;
+
+  Mesh_points& m_points;
+  Run_control& m_control;
+  const Surface_solution_set_d& m_set;
+  std::vector<std::vector<std::size_t>> m_patches_of_arc;
+  std::vector<std::vector<std::size_t>> m_chains; // of arcs: points, from one end to the other
+  std::vector<std::vector<Triangle>> m_triangles; // of patches
+  std::vector<std::size_t> m_failed;              // patches
+
+public:
+  Surface_mesher(Mesh_points& points, Run_control& control)
+    : m_points(points), m_control(control), m_set(points.set()), m_patches_of_arc(m_set.arcs().size())
+  {
+    for (std::size_t p = 0; p < m_set.patches().size(); ++p)
+      for (const Surface_patch::Side& side : m_set.patches()[p].boundary)
+        m_patches_of_arc[side.arc].push_back(p);
+  }
+
+  // The indices of points that triangles have, oriented as the surfaces are, for each patch.
+  const std::vector<std::vector<Triangle>>& operator()()
+  {
+    m_chains.assign(m_set.arcs().size(), {});
+    m_triangles.assign(m_set.patches().size(), {});
+    m_failed.clear();
+    if (m_points.size() == 0)
+      add_vertices();
+    for (std::size_t a = 0; a < m_chains.size(); ++a)
+      make_chain(a);
+    triangulate_all();
+    for (std::size_t p = 0; p < m_triangles.size(); ++p)
+      orient(p);
+    return m_triangles;
+  }
+
+  const std::vector<std::vector<std::size_t>>& chains() const { return m_chains; }
+
+  // The patches that have no triangles: they were stopped, or their boundaries cross themselves however fine they are.
+  const std::vector<std::size_t>& failed() const { return m_failed; }
+
+private:
+  // The points of the vertices come first, with the planes of all arcs that end there.
+  void add_vertices()
+  {
+    std::vector<std::set<int>> planes(m_set.vertices().size());
+    std::vector<std::size_t> patch(m_set.vertices().size());
+    for (std::size_t a = m_set.arcs().size(); a-- > 0;)
+      for (const std::size_t end : m_set.arcs()[a].ends) {
+        planes[end].insert(m_set.arcs()[a].plane);
+        patch[end] = m_patches_of_arc[a].front();
+      }
+    for (std::size_t i = 0; i < m_set.vertices().size(); ++i) {
+      std::vector<int> fixed(planes[i].begin(), planes[i].end());
+      std::vector<double> point = m_set.vertices()[i].point();
+      std::vector<double> moved = point;
+      if (fixed.size() == 2 && m_points.surface().move_to_surface(patch[i], fixed, moved) &&
+          Surface_points::is_in(m_set.vertices()[i].box, moved))
+        point = std::move(moved);
+      m_points.add(patch[i], std::move(point), std::move(fixed));
+    }
+  }
+
+  void make_chain(std::size_t a)
+  {
+    const auto& [first, last] = m_set.arcs()[a].ends;
+    m_chains[a] = {first};
+    append(a, first, last, 0);
+  }
+
+  // The points of an arc behind one up to another; chords are halved once at least.
+  void append(std::size_t a, std::size_t from, std::size_t to, int depth)
+  {
+    constexpr int most_depth = 24;
+    const Surface_arc& arc = m_set.arcs()[a];
+    if (arc.parameter >= 0 && depth < most_depth)
+      if (const std::optional<std::size_t> middle = m_points.add_between(arc, m_patches_of_arc[a].front(), from, to);
+          middle && (depth == 0 || !m_points.is_fine(from, *middle, to))) {
+        append(a, from, *middle, depth + 1);
+        append(a, *middle, to, depth + 1);
+        return;
+      }
+    m_chains[a].push_back(to);
+  }
+
+  // In the last round arcs stay as they are, so that all patches see the same.
+  void triangulate_all()
+  {
+    constexpr int most_rounds = 6;
+    std::set<std::size_t> open;
+    for (std::size_t p = 0; p < m_triangles.size(); ++p)
+      open.insert(p);
+    for (int round = 0; round <= most_rounds && !open.empty(); ++round) {
+      std::set<std::size_t> next;
+      for (const std::size_t p : open) {
+        if (m_control.must_stop(true))
+          break;
+        const std::set<Patch_triangulation::Chord> coarse = triangulate(p);
+        if (!coarse.empty() && round < most_rounds)
+          for (const Surface_patch::Side& side : m_set.patches()[p].boundary)
+            if (halve(side.arc, coarse))
+              next.insert(m_patches_of_arc[side.arc].begin(), m_patches_of_arc[side.arc].end());
+      }
+      open = std::move(next);
+    }
+    if (m_control.must_stop(false))
+      m_triangles.assign(m_triangles.size(), {}); // arcs may have changed on one side alone
+    for (std::size_t p = 0; p < m_triangles.size(); ++p)
+      if (m_triangles[p].empty())
+        m_failed.push_back(p);
+  }
+
+  std::vector<std::size_t> loop_of(std::size_t patch) const
+  {
+    std::vector<std::size_t> result;
+    for (const Surface_patch::Side& side : m_set.patches()[patch].boundary) {
+      std::vector<std::size_t> chain = m_chains[side.arc];
+      if (side.is_reversed)
+        std::reverse(chain.begin(), chain.end());
+      result.insert(result.end(), chain.begin(), chain.end() - 1);
+    }
+    return result;
+  }
+
+  // Triangulates a patch. The chords of its boundary that are too long for it, all where they cross each other.
+  std::set<Patch_triangulation::Chord> triangulate(std::size_t patch)
+  {
+    Patch_triangulation triangulation(m_points, patch);
+    const std::vector<std::size_t> loop = loop_of(patch);
+    std::set<Patch_triangulation::Chord> coarse;
+    m_triangles[patch].clear();
+    if (triangulation.set_boundary(loop)) {
+      coarse = triangulation.refine();
+      m_triangles[patch] = triangulation.triangles();
+    } else
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        coarse.insert(std::minmax(loop[k], loop[(k + 1) % loop.size()]));
+    return coarse;
+  }
+
+  // Puts points in the middle of some chords of an arc; whether it has one of them.
+  bool halve(std::size_t a, const std::set<Patch_triangulation::Chord>& chords)
+  {
+    std::vector<std::size_t> finer{m_chains[a].front()};
+    for (std::size_t k = 1; k < m_chains[a].size(); ++k) {
+      const std::size_t from = m_chains[a][k - 1], to = m_chains[a][k];
+      if (m_set.arcs()[a].parameter >= 0 && chords.count(std::minmax(from, to)) > 0)
+        if (const auto middle = m_points.add_between(m_set.arcs()[a], m_patches_of_arc[a].front(), from, to))
+          finer.push_back(*middle);
+      finer.push_back(to);
+    }
+    const bool has_changed = finer.size() > m_chains[a].size();
+    m_chains[a] = std::move(finer);
+    return has_changed;
+  }
+
+  // Triangles are counterclockwise in the plane of the parameters. The gradients of the equalities and two directions
+  // on the surface are positively oriented if the minor is positive and the parameters come last in an even order. With
+  // each inequality, g - s = 0, the orientation changes.
+  void orient(std::size_t p)
+  {
+    const Surface_patch& patch = m_set.patches()[p];
+    const int n = m_set.system().dimension();
+    const int exchanges = (n - 1 - patch.parameters[1]) + (n - 2 - patch.parameters[0]) + n - m_set.dimension();
+    if (patch.orientation * (exchanges % 2 == 0 ? 1 : -1) < 0)
+      for (Triangle& triangle : m_triangles[p])
+        std::swap(triangle[1], triangle[2]);
+  }
+};
+
+// Triangles of surfaces whose points are numbered anew where surfaces meet, or one itself, in a point: there each fan of
+// triangles has a point of its own. `copies`: the points that the new ones beyond `points` are copies of.
+inline std::vector<std::size_t> separate_fans(std::vector<std::array<std::size_t, 3>>& triangles,
+                                              const std::set<std::size_t>& singular, std::size_t points)
+{
+  std::vector<std::size_t> copies;
+  for (const std::size_t apex : singular) {
+    std::vector<std::size_t> around;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (std::find(triangles[t].begin(), triangles[t].end(), apex) != triangles[t].end())
+        around.push_back(t);
+    boost::disjoint_sets_with_storage<> fans(around.size());
+    std::map<std::size_t, std::size_t> at; // other ends of edges at the apex
+    for (std::size_t k = 0; k < around.size(); ++k)
+      for (const std::size_t i : triangles[around[k]])
+        if (i != apex)
+          if (const auto [place, is_new] = at.try_emplace(i, k); !is_new)
+            fans.union_set(k, place->second);
+    std::map<std::size_t, std::size_t> point_of;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const auto [place, is_new] = point_of.try_emplace(fans.find_set(k), apex);
+      if (is_new && point_of.size() > 1) {
+        place->second = points + copies.size();
+        copies.push_back(apex);
+      }
+      std::replace(triangles[around[k]].begin(), triangles[around[k]].end(), apex, place->second);
+    }
+  }
+  return copies;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_MESHER_H

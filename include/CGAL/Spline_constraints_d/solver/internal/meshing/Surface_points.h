@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_POINTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_POINTS_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Local_functions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Finds points of a surface of solutions in doubles, by Newton's method with the polynomials near a patch.
+class Surface_points
+{
+  const Surface_solution_set_d& m_set;
+  Local_function_source m_source;
+  std::vector<std::unique_ptr<Local_functions>> m_near_patch;
+  Function_jets m_jets;
+  std::vector<double> m_step;
+  Eigen::MatrixXd m_square;
+  Eigen::LDLT<Eigen::MatrixXd> m_decomposition;
+
+public:
+  using Point = std::vector<double>;
+
+  explicit Surface_points(const Surface_solution_set_d& set)
+    : m_set(set), m_source(set.system().equalities(), dimension()), m_near_patch(set.patches().size()),
+      m_step(dimension())
+  {}
+
+  std::size_t dimension() const { return static_cast<std::size_t>(m_set.system().dimension()); }
+
+  // The equalities near a patch.
+  const Local_functions& functions(std::size_t patch)
+  {
+    std::unique_ptr<Local_functions>& own = m_near_patch[patch];
+    if (own == nullptr)
+      own = std::make_unique<Local_functions>(m_source.near(m_set.patches()[patch].box));
+    return *own;
+  }
+
+  // Moves a point near a patch onto the surface, by steps of least length that leave these unknowns as they are; false
+  // when Newton's method does not converge.
+  bool move_to_surface(std::size_t patch, std::span<const int> fixed, Point& point)
+  {
+    constexpr int most_steps = 20;
+    const Local_functions& equalities = functions(patch);
+    double size = 0;
+    for (const double x : point)
+      size = (std::max)(size, std::abs(x));
+    double last = 0;
+    for (int step = 0; step < most_steps; ++step) {
+      equalities.evaluate(point, 1, m_jets);
+      if (!set_least_step(fixed))
+        return false;
+      double length = 0;
+      for (std::size_t j = 0; j < dimension(); ++j) {
+        point[j] += m_step[j];
+        length = (std::max)(length, std::abs(m_step[j]));
+      }
+      if (!std::isfinite(length))
+        return false;
+      // steps become shorter at a growing rate, until they are rounding errors
+      const double next = step == 0 ? length : length * (std::min)(1.0, length / last);
+      if (next <= 0x1p-51 * (std::max)(size, 0x1p-20) || (step > 3 && length <= 0x1p-44 * size && length >= last / 4))
+        return true;
+      last = length;
+    }
+    return false;
+  }
+
+  // The only solution in a box near a patch where two unknowns have the values that they have in `near`; none when
+  // there is none in the box.
+  std::optional<Point> solution(std::size_t patch, const Exact_ranges& box, const std::array<int, 2>& fixed,
+                                const Point& near)
+  {
+    Point result = near;
+    if (move_to_surface(patch, fixed, result) && is_in(box, result))
+      return result;
+    return certified_solution(box, fixed, near);
+  }
+
+  static bool is_in(const Exact_ranges& box, const Point& point)
+  {
+    for (std::size_t j = 0; j < point.size(); ++j)
+      if (point[j] < to_double_interval(box[j].first).first || to_double_interval(box[j].second).second < point[j])
+        return false;
+    return true;
+  }
+
+private:
+  // The step of Newton's method of least length, with some unknowns held: d = -J^T (J J^T)^-1 f.
+  bool set_least_step(std::span<const int> fixed)
+  {
+    const std::size_t n = dimension();
+    for (std::size_t i = 0; i < m_jets.values.size(); ++i)
+      for (const int j : fixed)
+        m_jets.gradients[i * n + static_cast<std::size_t>(j)] = 0;
+    return m_jets.values.size() == 1 ? set_least_step_of_one() : set_least_step_of_several();
+  }
+
+  bool set_least_step_of_one()
+  {
+    double square = 0;
+    for (const double slope : m_jets.gradients)
+      square += slope * slope;
+    for (std::size_t j = 0; j < dimension(); ++j)
+      m_step[j] = -m_jets.values[0] / square * m_jets.gradients[j];
+    return square > 0;
+  }
+
+  bool set_least_step_of_several()
+  {
+    const auto n = static_cast<Eigen::Index>(dimension()), m = static_cast<Eigen::Index>(m_jets.values.size());
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<Rows> rows(m_jets.gradients.data(), m, n);
+    Eigen::Map<Eigen::VectorXd> values(m_jets.values.data(), m), step(m_step.data(), n);
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const double length = rows.row(i).norm();
+      if (!(length > 0))
+        return false;
+      rows.row(i) /= length;
+      values[i] /= length;
+    }
+    m_square.noalias() = rows * rows.transpose();
+    m_decomposition.compute(m_square);
+    step.noalias() = -(rows.transpose() * m_decomposition.solve(values));
+    return step.allFinite();
+  }
+
+  std::optional<Point> certified_solution(const Exact_ranges& box, const std::array<int, 2>& fixed, const Point& near)
+  {
+    Exact_ranges slice = box;
+    for (const int j : fixed) {
+      const Exact_rational value(near[static_cast<std::size_t>(j)]);
+      if (value < box[static_cast<std::size_t>(j)].first || box[static_cast<std::size_t>(j)].second < value)
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(fixed[0], fixed[1]);
+    const Exact_rational first(near[static_cast<std::size_t>(low)]), second(near[static_cast<std::size_t>(high)]);
+    const Constraint_system_d plane = on_plane(m_set.system(), slice, high, second);
+    slice.erase(slice.begin() + high);
+    const auto found = Subdivision_solver_d<Certified_solver_traits>()(on_plane(plane, slice, low, first));
+    if (found.empty())
+      return std::nullopt;
+    Point result = found.begin()->point();
+    result.insert(result.begin() + low, near[static_cast<std::size_t>(low)]);
+    result.insert(result.begin() + high, near[static_cast<std::size_t>(high)]);
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_POINTS_H

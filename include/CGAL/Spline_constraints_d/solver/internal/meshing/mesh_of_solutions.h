@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_MESH_OF_SOLUTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_MESH_OF_SOLUTIONS_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Mesh_points.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_mesher.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_remesher.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Makes the mesh of all surfaces of a solution.
+class Mesh_of_solutions
+{
+  using Mesh = Solution_surface_mesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Triangle = std::array<std::size_t, 3>;
+
+  const Surface_solution_set_d& m_set;
+  const Surface_mesh_options& m_options;
+  Run_control& m_control;
+  Mesh_points m_points;
+  Surface_mesher m_mesher;
+  std::map<std::size_t, Vertex> m_vertex_of; // of points
+  Remeshed_vertices m_vertices;
+
+public:
+  Mesh_of_solutions(const Surface_solution_set_d& set, const Image_functions* image,
+                    const Surface_mesh_options& options, Run_control& control)
+    : m_set(set), m_options(options), m_control(control), m_points(set, image, options), m_mesher(m_points, control)
+  {}
+
+  // Triangles that are made well-shaped need to be only as fine before as neighbours should be; if that was too coarse,
+  // so that the mesh crosses itself afterwards, they are as fine as all are to be.
+  Solution_surface_mesh operator()()
+  {
+    Solution_surface_mesh result;
+    if (!m_options.is_remeshed || !remesh(result, coarse_options()))
+      remesh(result, m_options);
+    result.error = Surface_remesher(result, m_points, m_vertices, m_control).measured_error();
+    result.mesh.remove_property_map(m_vertices);
+    name_undecided(result);
+    return result;
+  }
+
+private:
+  static Surface_mesh_options coarse_options()
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {.chord_error = infinity, .angle = 0.75, .edge_length = infinity};
+  }
+
+  // Whether it is embedded afterwards, if that is so in the space of the unknowns; otherwise it is as it was before.
+  bool remesh(Solution_surface_mesh& result, const Surface_mesh_options& options_of_patches)
+  {
+    m_points.set_options(options_of_patches);
+    result = mesh_of_patches();
+    m_points.set_options(m_options);
+    if (!m_options.is_remeshed)
+      return true;
+    Solution_surface_mesh before = result;
+    Surface_remesher(result, m_points, m_vertices, m_control).run();
+    if (m_points.surface().dimension() != 3 || !Polygon_mesh_processing::does_self_intersect(result.mesh))
+      return true;
+    result = std::move(before);
+    m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
+    return false;
+  }
+
+  Solution_surface_mesh mesh_of_patches()
+  {
+    std::vector<Triangle> triangles;
+    std::vector<std::size_t> patch_of_triangle;
+    const std::vector<std::vector<Triangle>>& of_patches = m_mesher();
+    for (std::size_t p = 0; p < of_patches.size(); ++p) {
+      triangles.insert(triangles.end(), of_patches[p].begin(), of_patches[p].end());
+      patch_of_triangle.resize(triangles.size(), p);
+    }
+    Solution_surface_mesh result;
+    m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
+    m_vertex_of.clear();
+    const std::set<std::size_t> singular(m_set.singular_points().begin(), m_set.singular_points().end());
+    const std::vector<std::size_t> copies = separate_fans(triangles, singular, m_points.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      std::array<Vertex, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = vertex_at(result, triangles[t][k], copies);
+      const auto face = result.mesh.add_face(corners[0], corners[1], corners[2]);
+      CGAL_assertion(face != Mesh::null_face());
+      result.surface[face] = m_set.patches()[patch_of_triangle[t]].surface;
+    }
+    add_features(result);
+    return result;
+  }
+
+  Vertex vertex_at(Solution_surface_mesh& result, std::size_t point, const std::vector<std::size_t>& copies)
+  {
+    const auto [place, is_new] = m_vertex_of.try_emplace(point);
+    if (is_new) {
+      const Mesh_point& own = m_points[point < m_points.size() ? point : copies[point - m_points.size()]];
+      place->second = result.mesh.add_vertex(own.image);
+      result.unknowns[place->second] = own.unknowns;
+      result.differentials[place->second] = m_points.image().differentials(own.patch, own.unknowns);
+      m_vertices[place->second] = {own.patch};
+    }
+    return place->second;
+  }
+
+  // Marks the edges on arcs that bound a surface, or lie where a spline has a break.
+  void add_features(Solution_surface_mesh& result)
+  {
+    std::vector<int> edges_at(result.mesh.number_of_vertices(), 0);
+    for (std::size_t a = 0; a < m_set.arcs().size(); ++a) {
+      if (m_set.arcs()[a].patches != 1 && !is_on_break(m_set.arcs()[a]))
+        continue;
+      const std::vector<std::size_t>& chain = m_mesher.chains()[a];
+      for (std::size_t k = 1; k < chain.size(); ++k) {
+        const auto from = m_vertex_of.find(chain[k - 1]), to = m_vertex_of.find(chain[k]);
+        if (from == m_vertex_of.end() || to == m_vertex_of.end())
+          continue;
+        const auto h = result.mesh.halfedge(from->second, to->second);
+        if (h == Mesh::null_halfedge())
+          continue;
+        result.is_feature[result.mesh.edge(h)] = true;
+        for (const Vertex v : {from->second, to->second}) {
+          ++edges_at[v];
+          std::vector<int>& fixed = m_vertices[v].fixed;
+          if (std::find(fixed.begin(), fixed.end(), m_set.arcs()[a].plane) == fixed.end())
+            fixed.push_back(m_set.arcs()[a].plane);
+        }
+      }
+    }
+    for (const Vertex v : result.mesh.vertices())
+      m_vertices[v].is_corner = edges_at[v] != 0 && (edges_at[v] != 2 || m_vertices[v].fixed.size() > 1);
+    for (const std::size_t i : m_set.singular_points())
+      if (const auto place = m_vertex_of.find(i); place != m_vertex_of.end())
+        m_vertices[place->second].is_corner = true;
+  }
+
+  bool is_on_break(const Surface_arc& arc) const
+  {
+    const Exact_rational& value = arc.box[static_cast<std::size_t>(arc.plane)].first;
+    for (const Spline_function& function : m_set.system().equalities())
+      for (const Spline_term& term : function.terms())
+        for (std::size_t j = 0; j < term.variables.size(); ++j)
+          if (term.variables[j] == arc.plane && std::binary_search(term.breaks[j].begin(), term.breaks[j].end(), value))
+            return true;
+    return false;
+  }
+
+  void name_undecided(Solution_surface_mesh& result)
+  {
+    result.undecided_parts = m_set.undecided();
+    for (const std::size_t p : m_mesher.failed()) {
+      Undecided_part part;
+      for (const auto& range : m_set.patches()[p].box)
+        part.place.push_back(to_double_range(range));
+      part.reason = m_control.reason() == Undecided_reason::NONE ? "a patch that was not triangulated"
+                                                                 : in_words(m_control.reason());
+      result.undecided_parts.push_back(std::move(part));
+    }
+    result.work = summary_of(m_control, m_points.size(), m_control.reason(), result.undecided_parts.empty());
+  }
+};
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh mesh_of_solutions(const Surface_solution_set_d& set,
+                                                                       const Vector_expression<3>* image,
+                                                                       const Surface_mesh_options& options,
+                                                                       const Solver_options& run)
+{
+  if (!(options.chord_error > 0) || !(options.angle > 0) || !(options.edge_length > 0))
+    throw Invalid_input("to_surface_mesh: chord error, angle and edge length must be positive");
+  if (image == nullptr && set.dimension() != 3)
+    throw Invalid_input("to_surface_mesh: a system of " + std::to_string(set.dimension()) +
+                        " unknowns needs a map to space");
+  std::optional<Image_functions> functions;
+  if (image != nullptr) {
+    Exact_ranges domain = domain_of(set.system());
+    domain.resize(static_cast<std::size_t>(set.dimension()));
+    functions = image_functions(*image, domain);
+  }
+  Run_control control(run);
+  return Mesh_of_solutions(set, functions ? &*functions : nullptr, options, control)();
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_MESH_OF_SOLUTIONS_H
