@@ -6,7 +6,7 @@
 #include <CGAL/Spline_constraints_d/function/Rational_function.h>
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 
 #include <benchmark/benchmark.h>
 

@@ -7,7 +7,7 @@
 #include "../Spline_constraints_d/benchmark_systems.h"
 #include "curve_intersection.h"
 
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 
 #include <string>
 #include <utility>

@@ -5,6 +5,8 @@
 #include <CGAL/Spline_constraints_d/solver/internal/Newton_iteration.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>

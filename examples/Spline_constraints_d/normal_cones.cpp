@@ -14,7 +14,7 @@
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -6,7 +6,7 @@
 
 #include "solver_test_systems.h"
 
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 
 #include <gtest/gtest.h>

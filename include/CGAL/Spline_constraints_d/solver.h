@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Newton_result.h>

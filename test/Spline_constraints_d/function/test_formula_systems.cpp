@@ -5,7 +5,7 @@
 
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/multiplicity.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 

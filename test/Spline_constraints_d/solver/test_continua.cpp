@@ -304,7 +304,7 @@ TEST(Continua, SuspectedCurves)
       {with_equalities(cube(3, -2, 2), {sphere, cone, sphere * x + cone * y}),
        {{1, 0, 1}, {fraction(3, 5), fraction(4, 5), -1}}}};
   for (const Case& test : cases) {
-    const Solutions solutions = SC::solve(test.system);
+    const Solutions solutions = SC::Subdivision_solver_d<>()(test.system);
     EXPECT_GE(solutions.size(), 1u);
     EXPECT_FALSE(solutions.is_complete());
     EXPECT_EQ(solutions.summary().why_not, SC::Undecided_reason::CONTINUUM);
@@ -316,7 +316,7 @@ TEST(Continua, SuspectedCurves)
     for (const auto& point : test.points)
       EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(),
                               [&](const Answer& answer) { return is_covered(answer, point); }));
-    EXPECT_EQ(SC::solve(test.system, {.tolerance = 1e-5}).summary().nodes, solutions.summary().nodes);
+    EXPECT_EQ(SC::Subdivision_solver_d<>({.tolerance = 1e-5})(test.system).summary().nodes, solutions.summary().nodes);
     EXPECT_LT(solutions.summary().nodes, 2000u);
   }
 }

@@ -15,6 +15,12 @@ namespace precision_ladder_test {
 
 using namespace solver_test;
 
+// Not decomposed: elimination would leave equations in one unknown, which need no ladder.
+static SC::Solution_set_d<double> solve(const System& system, const SC::Solver_options& options = {})
+{
+  return SC::Subdivision_solver_d<>(options)(system);
+}
+
 static const Polynomial x = Polynomial::variable(0);
 static const Polynomial y = Polynomial::variable(1);
 

@@ -73,40 +73,43 @@ public:
   }
 };
 
-template <ConstraintSolverTraits Traits, class Concurrency_tag>
-typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
-Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system) const
+namespace internal {
+
+// The answers that `solutions(control, summary)` finds of a system, with the work.
+template <class Traits, bool is_compiled, class Solutions>
+Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
+                                                   const Solutions& solutions)
 {
-  internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
+  check_definitions<Traits, is_compiled>();
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
                         std::to_string(n) + " unknowns; for curves of solutions see solve_curves()");
 
-  [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
-  [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+  [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
+  [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
   Summary summary;
-  internal::Run_control control(m_options);
-  std::vector<typename Solution_set::Solution> solutions =
-      internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
-  for (const auto& solution : solutions)
+  Run_control control(options);
+  auto found = solutions(control, summary);
+  for (const auto& solution : found)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;
       summary.why_not = solution.reason();
     }
   summary.seconds = control.seconds();
-  return Solution_set(std::move(solutions), summary);
+  return {std::move(found), summary};
 }
 
-/*!
-\ingroup PkgSplineConstraintsDSolver
-all solutions of a system, with the default solver.
-\tparam Concurrency_tag as for `Subdivision_solver_d`.
-*/
-template <class Concurrency_tag = CGAL::Sequential_tag>
-Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_options& options = {})
+} // namespace internal
+
+template <ConstraintSolverTraits Traits, class Concurrency_tag>
+typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
+Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system) const
 {
-  return Subdivision_solver_d<Certified_solver_traits, Concurrency_tag>(options)(system);
+  return internal::solution_set<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>(
+      system, m_options, [&](internal::Run_control& control, Summary& summary) {
+        return internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
+      });
 }
 
 /*!
@@ -115,25 +118,12 @@ the system of constraints between the unknowns of one call of `unknowns()`, with
 \throws Invalid_input when the constraints use unknowns of different calls, or none; and as
 `Constraint::spline_function()`, which `check` is for.
 */
-inline Constraint_system_d make_system(std::span<const Constraint> constraints,
-                                       const std::function<void()>& check = {})
+inline Constraint_system_d make_system(std::span<const Constraint> constraints, const std::function<void()>& check = {})
 {
   Constraint_system_d system(common_domains(constraints));
   for (const Constraint& constraint : constraints)
     system.add(constraint, check);
   return system;
-}
-
-/*!
-\ingroup PkgSplineConstraintsDSolver
-all solutions of constraints written as formulas: `solve(x*x + y*y == 2, x*y == 1)`.
-\throws Invalid_input as `make_system()` and `Subdivision_solver_d`.
-*/
-template <std::same_as<Constraint>... Constraints>
-Solution_set_d<double> solve(const Constraint& first, const Constraints&... others)
-{
-  const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
-  return solve(make_system(constraints));
 }
 
 } // namespace Spline_constraints

@@ -10,7 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 
 #include <CGAL/tags.h>
 
@@ -79,7 +79,7 @@ template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::random_acce
   requires std::ranges::sized_range<Range> && std::same_as<std::ranges::range_value_t<Range>, Constraint_system_d>
 std::vector<Solution_set_d<double>> solve(Range&& systems, const Solver_options& options = {})
 {
-  const Subdivision_solver_d<Certified_solver_traits> solver(options);
+  const Decomposing_solver_d<Certified_solver_traits> solver(options);
   std::vector<Solution_set_d<double>> results(static_cast<std::size_t>(std::ranges::size(systems)));
   const auto first = std::ranges::begin(systems);
   internal::for_each_of_batch<Concurrency_tag>(results.size(), [&](std::size_t i) {

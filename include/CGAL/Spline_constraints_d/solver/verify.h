@@ -12,7 +12,10 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/System_decomposition.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
 #endif
 
@@ -60,7 +63,7 @@ root of \f$n\f$ equalities, in intervals of some thousand bits, with a bound bel
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some
 coordinates that look rational and others by the operator, as above; or is a double root by exact signs. How many there
-are is not proved.
+are is not proved. Where this fails, it is proved of each part of the system as `Decomposing_solver_d` decomposes it.
 
 A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all
 of it; and the inequalities hold, up to their boundary, on the boxes around
@@ -94,7 +97,9 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   }
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;
-  return internal::verification::is_proved(system, solution.kind(), box, solution.ends());
+  return internal::verification::is_proved(system, solution.kind(), box, solution.ends()) ||
+      (solution.kind() == Solution_kind::CLUSTER && system.dimension() > 1 &&
+       internal::is_solution_proved_by_parts(system, box));
 }
 
 } // namespace Spline_constraints

@@ -60,6 +60,13 @@ public:
     }
   }
 
+  // The share that is told is that of the part in hand.
+  void begin_part()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_done = 0;
+  }
+
   // `is_asked`: looks at the clock and asks the visitor, which is not done for every node.
   bool must_stop(bool is_asked)
   {

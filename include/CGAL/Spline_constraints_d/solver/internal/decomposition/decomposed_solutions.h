@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_DECOMPOSITION_DECOMPOSED_SOLUTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_DECOMPOSITION_DECOMPOSED_SOLUTIONS_H
+
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/Glance_at_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/Joined_answer.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/System_decomposition.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Calls visit() for every choice of one element of each list, in lexicographic order.
+template <class T, class Visitor>
+void for_each_choice(const std::vector<std::vector<T>>& lists, std::vector<const T*>& chosen, const Visitor& visit)
+{
+  if (chosen.size() == lists.size()) {
+    visit();
+    return;
+  }
+  for (const T& element : lists[chosen.size()]) {
+    chosen.push_back(&element);
+    for_each_choice(lists, chosen, visit);
+    chosen.pop_back();
+  }
+}
+
+// All solutions of a system, in the nodes that other ones have left; the work is added to theirs.
+template <class Traits, class Concurrency_tag>
+std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions_after(const Constraint_system_d& system,
+                                                                   const Solver_options& options, Run_control& control,
+                                                                   Summary& work)
+{
+  const Solver_options rest = rest_of(options, work);   // of the time the control knows
+  Summary own;
+  control.begin_part();
+  auto result = all_solutions<Traits, Concurrency_tag>(system, rest, control, own);
+  work += own;
+  return result;
+}
+
+/*
+All solutions of a decomposed system, in no order, each part solved on its own. A part without solutions ends the work:
+the whole system has none. The limit on nodes is for all parts together.
+*/
+template <class Traits, class Concurrency_tag>
+std::vector<Solution_d<Coordinate_of<Traits>>>
+solutions_of_parts(const Constraint_system_d& system, const System_decomposition& decomposition,
+                   const Solver_options& options, Run_control& control, Summary& summary)
+{
+  if (decomposition.is_without_solutions)
+    return {};
+  if (decomposition.parts.empty())
+    return all_solutions_after<Traits, Concurrency_tag>(system, options, control, summary);
+  std::vector<std::vector<Solution_d<Coordinate_of<Traits>>>> answers;
+  for (const System_part& part : decomposition.parts) {
+    answers.push_back(all_solutions_after<Traits, Concurrency_tag>(part.system, options, control, summary));
+    if (answers.back().empty())
+      return {};
+  }
+  std::vector<Solution_d<Coordinate_of<Traits>>> result;
+  std::vector<const Solution_d<Coordinate_of<Traits>>*> chosen;
+  for_each_choice(answers, chosen, [&] {
+    result.push_back(Joined_answer<Coordinate_of<Traits>>(system, decomposition, chosen).solution());
+  });
+  return result;
+}
+
+template <class Coordinate>
+bool is_decided(const std::vector<Solution_d<Coordinate>>& answers)
+{
+  return std::none_of(answers.begin(), answers.end(),
+                      [](const auto& answer) { return answer.kind() == Solution_kind::UNDECIDED; });
+}
+
+// Something is undecided since the run was ended.
+template <class Coordinate>
+bool has_limits_reached(const std::vector<Solution_d<Coordinate>>& answers)
+{
+  return std::any_of(answers.begin(), answers.end(), [](const auto& answer) {
+    return answer.reason() == Undecided_reason::TIME || answer.reason() == Undecided_reason::NODES ||
+        answer.reason() == Undecided_reason::STOPPED;
+  });
+}
+
+// Nodes in which a system is to be solved that is not worth being decomposed.
+constexpr std::size_t nodes_of_small_system = 256;
+
+/*
+All solutions of a system, in no order. What is solved in a few nodes is solved as it is: decomposing it would take
+longer. These nodes are lost in other systems, unless a glance shows that decomposing them promises nothing. What the
+parts leave undecided, without limits, may be decided by the whole.
+*/
+template <class Traits, class Concurrency_tag>
+std::vector<Solution_d<Coordinate_of<Traits>>> decomposed_solutions(const Constraint_system_d& system,
+                                                                    const Solver_options& options, Run_control& control,
+                                                                    Summary& summary)
+{
+  const bool may_be_large = options.node_limit == 0 || options.node_limit > nodes_of_small_system;
+  if (!may_be_large || system.dimension() == 1 || !Glance_at_system(system).is_promising())
+    return all_solutions<Traits, Concurrency_tag>(system, options, control, summary);
+
+  Solver_options few_nodes = options;
+  few_nodes.node_limit = nodes_of_small_system;
+  Summary trial;
+  std::vector<Solution_d<Coordinate_of<Traits>>> result =
+      all_solutions<Traits, Concurrency_tag>(system, few_nodes, control, trial);
+  summary += trial;
+  const bool is_at_end = trial.nodes < nodes_of_small_system && !has_limits_reached(result);
+  if (is_decided(result) || is_at_end || control.must_stop(true))
+    return result;
+
+  const double start = control.seconds();
+  const System_decomposition decomposition = decomposition_of(system);
+  summary.setup_seconds += control.seconds() - start;
+  result = solutions_of_parts<Traits, Concurrency_tag>(system, decomposition, options, control, summary);
+  if (decomposition.parts.empty() || has_limits_reached(result) || is_decided(result))
+    return result;
+  auto whole = all_solutions_after<Traits, Concurrency_tag>(system, options, control, summary);
+  return has_limits_reached(whole) ? result : whole;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_DECOMPOSITION_DECOMPOSED_SOLUTIONS_H
