@@ -17,6 +17,7 @@
 #include "benchmark_systems.h"
 #include "compare_in_turns.h"
 
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
 
@@ -104,6 +105,14 @@ void certified_to_fast(benchmark::State& state, const System& system)
 void univariate_to_general(benchmark::State& state, const System& system)
 {
   compare_traits<SC::Certified_solver_traits, Widest>(state, system, "univariate", "general");
+}
+
+void decomposed_to_whole(benchmark::State& state, const System& system)
+{
+  const SC::Subdivision_solver_d<> whole(limits());
+  compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve(system)); }, [&] { benchmark::DoNotOptimize(whole(system)); },
+      "decomposed", "whole", seconds_of_thread);
 }
 
 void touch_to_cross(benchmark::State& state)
@@ -200,6 +209,10 @@ bool add_all()
   for (Named_system problem : {mixed(2, 8), mixed(3, 3), mixed(4, 2), mixed(4, 3)}) {
     problem.name = "ratio/" + problem.name;
     add(problem, ratio);
+  }
+  for (Named_system problem : {katsura(4), mixed(4, 2), mixed(5, 2), cyclic(4, 3), circle_and_hyperbola()}) {
+    problem.name = "decomposition/" + problem.name;
+    add(problem, {{"decomposed_to_whole", decomposed_to_whole}});
   }
   for (int degree : {2, 10, 20, 40})
     add(univariate_chebyshev(degree), paths);

@@ -5,10 +5,11 @@
 // than unknowns, every curve of solutions.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--parallel] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
+//                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
 //
-// --parallel uses all cores, if the program was built with TBB; for the number type certified. --output writes curves
-// of solutions. Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
+// --whole solves the system as it is, without decomposing it. --parallel uses all cores, if the program was built with
+// TBB; for the number type certified. --output writes curves of solutions. Exit status: 0 when every solution is
+// accounted for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
 
@@ -30,7 +31,7 @@ struct Arguments
 {
   std::string file, number_type = "certified", test = "graph", output;
   SC::Solver_options options;
-  bool json = false, parallel = false;
+  bool json = false, parallel = false, whole = false;
 };
 
 Arguments parse(int argc, char* argv[])
@@ -48,6 +49,7 @@ Arguments parse(int argc, char* argv[])
     else if (word == "--test") result.test = value();
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
     else if (word == "--parallel") result.parallel = true;
+    else if (word == "--whole") result.whole = true;
     else if (word == "--json") result.json = true;
     else if (word == "--output") result.output = value();
     else if (word.starts_with("--") || !result.file.empty()) throw SC::Invalid_input("unknown argument " + word);
@@ -55,8 +57,8 @@ Arguments parse(int argc, char* argv[])
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json] [--output "
-                            "FILE.svg|FILE.vtp|FILE.txt]");
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--whole] [--json] "
+                            "[--output FILE.svg|FILE.vtp|FILE.txt]");
   if (result.parallel && result.number_type != "certified")
     throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
@@ -91,7 +93,9 @@ int solve(Arguments arguments)
   Progress_bar progress;
   const auto run = [&]<class Test>() {
     using Traits = SC::Solver_traits<Number, Test, SC::Preconditioned_reduction, SC::Smear_splitter, tracks_rounding>;
-    const auto solutions = SC::Subdivision_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress);
+    const auto solutions = arguments.whole
+        ? SC::Subdivision_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress)
+        : SC::Decomposing_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress);
     progress.clear();
     arguments.json ? print_json(input.names, solutions) : print_lines(input.names, solutions);
     return solutions.is_complete() ? 0 : 3;

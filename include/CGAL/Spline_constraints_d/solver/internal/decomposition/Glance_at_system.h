@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/Linear_combinations.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Prime_field_polynomial.h>
 
 #include <algorithm>
@@ -175,8 +176,8 @@ private:
     return result;
   }
 
-  // Rows in reduced echelon form with high degrees first that have fewer coefficients than some of those that they
-  // combine, whose place they can take.
+  // Rows in reduced echelon form with high degrees first that are simpler than some of those that they combine, whose
+  // place they can take.
   bool has_better_combinations()
   {
     std::sort(m_coefficients.begin(), m_coefficients.end(), [](const Coefficient& a, const Coefficient& b) {
@@ -196,20 +197,39 @@ private:
     if (rows.size() * rows.size() * columns.size() > most_products)
       return false;
     std::vector<int> costs;
+    std::vector<Polynomial_shape> shapes;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].numbers.resize(columns.size());
       rows[i].weights.resize(rows.size());
       rows[i].weights[i] = 1;
       costs.push_back(cost_of(rows[i], columns));
+      shapes.push_back(shape_of(rows[i], columns));
     }
     eliminate(rows, columns.size());
     return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
       int largest = 0;
+      Polynomial_shape largest_shape;
       for (std::size_t i = 0; i < row.weights.size(); ++i)
-        if (row.weights[i] != 0)
+        if (row.weights[i] != 0) {
           largest = (std::max)(largest, costs[i]);
-      return cost_of(row, columns) < largest;
+          largest_shape.extend(shapes[i]);
+        }
+      return cost_of(row, columns) < largest && shape_of(row, columns).is_simpler_than(largest_shape);
     });
+  }
+
+  Polynomial_shape shape_of(const Row& row, const std::vector<std::size_t>& columns) const
+  {
+    Polynomial_shape result;
+    std::vector<bool> occurs(m_parent.size(), false);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (row.numbers[k] != 0) {
+        const Coefficient& coefficient = m_coefficients[columns[k]];
+        result.degree = (std::max)(result.degree, coefficient.degree);
+        coefficient.visit_powers([&](int unknown, int) { occurs[unknown] = true; });
+      }
+    result.unknowns = static_cast<std::size_t>(std::count(occurs.begin(), occurs.end(), true));
+    return result;
   }
 
   // The coefficients that a row needs: see number_of_coefficients().

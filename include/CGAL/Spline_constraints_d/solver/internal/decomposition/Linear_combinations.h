@@ -49,11 +49,32 @@ inline double number_of_coefficients(const Power_polynomial& polynomial)
   return result;
 }
 
+// What makes a polynomial difficult: its degree and the number of its unknowns.
+struct Polynomial_shape
+{
+  int degree = 0;
+  std::size_t unknowns = 0;
+
+  void extend(const Polynomial_shape& other)
+  {
+    degree = (std::max)(degree, other.degree);
+    unknowns = (std::max)(unknowns, other.unknowns);
+  }
+
+  // Worth being put in the place of the other one.
+  bool is_simpler_than(const Polynomial_shape& other) const
+  {
+    return degree < other.degree || unknowns < other.unknowns;
+  }
+};
+
 /*
 Linear combinations of polynomials that span the same space, of as few coefficients in all as can be chosen from the
 polynomials themselves, the rows of their reduced echelon form with the monomials of high degree first, which have the
 lowest degrees that there are, and sums of two of them in which terms cancel. By the exchange property of bases, it is
-the best choice to take the cheapest ones first and to leave out what depends on those before.
+the best choice to take the cheapest ones first and to leave out what depends on those before. Combinations that have
+neither a lower degree nor fewer unknowns are not considered: the subdivision combines equations itself, and fewer
+coefficients alone do not pay for the structure that is lost.
 */
 class Linear_combinations
 {
@@ -155,18 +176,27 @@ private:
         return false;
       const Weights weights(row.begin() + static_cast<std::ptrdiff_t>(columns.size()), row.end());
       if (std::count_if(weights.begin(), weights.end(), [](const auto& w) { return !CGAL::is_zero(w); }) > 1)
-        add_candidate(combination(weights), weights);
+        add_combination(weights);
     }
     return true;
   }
 
-  Power_polynomial combination(const Weights& weights) const
+  void add_combination(const Weights& weights)
   {
     Power_polynomial result;
+    Polynomial_shape largest;
     for (std::size_t i = 0; i < weights.size(); ++i)
-      if (!CGAL::is_zero(weights[i]))
+      if (!CGAL::is_zero(weights[i])) {
         result += Power_polynomial(weights[i]) * m_given[i];
-    return result;
+        largest.extend(shape_of(m_given[i]));
+      }
+    if (shape_of(result).is_simpler_than(largest))
+      add_candidate(std::move(result), weights);
+  }
+
+  static Polynomial_shape shape_of(const Power_polynomial& polynomial)
+  {
+    return {polynomial.total_degree(), polynomial.variables().size()};
   }
 
   // f - c g, where it has fewer terms than f.
@@ -187,7 +217,7 @@ private:
           if (m_given[k].terms().size() < shared + number) {
             Weights weights = unit(i);
             weights[k] = -c;
-            add_candidate(combination(weights), weights);
+            add_combination(weights);
           }
       }
   }
