@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace decomposition_test {
@@ -323,6 +325,181 @@ TEST(Decomposition, Limits)
     check({.visitor = visitor}, false);
   }
   check({.time_limit = 1e-9}, false);
+}
+
+// Equalities that say the same twice take no solution away, and those that contradict each other leave none.
+TEST(Decomposition, DependentAndContradictingEquations)
+{
+  const auto x = variables(3);
+  const Polynomial circle = square(x[0]) + square(x[1]) - 5, line = x[0] - x[1] - 1, last = x[2] - x[0] * 2;
+  for (const auto& functions : {std::vector<Polynomial>{circle, line, line * 2, last},
+                                {circle, circle * 3, line, last, last},
+                                {circle, line, last + line, last - line * 2},
+                                {circle + line, circle - line, line, last, last + circle}}) {
+    const System system = with_equalities(cube(3, -5, 5), functions);
+    const auto decomposition = SC::internal::decomposition_of(system);
+    EXPECT_EQ(decomposition.parts.size(), 1u);
+    EXPECT_EQ(decomposition.eliminated.size(), 2u);
+    const Solutions parts = by_parts(system);
+    EXPECT_TRUE(parts.is_complete());
+    EXPECT_EQ(parts.size(), 2u);
+    expect_nothing_lost({{2, 1, 4}, {-1, -2, -2}}, parts);
+    for (const auto& answer : parts) {
+      EXPECT_TRUE(answer.kind() < Solution_kind::CONTINUUM);
+      EXPECT_TRUE(verify(system, answer));
+    }
+  }
+  for (const auto& functions : {std::vector<Polynomial>{circle, line, line * 2 - 1, last},
+                                {circle, circle - 1, line, last},
+                                {circle, line, last, last - line * 3 + 1}}) {
+    const System system = with_equalities(cube(3, -5, 5), functions);
+    EXPECT_TRUE(SC::internal::decomposition_of(system).is_without_solutions);
+    const Solutions parts = by_parts(system);
+    EXPECT_TRUE(parts.is_complete());
+    EXPECT_TRUE(parts.empty());
+  }
+}
+
+// An unknown that nothing determines makes a curve, whatever else is determined twice.
+TEST(Decomposition, FreeUnknowns)
+{
+  const auto x = variables(4);
+  const Polynomial circle = square(x[0]) + square(x[1]) - 5, line = x[0] - x[1] - 1;
+  for (const auto& functions :
+       {std::vector<Polynomial>{circle, line, line * 2, x[2] - 1}, {circle, line, x[2] - x[3], x[2] * 2 - x[3] * 2}}) {
+    const System system = with_equalities(cube(4, -5, 5), functions);
+    EXPECT_TRUE(SC::internal::decomposition_of(system).parts.empty());
+    const Solutions solutions = by_parts(system);
+    int points = 0;
+    for (const int t : {-5, 0, 1, 4})
+      for (const std::vector<Rational>& point :
+           std::vector<std::vector<Rational>>{{2, 1, 1, t}, {-1, -2, 1, t}, {2, 1, t, t}, {-1, -2, t, t}}) {
+        if (!SC::satisfies(system, point))
+          continue;
+        ++points;
+        EXPECT_TRUE(std::any_of(solutions.begin(), solutions.end(), [&](const auto& answer) {
+          return meets(answer.exact_box(), Point(point.begin(), point.end()));
+        }));
+      }
+    EXPECT_GE(points, 8);
+    EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);
+  }
+}
+
+// Domains that end at the values of eliminated unknowns, or before.
+TEST(Decomposition, DomainsOfEliminatedUnknowns)
+{
+  const auto x = variables(3);
+  const Polynomial last = x[2] - x[0] * 3 - x[1] + 1;
+  const std::vector<Polynomial> functions{x[0] * (x[0] - 1) * (x[0] + 1), square(x[1]) + x[1] - x[0] - 2 + x[1] * last,
+                                          last};
+  const System wide = with_equalities(cube(3, -8, 8), functions);
+  const Solutions all = by_parts(wide);
+  EXPECT_EQ(all.size(), 6u);
+  EXPECT_EQ(SC::internal::decomposition_of(wide).eliminated.size(), 1u);
+  for (const auto& [lower, upper, count] : {std::tuple(0, 8, 2), {-3, 8, 4}, {-3, 0, 3}, {1, 2, 0}, {-8, -4, 1}}) {
+    const System narrow = with_equalities(System({{-8, 8}, {-8, 8}, {Rational(lower), Rational(upper)}}), functions);
+    const Solutions whole = SC::Subdivision_solver_d<>()(narrow);
+    const auto decomposition = SC::internal::decomposition_of(narrow);
+    EXPECT_TRUE(decomposition.is_without_solutions || decomposition.eliminated.size() == 1);
+    expect_equal(narrow, whole, by_parts(narrow));
+    std::size_t inside = 0;
+    for (const auto& answer : all)
+      inside += answer[2].second > lower && answer[2].first < upper;
+    EXPECT_EQ(whole.size(), inside);
+    EXPECT_EQ(static_cast<int>(inside), count);
+  }
+}
+
+// Two million combinations of a few hundred nodes: the run ends in time, and what it does not tell is undecided.
+TEST(Decomposition, ManyCombinations)
+{
+  const auto x = variables(7);
+  std::vector<Polynomial> functions;
+  for (int j = 0; j < 7; ++j)
+    functions.push_back(chebyshev(8, x[j]));
+  const System system = with_equalities(cube(7, -1, 1), functions);
+  Stopping_visitor visitor{100};
+  for (const SC::Solver_options& options : {SC::Solver_options{.time_limit = 0.2}, {.visitor = visitor}}) {
+    const Solutions solutions = by_parts(system, options);
+    EXPECT_FALSE(solutions.is_complete());
+    EXPECT_EQ(solutions.summary().why_not,
+              options.time_limit > 0 ? SC::Undecided_reason::TIME : SC::Undecided_reason::STOPPED);
+    EXPECT_LT(solutions.summary().seconds, 2);
+    EXPECT_EQ(solutions.count(Solution_kind::UNDECIDED), 1u);
+    EXPECT_GE(solutions.count(Solution_kind::CERTIFIED), 1000u);
+    Random_numbers random(3);
+    std::vector<Point> some;
+    for (int i = 0; i < 20; ++i) {
+      Point point;
+      for (int j = 0; j < 7; ++j)
+        point.emplace_back(std::cos((2 * random.integer(0, 7) + 1) * std::acos(-1.0) / 16));
+      some.push_back(point);
+    }
+    for (const Point& point : some)
+      EXPECT_TRUE(meets(solutions[solutions.size() - 1].exact_box(), point));
+  }
+}
+
+// The work before the subdivision is bounded, and ends where it is told to.
+TEST(Decomposition, WorkIsBounded)
+{
+  constexpr int n = 40;
+  Random_numbers random(4);
+  const auto x = variables(n);
+  std::vector<Polynomial> functions;
+  for (int i = 0; i < n; ++i) {
+    Polynomial sum = square(x[i]) * (i % 8 == 0 ? 1 : 0) - 1;
+    for (int k = 0; k < 20; ++k)
+      sum += x[random.integer(0, n - 1)] * random.ratio(-99, 99, 97);
+    functions.push_back(sum);
+  }
+  const System system = with_equalities(cube(n, -1, 1), functions);
+  int checks = 0;
+  const auto decomposition = SC::internal::decomposition_of(system, [&] { ++checks; });
+  EXPECT_GT(checks, 100);
+  const SC::internal::Run_stopped stopped{SC::Undecided_reason::STOPPED};
+  for (const int last : {0, 1, checks / 2}) {
+    int left = last;
+    EXPECT_THROW(SC::internal::decomposition_of(system,
+                                                [&] {
+                                                  if (--left < 0)
+                                                    throw stopped;
+                                                }),
+                 SC::internal::Run_stopped);
+  }
+}
+
+// A limit is told by its name, also when it is reached between the trial and the parts.
+TEST(Decomposition, ReasonsOfLimits)
+{
+  const System system = with_equalities(cube(4, -1, 1), [] {
+    const auto x = variables(4);
+    return std::vector<Polynomial>{chebyshev(7, x[0]) - x[1], chebyshev(7, x[1]) - x[0], chebyshev(7, x[2]) - x[3],
+                                   chebyshev(7, x[3]) - x[2]};
+  }());
+  for (int left = 0; left < 40; ++left) {
+    Stopping_visitor visitor{left};
+    const Solutions solutions = SC::solve(system, {.visitor = visitor});
+    EXPECT_TRUE(std::none_of(solutions.begin(), solutions.end(), [](const auto& answer) {
+      return answer.kind() == Solution_kind::UNDECIDED && answer.reason() != SC::Undecided_reason::STOPPED;
+    })) << left;
+  }
+  struct Failing_visitor
+  {
+    int left;
+    void on_progress(double) {}
+    bool stop()
+    {
+      if (--left < 0)
+        throw std::runtime_error("visitor");
+      return false;
+    }
+  };
+  for (int left = 0; left < 10; ++left) {
+    Failing_visitor visitor{left};
+    EXPECT_THROW(SC::solve(system, {.visitor = visitor}), std::runtime_error) << left;
+  }
 }
 
 } // namespace decomposition_test

@@ -33,13 +33,13 @@ class Glance_at_system
 {
   using Field = Prime_field_polynomial;
   using Number = Field::Number;
-  using Key = std::uint64_t;   // of a monomial: equal ones have equal keys, others hardly ever
+  using Key = std::uint64_t; // of a monomial: equal ones have equal keys, others hardly ever
 
   struct Coefficient
   {
     Key key;
     int degree;
-    std::size_t equality, place;   // in the piece of the term
+    std::size_t equality, place; // in the piece of the term
     const Spline_term* term;
 
     const Exact_rational& value() const { return term->pieces[0][place]; }
@@ -65,7 +65,7 @@ class Glance_at_system
 
   const Constraint_system_d& m_system;
   std::vector<int> m_parent;
-  std::vector<Coefficient> m_coefficients;   // of equalities without breaks; none of them is zero
+  std::vector<Coefficient> m_coefficients; // of equalities without breaks; none of them is zero
   std::vector<int> m_degrees;              // of the equalities, -1 with breaks
 
 public:
@@ -137,7 +137,7 @@ private:
 
   static Key key_of(int unknown)
   {
-    Key x = static_cast<Key>(unknown + 1) * 0x9e3779b97f4a7c15u;   // mixes as the generator splitmix64 does
+    Key x = static_cast<Key>(unknown + 1) * 0x9e3779b97f4a7c15u; // mixes as the generator splitmix64 does
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     return (x ^ (x >> 27)) | 1;
   }
@@ -186,7 +186,7 @@ private:
     if (!shares_monomials())
       return false;
     std::vector<Row> rows(m_degrees.size());
-    std::vector<std::size_t> columns;   // one of the coefficients of each
+    std::vector<std::size_t> columns; // one of the coefficients of each
     for (std::size_t k = 0; k < m_coefficients.size(); ++k) {
       if (k == 0 || m_coefficients[k].key != m_coefficients[k - 1].key)
         columns.push_back(k);

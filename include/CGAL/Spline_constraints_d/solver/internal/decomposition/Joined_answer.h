@@ -39,7 +39,7 @@ class Joined_answer
 
   const Constraint_system_d& m_system;
   const System_decomposition& m_decomposition;
-  const std::vector<const Solution*>& m_answers;   // one for each part
+  const std::vector<const Solution*>& m_answers; // one for each part
 
 public:
   Joined_answer(const Constraint_system_d& system, const System_decomposition& decomposition,
@@ -69,7 +69,7 @@ private:
   {
     Exact_box box(static_cast<std::size_t>(m_system.dimension())), region = box;
     int multiplicity = 1, precision = 0;
-    bool is_finer = false;   // than doubles
+    bool is_finer = false; // than doubles
     const char* number_type = "";
     for (std::size_t i = 0; i < m_answers.size(); ++i) {
       const Solution& answer = *m_answers[i];
@@ -95,7 +95,8 @@ private:
     }
     if constexpr (!std::same_as<Coordinate, Exact_rational>)
       if (is_finer)
-        return Solution(Solution_d<Exact_rational>(kind, box, region, number_type, reason, multiplicity), precision);
+        return Solution(Solution_d<Exact_rational>(kind, box, region, number_type, reason, multiplicity),
+                        number_type == std::string_view("multiprecision") ? precision : 0);
     typename Solution::Box rounded, rounded_region;
     for (const auto& range : box)
       rounded.push_back(outwards(range));
@@ -107,7 +108,10 @@ private:
     return result;
   }
 
-  // With all combinations of the boxes of covers; with ends, when all but one of the answers are points.
+  static constexpr std::size_t most_boxes = 10000; // of a cover
+
+  // With all combinations of the boxes of covers, each in one box where they are too many; with ends, when all but one
+  // of the answers are points.
   Solution covered(Solution_kind kind) const
   {
     std::vector<Exact_box> cover(1, Exact_box(static_cast<std::size_t>(m_system.dimension())));
@@ -115,7 +119,8 @@ private:
     int dimension = 0, segments = 0;
     for (std::size_t i = 0; i < m_answers.size(); ++i) {
       const Solution& answer = *m_answers[i];
-      const auto own = answer.cover().empty() ? std::vector<Exact_box>{answer.exact_box()} : answer.cover();
+      const bool is_in_one_box = answer.cover().empty() || most_boxes / cover.size() < answer.cover().size();
+      const auto own = is_in_one_box ? std::vector<Exact_box>{answer.exact_box()} : answer.cover();
       std::vector<Exact_box> combined;
       for (const Exact_box& before : cover)
         for (const Exact_box& box : own) {
@@ -132,7 +137,7 @@ private:
         place(middle_of(box), i, ends[0]);
         place(middle_of(box), i, ends[1]);
       } else
-        segments = 2;   // or more: no ends
+        segments = 2; // or more: no ends
     }
     if (segments != 1)
       ends.clear();
@@ -180,7 +185,7 @@ private:
   static Exact_range around(const Exact_range& range, const Exact_range& domain)
   {
     const Exact_range result((std::min)(range.first, domain.first), (std::max)(range.second, domain.second));
-    const Exact_rational room = result.second - result.first;
+    const Exact_rational room = result.second - result.first + 1;
     return {Exact_rational(result.first - room), Exact_rational(result.second + room)};
   }
 

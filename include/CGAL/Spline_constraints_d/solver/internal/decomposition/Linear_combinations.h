@@ -78,7 +78,7 @@ coefficients alone do not pay for the structure that is lost.
 */
 class Linear_combinations
 {
-  using Weights = std::vector<Exact_rational>;   // of the given polynomials
+  using Weights = std::vector<Exact_rational>; // of the given polynomials
 
   struct Candidate
   {
@@ -88,7 +88,7 @@ class Linear_combinations
     int degree;
   };
 
-  static constexpr std::size_t most_products = 20000;   // of numbers: a few milliseconds
+  static constexpr std::size_t most_products = 20000; // of numbers: a few milliseconds
 
   const std::vector<Power_polynomial>& m_given;
   std::vector<Candidate> m_candidates;
@@ -130,7 +130,7 @@ private:
   // occurs twice, and there are not even two polynomials that are linear.
   std::vector<Monomial> shared_columns() const
   {
-    std::map<std::pair<int, Monomial>, int> count;   // by the negative degree
+    std::map<std::pair<int, Monomial>, int> count; // by the negative degree
     int linear = 0;
     for (const Power_polynomial& polynomial : m_given) {
       int degree = 0;
@@ -206,7 +206,7 @@ private:
       for (std::size_t k = 0; k < m_given.size(); ++k) {
         if (k == i)
           continue;
-        std::map<Exact_rational, std::size_t> cancelled;   // terms, by c
+        std::map<Exact_rational, std::size_t> cancelled; // terms, by c
         std::size_t shared = 0;
         for (const auto& [monomial, coefficient] : m_given[i].terms())
           if (const auto term = m_given[k].terms().find(monomial); term != m_given[k].terms().end()) {

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -33,7 +34,7 @@ struct Reducible_function
   Spline_function function;
   std::optional<Power_polynomial> polynomial;
   Relation relation;
-  double cost = 0;   // coefficients
+  double cost = 0; // coefficients
   bool is_changed = false;
 
   Reducible_function(Spline_function f, std::size_t dimension, Relation r) : function(std::move(f)), relation(r)
@@ -54,7 +55,7 @@ struct Reducible_function
     : polynomial(std::move(p)), relation(r), cost(number_of_coefficients(*polynomial)), is_changed(true)
   {}
 
-  static constexpr double most_coefficients = 2000;   // of a polynomial that is looked at
+  static constexpr double most_coefficients = 2000; // of a polynomial that is looked at
 
   std::vector<int> unknowns() const
   {
@@ -86,6 +87,10 @@ class Reduced_system
     double gain, steepness;
   };
 
+  static constexpr double most_products = 500, most_products_in_all = 100000; // of terms
+
+  std::function<void()> m_check;
+  double m_products_left = most_products_in_all;
   std::vector<Domain> m_domain;
   std::vector<Reducible_function> m_equalities, m_inequalities;
   std::vector<Eliminated_unknown> m_eliminated;
@@ -93,10 +98,12 @@ class Reduced_system
   bool m_is_impossible = false, m_is_dependent = false, m_is_changed = false;
 
 public:
-  explicit Reduced_system(const Constraint_system_d& system)
+  // `check` as of decomposition_of().
+  Reduced_system(const Constraint_system_d& system, const std::function<void()>& check) : m_check(check ? check : [] {})
   {
     const auto n = static_cast<std::size_t>(system.dimension());
     m_is_eliminated.assign(n, false);
+    m_check();
     for (std::size_t j = 0; j < n; ++j)
       m_domain.push_back(system.domain(static_cast<int>(j)));
     for (const Spline_function& function : system.equalities())
@@ -108,6 +115,7 @@ public:
   void reduce()
   {
     for (bool goes_on = true; goes_on && !m_is_impossible && !m_is_dependent;) {
+      m_check();
       combine();
       drop_constants();
       goes_on = false;
@@ -178,9 +186,11 @@ private:
     return true;
   }
 
-  // What elimination of an unknown by an equality gains, unless that cannot be done or it makes more coefficients.
-  std::optional<Pivot> pivot_of(std::size_t equality, int unknown) const
+  // What elimination of an unknown by an equality gains, unless that cannot be done, makes more coefficients, or takes
+  // too long to be told.
+  std::optional<Pivot> pivot_of(std::size_t equality, int unknown)
   {
+    m_check();
     const Power_polynomial value = value_of(equality, unknown);
     if (value.variables().size() == 1 && !is_proper(range_that_keeps(unknown, value)))
       return std::nullopt;
@@ -193,8 +203,10 @@ private:
       const int degree = f.polynomial->degree(unknown);
       if (degree == 0)
         return true;
-      if (std::pow(value.terms().size(), degree) * f.polynomial->terms().size() > most_products)
+      const double products = std::pow(value.terms().size(), degree) * f.polynomial->terms().size();
+      if (products > most_products || products > m_products_left)
         return false;
+      m_products_left -= products;
       gain += f.cost - number_of_coefficients(f.polynomial->substituted(unknown, value));
       return true;
     };
@@ -209,8 +221,6 @@ private:
         steepness = (std::max)(steepness, std::abs(CGAL::to_double(coefficient)));
     return Pivot{equality, unknown, gain, steepness};
   }
-
-  static constexpr double most_products = 500;   // of terms
 
   Power_polynomial value_of(std::size_t equality, int unknown) const
   {

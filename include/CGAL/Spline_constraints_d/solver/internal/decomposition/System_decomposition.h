@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Eliminated_unknown
 {
   int unknown;
   Exact_rational constant;
-  std::vector<std::pair<int, Exact_rational>> slopes;   // of unknowns that are not eliminated
+  std::vector<std::pair<int, Exact_rational>> slopes; // of unknowns that are not eliminated
 };
 
 // The range of an eliminated unknown for the points of a box.
@@ -43,7 +44,7 @@ inline Constraint_system_d::Domain range_of(const Eliminated_unknown& eliminated
 struct System_part
 {
   Constraint_system_d system;
-  std::vector<int> unknowns;   // of the whole system, for each unknown of the part
+  std::vector<int> unknowns; // of the whole system, for each unknown of the part
 };
 
 /*
@@ -54,11 +55,12 @@ struct System_decomposition
 {
   std::vector<System_part> parts;
   std::vector<Eliminated_unknown> eliminated;
-  bool is_without_solutions = false;   // which is proved
+  bool is_without_solutions = false; // which is proved
 };
 
-// Defined in decomposition_of.h.
-System_decomposition decomposition_of(const Constraint_system_d& system);
+// `check` is called between steps of some microseconds, and ends the work where it throws. Defined in
+// decomposition_of.h.
+System_decomposition decomposition_of(const Constraint_system_d& system, const std::function<void()>& check = {});
 
 // Whether a box is proved to hold a solution by those of the parts of the system; defined in proof_by_parts.h.
 bool is_solution_proved_by_parts(const Constraint_system_d& system,

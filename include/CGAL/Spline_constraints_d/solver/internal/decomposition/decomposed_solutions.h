@@ -27,19 +27,61 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Calls visit() for every choice of one element of each list, in lexicographic order.
+// Calls visit() for every choice of one element of each list, in lexicographic order, until it returns false; then
+// returns false.
 template <class T, class Visitor>
-void for_each_choice(const std::vector<std::vector<T>>& lists, std::vector<const T*>& chosen, const Visitor& visit)
+bool for_each_choice(const std::vector<std::vector<T>>& lists, std::vector<const T*>& chosen, const Visitor& visit)
 {
-  if (chosen.size() == lists.size()) {
-    visit();
-    return;
-  }
-  for (const T& element : lists[chosen.size()]) {
+  if (chosen.size() == lists.size())
+    return visit();
+  return std::all_of(lists[chosen.size()].begin(), lists[chosen.size()].end(), [&](const T& element) {
     chosen.push_back(&element);
-    for_each_choice(lists, chosen, visit);
+    const bool goes_on = for_each_choice(lists, chosen, visit);
     chosen.pop_back();
-  }
+    return goes_on;
+  });
+}
+
+// One box around answers, undecided for the given reason.
+template <class Coordinate>
+Solution_d<Coordinate> undecided_hull(const std::vector<Solution_d<Coordinate>>& answers, Undecided_reason reason)
+{
+  auto box = answers.front().box();
+  for (const auto& answer : answers)
+    for (std::size_t j = 0; j < box.size(); ++j) {
+      box[j].first = (std::min)(box[j].first, answer[j].first);
+      box[j].second = (std::max)(box[j].second, answer[j].second);
+    }
+  return {Solution_kind::UNDECIDED, std::move(box), {}, answers.front().number_type(), reason};
+}
+
+// However early a run ends, so many of the answers that were found by then are told one by one.
+constexpr std::size_t answers_told_in_any_case = 1000;
+
+// All combinations of the answers of the parts; where the run ends before, the rest is in one undecided box.
+template <class Coordinate>
+std::vector<Solution_d<Coordinate>>
+combined_answers(const Constraint_system_d& system, const System_decomposition& decomposition,
+                 const std::vector<std::vector<Solution_d<Coordinate>>>& answers, Run_control& control)
+{
+  std::vector<Solution_d<Coordinate>> result;
+  std::vector<const Solution_d<Coordinate>*> chosen;
+  const auto join = [&] { return Joined_answer<Coordinate>(system, decomposition, chosen).solution(); };
+  const bool are_all = for_each_choice(answers, chosen, [&] {
+    if (result.size() >= answers_told_in_any_case && control.must_stop(result.size() % 64 == 0))
+      return false;
+    result.push_back(join());
+    return true;
+  });
+  if (are_all)
+    return result;
+  std::vector<Solution_d<Coordinate>> hulls;
+  for (const auto& of_part : answers)
+    hulls.push_back(undecided_hull(of_part, control.reason()));
+  for (const auto& hull : hulls)
+    chosen.push_back(&hull);
+  result.push_back(join());
+  return result;
 }
 
 // All solutions of a system, in the nodes that other ones have left; the work is added to theirs.
@@ -48,7 +90,7 @@ std::vector<Solution_d<Coordinate_of<Traits>>> all_solutions_after(const Constra
                                                                    const Solver_options& options, Run_control& control,
                                                                    Summary& work)
 {
-  const Solver_options rest = rest_of(options, work);   // of the time the control knows
+  const Solver_options rest = rest_of(options, work); // of the time the control knows
   Summary own;
   control.begin_part();
   auto result = all_solutions<Traits, Concurrency_tag>(system, rest, control, own);
@@ -75,12 +117,7 @@ solutions_of_parts(const Constraint_system_d& system, const System_decomposition
     if (answers.back().empty())
       return {};
   }
-  std::vector<Solution_d<Coordinate_of<Traits>>> result;
-  std::vector<const Solution_d<Coordinate_of<Traits>>*> chosen;
-  for_each_choice(answers, chosen, [&] {
-    result.push_back(Joined_answer<Coordinate_of<Traits>>(system, decomposition, chosen).solution());
-  });
-  return result;
+  return combined_answers(system, decomposition, answers, control);
 }
 
 template <class Coordinate>
@@ -98,6 +135,15 @@ bool has_limits_reached(const std::vector<Solution_d<Coordinate>>& answers)
     return answer.reason() == Undecided_reason::TIME || answer.reason() == Undecided_reason::NODES ||
         answer.reason() == Undecided_reason::STOPPED;
   });
+}
+
+// What was left at the limit of a trial is undecided since the run as a whole has ended.
+template <class Coordinate>
+void replace_limit_of_nodes(std::vector<Solution_d<Coordinate>>& answers, Undecided_reason reason)
+{
+  for (Solution_d<Coordinate>& answer : answers)
+    if (answer.reason() == Undecided_reason::NODES)
+      answer = {Solution_kind::UNDECIDED, answer.box(), {}, answer.number_type(), reason};
 }
 
 // Nodes in which a system is to be solved that is not worth being decomposed.
@@ -124,11 +170,17 @@ std::vector<Solution_d<Coordinate_of<Traits>>> decomposed_solutions(const Constr
       all_solutions<Traits, Concurrency_tag>(system, few_nodes, control, trial);
   summary += trial;
   const bool is_at_end = trial.nodes < nodes_of_small_system && !has_limits_reached(result);
-  if (is_decided(result) || is_at_end || control.must_stop(true))
+  if (is_decided(result) || is_at_end)
     return result;
 
+  System_decomposition decomposition;
   const double start = control.seconds();
-  const System_decomposition decomposition = decomposition_of(system);
+  try {
+    decomposition = decomposition_of(system, [&] { control.check(); });
+  } catch (const Run_stopped& stopped) {
+    replace_limit_of_nodes(result, stopped.reason);
+    return result;
+  }
   summary.setup_seconds += control.seconds() - start;
   result = solutions_of_parts<Traits, Concurrency_tag>(system, decomposition, options, control, summary);
   if (decomposition.parts.empty() || has_limits_reached(result) || is_decided(result))

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -35,7 +36,7 @@ class Independent_parts
 
   Reduced_system& m_system;
   std::vector<int> m_parent;
-  std::map<int, Part> m_parts;   // by the root
+  std::map<int, Part> m_parts; // by the root
 
 public:
   Independent_parts(Reduced_system& system, int dimension)
@@ -111,10 +112,11 @@ private:
   }
 };
 
-CGAL_SPLINE_CONSTRAINTS_INLINE System_decomposition decomposition_of(const Constraint_system_d& system)
+CGAL_SPLINE_CONSTRAINTS_INLINE System_decomposition decomposition_of(const Constraint_system_d& system,
+                                                                     const std::function<void()>& check)
 try {
   System_decomposition result;
-  Reduced_system reduced(system);
+  Reduced_system reduced(system, check);
   reduced.reduce();
   if (reduced.is_impossible())
     result.is_without_solutions = true;
@@ -126,7 +128,7 @@ try {
   result.parts = parts.take();
   result.eliminated = std::move(reduced.eliminated());
   return result;
-} catch (const Invalid_input&) {   // numbers or tensors became too large
+} catch (const Invalid_input&) { // numbers or tensors became too large
   return {};
 }
 
