@@ -110,9 +110,15 @@ void univariate_to_general(benchmark::State& state, const System& system)
 void decomposed_to_whole(benchmark::State& state, const System& system)
 {
   const SC::Subdivision_solver_d<> whole(limits());
+  const auto by_parts = SC::solve(system), as_a_whole = whole(system);
+  if (!by_parts.is_complete() || !as_a_whole.is_complete() || by_parts.size() != as_a_whole.size())
+    state.SkipWithError("the answers differ");
   compare_in_turns(
       state, [&] { benchmark::DoNotOptimize(SC::solve(system)); }, [&] { benchmark::DoNotOptimize(whole(system)); },
       "decomposed", "whole", seconds_of_thread);
+  state.counters["decomposed_nodes"] = static_cast<double>(by_parts.summary().nodes);
+  state.counters["whole_nodes"] = static_cast<double>(as_a_whole.summary().nodes);
+  state.counters["solutions"] = static_cast<double>(by_parts.size());
 }
 
 void touch_to_cross(benchmark::State& state)
@@ -210,7 +216,8 @@ bool add_all()
     problem.name = "ratio/" + problem.name;
     add(problem, ratio);
   }
-  for (Named_system problem : {katsura(4), mixed(4, 2), mixed(5, 2), cyclic(4, 3), circle_and_hyperbola()}) {
+  for (Named_system problem : {multilateration(), independent_chebyshev_curves(5, 6), hyperplanes_and_quadrics(8),
+                               katsura(4), mixed(4, 2), mixed(5, 2), cyclic(4, 3), circle_and_hyperbola()}) {
     problem.name = "decomposition/" + problem.name;
     add(problem, {{"decomposed_to_whole", decomposed_to_whole}});
   }

@@ -253,6 +253,48 @@ inline Named_system multiple_roots()
   return univariate("multiple_roots", 0, 2, square(x * x - 2) * pow(x - 1, 3));
 }
 
+// A receiver with the error of its clock, from the distances to four stations one apart in a box of 2000.
+inline Named_system multilateration()
+{
+  const auto x = solver_test::variables(4);
+  System system = solver_test::cube(4, -1000, 1000);
+  for (int station = 0; station < 4; ++station) {
+    Polynomial squares = -square(x[3] + 5 + (station == 3 ? 9 : 12));
+    for (int j = 0; j < 3; ++j)
+      squares += square(x[j] - (j == station ? 1 : 0));
+    system.add(squares, Relation::EQUAL);
+  }
+  return {"multilateration", std::move(system)};
+}
+
+// Two systems without a common unknown: the solutions are n^2 m^2.
+inline Named_system independent_chebyshev_curves(int n, int m)
+{
+  const auto x = solver_test::variables(4);
+  const auto chebyshev = [](int degree, const Polynomial& v) { return solver_test::chebyshev(degree, v); };
+  return {"independent/" + std::to_string(n) + '/' + std::to_string(m),
+          solver_test::with_equalities(solver_test::cube(4, -1, 1),
+                                       {chebyshev(n, x[0]) - x[1], chebyshev(n, x[1]) - x[0], chebyshev(m, x[2]) - x[3],
+                                        chebyshev(m, x[3]) - x[2]})};
+}
+
+// Random quadrics through a point in space, of dimension n, cut by n - 2 random hyperplanes through it.
+inline Named_system hyperplanes_and_quadrics(int n)
+{
+  std::mt19937 random(2027);
+  const auto coefficient = [&] { return Rational(static_cast<int>(random() % 19) - 9); };
+  const auto x = solver_test::variables(n);
+  std::vector<Polynomial> functions;
+  for (int i = 0; i < n; ++i) {
+    Polynomial f;
+    for (int j = 0; j < n; ++j)
+      f += coefficient() * (x[j] - Rational(j % 3) / 4) * (i < 2 ? x[j] + coefficient() / 9 : Polynomial(Rational(1)));
+    functions.push_back(std::move(f));
+  }
+  return {"hyperplanes_and_quadrics/" + std::to_string(n),
+          solver_test::with_equalities(solver_test::cube(n, -2, 2), functions)};
+}
+
 // Systems of two random quadratic equations in two unknowns.
 inline std::vector<System> quadratic_systems(int count)
 {

@@ -411,6 +411,30 @@ TEST(Decomposition, DomainsOfEliminatedUnknowns)
   }
 }
 
+// An unknown that is a difference of others, a million times: its range is as narrow as those of other unknowns, and
+// that of a cluster not wide.
+TEST(Decomposition, SteepSlopes)
+{
+  const auto x = variables(3);
+  const Polynomial last = x[2] * fraction(1, 1000000) - x[0] + x[1];
+  const std::vector<Polynomial> simple{square(x[0]) - 2, square(x[1]) * x[1] - fraction(2828427, 1000000), last},
+      twice{square(x[0]) - 2 + x[2] * last, square(square(x[1]) - 2), last};
+  for (const auto* functions : {&simple, &twice}) {
+    const System system = with_equalities(System({{-9, 9}, {-9, 9}, {-20000000, 20000000}}), *functions);
+    EXPECT_EQ(SC::internal::decomposition_of(system).eliminated.size(), 1u);
+    const Solutions parts = by_parts(system);
+    EXPECT_TRUE(parts.is_complete());
+    EXPECT_EQ(parts.size(), functions == &simple ? 2u : 4u);
+    for (const auto& answer : parts) {
+      EXPECT_EQ(answer.kind(), functions == &simple ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER);
+      const double size = (std::max)({std::abs(answer[2].first), std::abs(answer[2].second), 1.0});
+      EXPECT_LE(answer[2].second - answer[2].first, size * (answer.is_certified() ? 0x1p-44 : 1e-4));
+      EXPECT_TRUE(verify(system, answer));
+    }
+    expect_consistent_regions(parts);
+  }
+}
+
 // Two million combinations of a few hundred nodes: the run ends in time, and what it does not tell is undecided.
 TEST(Decomposition, ManyCombinations)
 {

@@ -34,12 +34,13 @@ Finds all solutions of a system, as `Subdivision_solver_d` does, after it has ma
   more coefficients. The domain of the unknown narrows that of another one, or becomes inequalities.
 - Groups of unknowns that no constraint connects are solved each on its own; the answers are all combinations.
 
-The answers are those of `Subdivision_solver_d`, in the coordinates of the system that is given; the range of an unknown
-that was eliminated is computed from the others' and is as wide as these make it. Where nothing makes the system smaller
-it is solved as it is. \ref Spline_constraints_d_algorithms_decomposition "Proofs"
+The answers are those of `Subdivision_solver_d`, in the coordinates of the system that is given. The range of an unknown
+that was eliminated is computed from the others'; where that makes it wide, the whole system is solved in a box around
+the answer. What takes few nodes, or nothing makes smaller, is solved as it is.
+\ref Spline_constraints_d_decomposition_proofs "Proofs"
 
 Complexity: for \f$m\f$ equalities with \f$N\f$ different monomials, \f$O(m^2 N)\f$ rational operations before the
-subdivision, of which at most some ten thousand are made.
+subdivision, of which at most some hundred thousand are made, and work in proportion to the number of answers after it.
 
 \tparam Traits, Concurrency_tag as for `Subdivision_solver_d`.
 */

@@ -63,7 +63,10 @@ root of \f$n\f$ equalities, in intervals of some thousand bits, with a bound bel
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some
 coordinates that look rational and others by the operator, as above; or is a double root by exact signs. How many there
-are is not proved. Where this fails, it is proved of each part of the system as `Decomposing_solver_d` decomposes it.
+are is not proved.
+
+Where this fails for a certified answer or a cluster, the same is proved of each part of the system as
+`Decomposing_solver_d` decomposes it, and that the box holds the values which these give to the eliminated unknowns.
 
 A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all
 of it; and the inequalities hold, up to their boundary, on the boxes around
@@ -98,8 +101,8 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;
   return internal::verification::is_proved(system, solution.kind(), box, solution.ends()) ||
-      (solution.kind() == Solution_kind::CLUSTER && system.dimension() > 1 &&
-       internal::is_solution_proved_by_parts(system, box));
+      (solution.kind() < Solution_kind::CONTINUUM && system.dimension() > 1 &&
+       internal::is_solution_proved_by_parts(system, solution.kind(), box));
 }
 
 } // namespace Spline_constraints

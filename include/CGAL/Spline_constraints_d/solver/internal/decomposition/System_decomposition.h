@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_DECOMPOSITION_SYSTEM_DECOMPOSITION_H
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <functional>
 #include <utility>
@@ -62,8 +63,9 @@ struct System_decomposition
 // decomposition_of.h.
 System_decomposition decomposition_of(const Constraint_system_d& system, const std::function<void()>& check = {});
 
-// Whether a box is proved to hold a solution by those of the parts of the system; defined in proof_by_parts.h.
-bool is_solution_proved_by_parts(const Constraint_system_d& system,
+// Whether a box is proved to hold a solution, for a `CLUSTER`, or exactly one, for a `CERTIFIED` answer, by those of
+// the parts of the system; defined in proof_by_parts.h.
+bool is_solution_proved_by_parts(const Constraint_system_d& system, Solution_kind kind,
                                  const std::vector<Constraint_system_d::Domain>& box);
 
 } // namespace internal

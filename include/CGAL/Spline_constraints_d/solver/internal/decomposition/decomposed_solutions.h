@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/Glance_at_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/Joined_answer.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/Narrowed_answer.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/System_decomposition.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
@@ -58,11 +59,13 @@ Solution_d<Coordinate> undecided_hull(const std::vector<Solution_d<Coordinate>>&
 // However early a run ends, so many of the answers that were found by then are told one by one.
 constexpr std::size_t answers_told_in_any_case = 1000;
 
-// All combinations of the answers of the parts; where the run ends before, the rest is in one undecided box.
-template <class Coordinate>
-std::vector<Solution_d<Coordinate>>
-combined_answers(const Constraint_system_d& system, const System_decomposition& decomposition,
-                 const std::vector<std::vector<Solution_d<Coordinate>>>& answers, Run_control& control)
+// All combinations of the answers of the parts, as `finished(answer)` returns them; where the run ends before, the rest
+// is in one undecided box.
+template <class Coordinate, class Finished>
+std::vector<Solution_d<Coordinate>> combined_answers(const Constraint_system_d& system,
+                                                     const System_decomposition& decomposition,
+                                                     const std::vector<std::vector<Solution_d<Coordinate>>>& answers,
+                                                     Run_control& control, Finished finished)
 {
   std::vector<Solution_d<Coordinate>> result;
   std::vector<const Solution_d<Coordinate>*> chosen;
@@ -70,7 +73,7 @@ combined_answers(const Constraint_system_d& system, const System_decomposition& 
   const bool are_all = for_each_choice(answers, chosen, [&] {
     if (result.size() >= answers_told_in_any_case && control.must_stop(result.size() % 64 == 0))
       return false;
-    result.push_back(join());
+    result.push_back(finished(join()));
     return true;
   });
   if (are_all)
@@ -117,7 +120,8 @@ solutions_of_parts(const Constraint_system_d& system, const System_decomposition
     if (answers.back().empty())
       return {};
   }
-  return combined_answers(system, decomposition, answers, control);
+  return combined_answers(system, decomposition, answers, control,
+                          Narrowed_answer<Traits, Concurrency_tag>(system, decomposition, options, control, summary));
 }
 
 template <class Coordinate>

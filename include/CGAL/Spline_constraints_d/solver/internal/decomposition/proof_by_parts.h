@@ -22,7 +22,8 @@ namespace Spline_constraints {
 namespace internal {
 
 // The box of each part holds a solution of it, and the values that these give to eliminated unknowns lie in the box.
-CGAL_SPLINE_CONSTRAINTS_INLINE bool is_solution_proved_by_parts(const Constraint_system_d& system, const Exact_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_solution_proved_by_parts(const Constraint_system_d& system, Solution_kind kind,
+                                                                const Exact_box& box)
 {
   const System_decomposition decomposition = decomposition_of(system);
   const auto is_in_box = [&](const Eliminated_unknown& eliminated) {
@@ -35,7 +36,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool is_solution_proved_by_parts(const Constraint
     for (const int unknown : part.unknowns)
       of_part.push_back(box[unknown]);
     return verification::is_proved(part.system, Solution_kind::CERTIFIED, of_part, {}) ||
-        verification::is_proved(part.system, Solution_kind::CLUSTER, of_part, {});
+        (kind == Solution_kind::CLUSTER && verification::is_proved(part.system, Solution_kind::CLUSTER, of_part, {}));
   };
   return !decomposition.parts.empty() &&
       std::all_of(decomposition.eliminated.begin(), decomposition.eliminated.end(), is_in_box) &&
