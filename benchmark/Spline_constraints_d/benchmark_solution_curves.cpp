@@ -34,13 +34,13 @@ const std::array<SC::Unknown, 2>& xy()
 std::vector<SC::Constraint> quartic()
 {
   const auto& [x, y] = xy();
-  return {square(x*x + y*y) - 2*(x*x - y*y) + x*y/2 - x/4 == SC::Exact_rational(1, 2)};
+  return {square(x * x + y * y) - 2 * (x * x - y * y) + x * y / 2 - x / 4 == SC::Exact_rational(1, 2)};
 }
 
 SC::Constraint_system_d sphere_and_cylinder(const SC::Exact_rational& distance)
 {
   auto [x, y, z] = SC::unknowns({-3, 6}, {-3, 3}, {-3, 3});
-  return SC::make_system(std::array{x*x + y*y + z*z == 4, square(x - distance) + y*y == 1});
+  return SC::make_system(std::array{x * x + y * y + z * z == 4, square(x - distance) + y * y == 1});
 }
 
 // T_d(x) T_d(y) = 1/2, with d a power of two.
@@ -72,6 +72,36 @@ SC::Constraint_system_d two_graphs()
   return SC::make_system(std::array{u == s,
                                     v == 3 * s * (1 - s) * t * (1 - t) + SC::Exact_rational(1, 4) + s * t * t / 5,
                                     4 * u * (1 - u) * v * (1 - v) + u * u * v / 3 == t});
+}
+
+// A torus and a plane.
+SC::Constraint_system_d torus_and_plane()
+{
+  auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const SC::Expression ring = square(x) + square(y);
+  return SC::make_system(
+      std::array{square(ring + square(z) + SC::Exact_rational(8, 9)) == 4 * ring, x - 2 * y == 3 * z});
+}
+
+// A circle in three hyperplanes of space of dimension five.
+SC::Constraint_system_d circle_in_hyperplanes()
+{
+  auto [a, b, c, d, e] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
+  return SC::make_system(std::array{square(a) + square(b) + square(c) + square(d) + square(e) == 1, a + 2 * b == c,
+                                    d == a + b, e + c == a});
+}
+
+void eliminated_to_whole(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  const SC::Curve_solver_d<> whole;
+  const auto eliminated = SC::solve_curves(system), as_it_is = whole(system);
+  if (!eliminated.is_complete() || eliminated.curves().size() != as_it_is.curves().size())
+    state.SkipWithError("the answers differ");
+  solver_benchmark::compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve_curves(system)); },
+      [&] { benchmark::DoNotOptimize(whole(system)); }, "eliminated", "whole", solver_benchmark::seconds_on_the_wall);
+  state.counters["eliminated_nodes"] = static_cast<double>(eliminated.summary().nodes);
+  state.counters["whole_nodes"] = static_cast<double>(as_it_is.summary().nodes);
 }
 
 void solve_curves(benchmark::State& state, const SC::Constraint_system_d& system)
@@ -154,6 +184,9 @@ BENCHMARK_CAPTURE(solve_curves, turned_tori, two_tori(SC::Exact_rational(1, 3), 
 BENCHMARK_CAPTURE(solve_curves, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, two_graphs, two_graphs())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eliminated_to_whole, torus_and_plane, torus_and_plane())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eliminated_to_whole, circle_in_hyperplanes, circle_in_hyperplanes())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eliminated_to_whole, two_graphs, two_graphs())->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
 BENCHMARK_CAPTURE(sequential_to_parallel, chebyshev_16, chebyshev_product(16))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sequential_to_parallel, turned_tori, two_tori(SC::Exact_rational(1, 3), true))

@@ -3,6 +3,8 @@
 
 // Surfaces of solutions with their topology.
 
+#include "compare_in_turns.h"
+
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 
@@ -47,6 +49,42 @@ SC::Constraint_system_d clifford_torus()
   return SC::make_system(std::array{square(a) + square(b) == 1, square(c) + square(d) == 1});
 }
 
+// A sphere that two others of one dimension more have in common.
+SC::Constraint_system_d common_sphere()
+{
+  auto [a, b, c, d] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
+  const SC::Expression rest = square(b) + square(c) + square(d);
+  return SC::make_system(std::array{square(a) + rest == 1, square(a - 1) + rest == 1});
+}
+
+// A sphere in two hyperplanes of space of dimension five.
+SC::Constraint_system_d sphere_in_hyperplanes()
+{
+  auto [a, b, c, d, e] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
+  return SC::make_system(std::array{square(a) + square(b) + square(c) + square(d) + square(e) == 1,
+                                    a - b + d == Rational(1) / 4, 2 * a - e + d - c == Rational(-1) / 8});
+}
+
+// A torus with a function of degree one on it.
+SC::Constraint_system_d torus_and_height()
+{
+  auto [a, b, c, height] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3}, {-3, 3});
+  return SC::make_system(std::array{torus(a, b, c), height == a - c});
+}
+
+void eliminated_to_whole(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  const SC::Surface_solver_d<> whole;
+  const auto eliminated = SC::solve_surfaces(system), as_it_is = whole(system);
+  if (!eliminated.is_complete() || eliminated.euler_characteristic() != as_it_is.euler_characteristic())
+    state.SkipWithError("the answers differ");
+  solver_benchmark::compare_in_turns(
+      state, [&] { benchmark::DoNotOptimize(SC::solve_surfaces(system)); },
+      [&] { benchmark::DoNotOptimize(whole(system)); }, "eliminated", "whole", solver_benchmark::seconds_on_the_wall);
+  state.counters["eliminated_nodes"] = static_cast<double>(eliminated.summary().nodes);
+  state.counters["whole_nodes"] = static_cast<double>(as_it_is.summary().nodes);
+}
+
 void solve_surfaces(benchmark::State& state, const SC::Constraint_system_d& system)
 {
   std::size_t patches = 0, nodes = 0;
@@ -70,5 +108,8 @@ SURFACES(half_torus, SC::make_system(std::array{torus(x, y, z), x >= 0}));
 SURFACES(tangle_cube, SC::make_system(std::array{tangle_cube()}));
 SURFACES(genus_28, SC::make_system(std::array{chebyshev_surface()}));
 SURFACES(clifford_torus, clifford_torus());
+BENCHMARK_CAPTURE(eliminated_to_whole, common_sphere, common_sphere())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eliminated_to_whole, sphere_in_hyperplanes, sphere_in_hyperplanes())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(eliminated_to_whole, torus_and_height, torus_and_height())->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -54,5 +54,5 @@ int main()
     picture.point(stations[i], colors[i], 8);
   }
   picture.point(receiver, "#d62728", 10);
-  picture.label(K::Point_2(receiver.x() + 0.5, receiver.y() + 0.6), "receiver", "#d62728", 16);
+  picture.label(K::Point_2(receiver.x() + 1, receiver.y() + 1.6), "receiver", "#d62728", 16);
 }

@@ -7,9 +7,9 @@
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
 //
-// --whole solves the system as it is, without decomposing it. --parallel uses all cores, if the program was built with
-// TBB; for the number type certified. --output writes curves of solutions. Exit status: 0 when every solution is
-// accounted for, 3 when not, 2 for bad input.
+// --whole solves the system as it is, without decomposing it or eliminating unknowns. --parallel uses all cores, if the
+// program was built with TBB; for the number type certified. --output writes curves of solutions. Exit status: 0 when
+// every solution is accounted for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
 
@@ -78,7 +78,9 @@ int solve(Arguments arguments)
   if (static_cast<int>(system.equalities().size()) + 1 == system.dimension()) {
     if constexpr (std::is_same_v<Number, double> && tracks_rounding)
       if (!arguments.json) {
-        const auto curves = SC::Curve_solver_d<SC::Certified_solver_traits, Concurrency_tag>(arguments.options)(system);
+        const auto curves = arguments.whole
+            ? SC::Curve_solver_d<SC::Certified_solver_traits, Concurrency_tag>(arguments.options)(system)
+            : SC::solve_curves<Concurrency_tag>(system, arguments.options);
         if (!arguments.output.empty())
           write_curves(arguments.output, input.names, system, curves);
         print_curves(input.names, curves);

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/curves_after_elimination.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
 #endif
@@ -114,15 +115,22 @@ public:
 \ingroup PkgSplineConstraintsDSolver
 
 all solutions of a system with one equality less than unknowns, with the default traits: curves, with their topology by
-proof.
+proof. Unknowns that equalities of degree one, or combinations of equalities, give by others are eliminated before, as
+`Decomposing_solver_d` does, unless answers reach the bounds of such an unknown; `Curve_solver_d` does without.
 \param system the constraints; one equality less than unknowns.
 \param options as for `Curve_solver_d`.
+\tparam Concurrency_tag as for `Curve_solver_d`.
 \throws Invalid_input as `Curve_solver_d`.
 */
-inline Curve_solution_set_d solve_curves(const Constraint_system_d& system,
-                                         const Solver_options& options = {.tolerance = 1e-8})
+template <class Concurrency_tag = CGAL::Sequential_tag>
+Curve_solution_set_d solve_curves(const Constraint_system_d& system,
+                                  const Solver_options& options = {.tolerance = 1e-8})
 {
-  return Curve_solver_d<>(options)(system);
+  using Traits = Certified_solver_traits;
+  internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
+  options.check();
+  internal::Run_control control(options);
+  return internal::curves_after_elimination<Traits, Concurrency_tag>(system, options, control);
 }
 
 /*!

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #endif
@@ -83,7 +84,8 @@ public:
 \ingroup PkgSplineConstraintsDSolver
 
 all solutions of a system with two equalities less than unknowns, with the default traits: surfaces, with their topology
-by proof.
+by proof. In systems without inequalities and breaks, unknowns that equalities of degree one, or combinations of
+equalities, give by others are eliminated before, as `solve_curves()` does; `Surface_solver_d` does without.
 \param system the constraints; two equalities less than unknowns.
 \param options as for `Surface_solver_d`.
 \throws Invalid_input as `Surface_solver_d`.
@@ -91,7 +93,9 @@ by proof.
 inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
                                              const Solver_options& options = {.tolerance = 1e-8})
 {
-  return Surface_solver_d<>(options)(system);
+  options.check();
+  internal::Run_control control(options);
+  return internal::surfaces_after_elimination<Certified_solver_traits>(system, options, control);
 }
 
 /*!

@@ -85,6 +85,9 @@ public:
   // unknown by, or combinations of equalities seem to be of lower degree or shorter.
   bool is_promising() { return number_of_groups() > 1 || has_promising_affine_equality() || has_better_combinations(); }
 
+  // Whether an equality has degree one, or combinations seem to be worth looking at.
+  bool may_eliminate() { return std::count(m_degrees.begin(), m_degrees.end(), 1) > 0 || has_better_combinations(); }
+
 private:
   std::size_t number_of_groups() const
   {

@@ -21,6 +21,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -84,12 +85,21 @@ class Reduced_system
   {
     std::size_t equality;
     int unknown;
-    double gain, steepness;
+    double gain, terms, steepness;
+
+    // More is gained; else fewer terms are made; else errors grow less.
+    bool is_better_than(const Pivot& other) const
+    {
+      return std::tuple(-gain, terms, steepness) < std::tuple(-other.gain, other.terms, other.steepness);
+    }
   };
 
   static constexpr double most_products = 500, most_products_in_all = 100000; // of terms
 
+  static constexpr double most_new_coefficients = 100; // for one unknown less, of curves and surfaces
+
   std::function<void()> m_check;
+  std::size_t m_freedom; // unknowns that the equalities leave
   double m_products_left = most_products_in_all;
   std::vector<Domain> m_domain;
   std::vector<Reducible_function> m_equalities, m_inequalities;
@@ -98,8 +108,9 @@ class Reduced_system
   bool m_is_impossible = false, m_is_dependent = false, m_is_changed = false;
 
 public:
-  // `check` as of decomposition_of().
-  Reduced_system(const Constraint_system_d& system, const std::function<void()>& check) : m_check(check ? check : [] {})
+  // `check` as of decomposition_of(), `freedom` as of elimination_of().
+  Reduced_system(const Constraint_system_d& system, const std::function<void()>& check, std::size_t freedom = 0)
+    : m_check(check ? check : [] {}), m_freedom(freedom)
   {
     const auto n = static_cast<std::size_t>(system.dimension());
     m_is_eliminated.assign(n, false);
@@ -166,19 +177,18 @@ private:
           m_is_impossible = true;
     if (std::erase_if(m_equalities, is_constant) + std::erase_if(m_inequalities, is_constant) > 0)
       m_is_changed = true;
-    m_is_dependent = m_equalities.size() < unknowns_left();
+    m_is_dependent = m_equalities.size() + m_freedom < unknowns_left();
   }
 
   bool eliminate_one()
   {
-    if (unknowns_left() < 2)
+    if (unknowns_left() < m_freedom + 2)
       return false;
     std::optional<Pivot> best;
     for (std::size_t i = 0; i < m_equalities.size(); ++i)
       if (m_equalities[i].polynomial && m_equalities[i].polynomial->total_degree() == 1)
         for (const int unknown : m_equalities[i].polynomial->variables())
-          if (const std::optional<Pivot> pivot = pivot_of(i, unknown); pivot &&
-              (!best || best->gain < pivot->gain || (best->gain == pivot->gain && pivot->steepness < best->steepness)))
+          if (const std::optional<Pivot> pivot = pivot_of(i, unknown); pivot && (!best || pivot->is_better_than(*best)))
             best = pivot;
     if (!best)
       return false;
@@ -194,7 +204,8 @@ private:
     const Power_polynomial value = value_of(equality, unknown);
     if (value.variables().size() == 1 && !is_proper(range_that_keeps(unknown, value)))
       return std::nullopt;
-    double gain = m_equalities[equality].cost - number_of_bounds(unknown, value) * number_of_coefficients(value);
+    double terms = 0,
+           gain = m_equalities[equality].cost - number_of_bounds(unknown, value) * number_of_coefficients(value);
     const auto add = [&](const Reducible_function& f) {
       if (!f.polynomial) {
         const std::vector<int> unknowns = f.unknowns();
@@ -207,19 +218,22 @@ private:
       if (products > most_products || products > m_products_left)
         return false;
       m_products_left -= products;
-      gain += f.cost - number_of_coefficients(f.polynomial->substituted(unknown, value));
+      const Power_polynomial substituted = f.polynomial->substituted(unknown, value);
+      gain += f.cost - number_of_coefficients(substituted);
+      terms += static_cast<double>(substituted.terms().size()) - static_cast<double>(f.polynomial->terms().size());
       return true;
     };
     for (std::size_t i = 0; i < m_equalities.size(); ++i)
       if (i != equality && !add(m_equalities[i]))
         return std::nullopt;
-    if (gain < 0 || !std::all_of(m_inequalities.begin(), m_inequalities.end(), add) || gain < 0)
+    const double least_gain = m_freedom > 0 ? -most_new_coefficients : 0;
+    if (gain < least_gain || !std::all_of(m_inequalities.begin(), m_inequalities.end(), add) || gain < least_gain)
       return std::nullopt;
     double steepness = 0;
     for (const auto& [monomial, coefficient] : value.terms())
       if (!monomial.powers.empty())
         steepness = (std::max)(steepness, std::abs(CGAL::to_double(coefficient)));
-    return Pivot{equality, unknown, gain, steepness};
+    return Pivot{equality, unknown, gain, terms, steepness};
   }
 
   Power_polynomial value_of(std::size_t equality, int unknown) const
@@ -297,7 +311,7 @@ private:
   // How many inequalities keep the value in the domain of the unknown.
   int number_of_bounds(int unknown, const Power_polynomial& value) const
   {
-    if (value.variables().size() < 2)
+    if (value.variables().size() < 2 || m_freedom > 0)
       return 0;
     const Domain range = range_of(value);
     return (range.first < m_domain[unknown].first ? 1 : 0) + (m_domain[unknown].second < range.second ? 1 : 0);
@@ -314,6 +328,8 @@ private:
       m_domain[value.variables()[0]] = range_that_keeps(unknown, value);
       return;
     }
+    if (m_freedom > 0) // the answers are looked at
+      return;
     if (range.first < domain.first)
       m_inequalities.emplace_back(value - Power_polynomial(domain.first), Relation::GREATER_EQUAL);
     if (domain.second < range.second)

@@ -63,6 +63,13 @@ struct System_decomposition
 // decomposition_of.h.
 System_decomposition decomposition_of(const Constraint_system_d& system, const std::function<void()>& check = {});
 
+/*
+For systems with `freedom` equalities less than unknowns, one or more: one part with all unknowns that are left, and the
+eliminated ones, whose values may lie outside of their domains; nothing where there is none to eliminate.
+*/
+System_decomposition elimination_of(const Constraint_system_d& system, std::size_t freedom,
+                                    const std::function<void()>& check = {});
+
 // Whether a box is proved to hold a solution, for a `CLUSTER`, or exactly one, for a `CERTIFIED` answer, by those of
 // the parts of the system; defined in proof_by_parts.h.
 bool is_solution_proved_by_parts(const Constraint_system_d& system, Solution_kind kind,

@@ -39,7 +39,8 @@ class Independent_parts
   std::map<int, Part> m_parts; // by the root
 
 public:
-  Independent_parts(Reduced_system& system, int dimension)
+  // All unknowns are in one part, whatever connects them, if `is_one`.
+  Independent_parts(Reduced_system& system, int dimension, bool is_one = false)
     : m_system(system), m_parent(static_cast<std::size_t>(dimension))
   {
     std::iota(m_parent.begin(), m_parent.end(), 0);
@@ -47,6 +48,11 @@ public:
       for (const Reducible_function& f : *functions)
         for (const int unknown : f.unknowns())
           m_parent[root(unknown)] = root(f.unknowns().front());
+    for (int j = 0, first = -1; j < dimension; ++j)
+      if (is_one && !system.is_eliminated(j)) {
+        first = first < 0 ? j : first;
+        m_parent[root(j)] = root(first);
+      }
     for (int j = 0; j < dimension; ++j)
       if (!system.is_eliminated(j))
         m_parts[root(j)].unknowns.push_back(j);
@@ -126,6 +132,22 @@ try {
   if (!parts.are_determined() || (parts.size() == 1 && !reduced.is_changed()))
     return result;
   result.parts = parts.take();
+  result.eliminated = std::move(reduced.eliminated());
+  return result;
+} catch (const Invalid_input&) { // numbers or tensors became too large
+  return {};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE System_decomposition elimination_of(const Constraint_system_d& system,
+                                                                   std::size_t freedom,
+                                                                   const std::function<void()>& check)
+try {
+  System_decomposition result;
+  Reduced_system reduced(system, check, freedom);
+  reduced.reduce();
+  if (reduced.is_impossible() || reduced.is_dependent() || reduced.eliminated().empty())
+    return result;
+  result.parts = Independent_parts(reduced, system.dimension(), true).take();
   result.eliminated = std::move(reduced.eliminated());
   return result;
 } catch (const Invalid_input&) { // numbers or tensors became too large
