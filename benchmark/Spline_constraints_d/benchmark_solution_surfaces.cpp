@@ -80,7 +80,7 @@ void eliminated_to_whole(benchmark::State& state, const SC::Constraint_system_d&
     state.SkipWithError("the answers differ");
   solver_benchmark::compare_in_turns(
       state, [&] { benchmark::DoNotOptimize(SC::solve_surfaces(system)); },
-      [&] { benchmark::DoNotOptimize(whole(system)); }, "eliminated", "whole", solver_benchmark::seconds_on_the_wall);
+      [&] { benchmark::DoNotOptimize(whole(system)); }, "eliminated", "whole", solver_benchmark::seconds_of_thread);
   state.counters["eliminated_nodes"] = static_cast<double>(eliminated.summary().nodes);
   state.counters["whole_nodes"] = static_cast<double>(as_it_is.summary().nodes);
 }

@@ -23,8 +23,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <time.h>
-
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -47,14 +45,6 @@ SC::Solver_options limits()
   options.time_limit = 20;
   options.node_limit = 3000000;
   return options;
-}
-
-// CPU time of this thread: the clock of Google Benchmark is read between iterations only.
-double seconds_of_thread()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 template <class Traits>

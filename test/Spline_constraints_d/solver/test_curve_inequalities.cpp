@@ -6,6 +6,7 @@
 #include "curve_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <gtest/gtest.h>
