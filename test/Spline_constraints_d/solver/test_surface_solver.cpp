@@ -8,6 +8,8 @@
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 
+#include "surface_test_checks.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,13 +26,12 @@ namespace SC = CGAL::Spline_constraints;
 using SC::Power_polynomial;
 using SC::Relation;
 using Rational = SC::Exact_rational;
-using Counts = std::vector<std::pair<int, std::size_t>>; // Euler characteristic and loops, of each surface
+using surface_test_checks::check_complex, surface_test_checks::Counts, surface_test_checks::counts,
+    surface_test_checks::counts_of, surface_test_checks::cube, surface_test_checks::number,
+    surface_test_checks::rotated, surface_test_checks::square, surface_test_checks::system,
+    surface_test_checks::variable;
 
 namespace {
-
-Power_polynomial variable(int i) { return Power_polynomial::variable(i); }
-Power_polynomial number(const Rational& value) { return Power_polynomial(value); }
-Power_polynomial square(const Power_polynomial& p) { return p * p; }
 
 const Power_polynomial x = variable(0), y = variable(1), z = variable(2), w = variable(3);
 const Power_polynomial sphere = square(x) + square(y) + square(z) - number(1);
@@ -56,83 +57,6 @@ Power_polynomial chebyshev(const Power_polynomial& t, int degree)
   for (int k = 1; k < degree; ++k)
     before = std::exchange(last, number(2) * t * last - before);
   return last;
-}
-
-SC::Constraint_system_d system(const std::vector<std::pair<Rational, Rational>>& domain,
-                               const std::vector<Power_polynomial>& equalities)
-{
-  SC::Constraint_system_d result(domain);
-  for (const Power_polynomial& equality : equalities)
-    result.add(equality, Relation::EQUAL);
-  return result;
-}
-
-std::vector<std::pair<Rational, Rational>> cube(const Rational& size, std::size_t dimension = 3)
-{
-  return std::vector<std::pair<Rational, Rational>>(dimension, {Rational(-size), size});
-}
-
-// Each arc has one patch or two, boundaries are loops of arcs, and the numbers of cells give the characteristic.
-void check_complex(const SC::Surface_solution_set_d& set)
-{
-  std::vector<int> patches(set.arcs().size(), 0);
-  for (const SC::Surface_patch& patch : set.patches()) {
-    EXPECT_EQ(std::abs(patch.orientation), 1);
-    ASSERT_FALSE(patch.boundary.empty());
-    for (std::size_t k = 0; k < patch.boundary.size(); ++k) {
-      const SC::Surface_patch::Side side = patch.boundary[k], next = patch.boundary[(k + 1) % patch.boundary.size()];
-      ++patches[side.arc];
-      EXPECT_EQ(set.arcs()[side.arc].ends[side.is_reversed ? 0 : 1],
-                set.arcs()[next.arc].ends[next.is_reversed ? 1 : 0]);
-    }
-  }
-  std::size_t boundary = 0, on_loops = 0;
-  for (std::size_t a = 0; a < patches.size(); ++a) {
-    EXPECT_EQ(patches[a], set.arcs()[a].patches);
-    EXPECT_TRUE(patches[a] == 1 || patches[a] == 2);
-    boundary += patches[a] == 1 ? 1 : 0;
-  }
-  for (const SC::Solution_surface& surface : set.surfaces())
-    for (const std::vector<std::size_t>& loop : surface.boundary)
-      on_loops += loop.size();
-  EXPECT_EQ(boundary, on_loops);
-  if (set.singular_points().empty()) {
-    EXPECT_EQ(set.euler_characteristic(),
-              static_cast<int>(set.vertices().size() - set.points().size()) - static_cast<int>(set.arcs().size()) +
-                  static_cast<int>(set.patches().size()));
-  }
-}
-
-Counts counts_of(const SC::Surface_solution_set_d& set)
-{
-  Counts result;
-  for (const SC::Solution_surface& surface : set.surfaces())
-    result.emplace_back(surface.euler_characteristic, surface.boundary.size());
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-// Of a complete answer.
-Counts counts(const SC::Constraint_system_d& system)
-{
-  const SC::Surface_solution_set_d set = SC::solve_surfaces(system);
-  EXPECT_TRUE(set.is_complete()) << set;
-  check_complex(set);
-  return counts_of(set);
-}
-
-// The images of the unknowns under a rotation by a random quaternion with small integers.
-std::array<Power_polynomial, 3> rotated(std::mt19937& random)
-{
-  std::uniform_int_distribution<int> any(-4, 4);
-  const int a = any(random), b = any(random), c = any(random), d = any(random) + 9;
-  const Rational s = Rational(1) / (a * a + b * b + c * c + d * d);
-  const auto row = [&](int p, int q, int r) {
-    return number(Rational(p * s)) * x + number(Rational(q * s)) * y + number(Rational(r * s)) * z;
-  };
-  return {row(a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)),
-          row(2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)),
-          row(2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d)};
 }
 
 } // namespace
@@ -253,23 +177,6 @@ TEST(Surface_solver, surfaces_that_meet_in_a_point)
   ASSERT_EQ(set.singular_points().size(), 1u);
   EXPECT_EQ(set.vertices()[set.singular_points()[0]].point(), (std::vector<double>{0, 0, 0}));
   EXPECT_TRUE(set.vertices()[set.singular_points()[0]].is_singular);
-}
-
-TEST(Surface_solver, singular_points_are_undecided)
-{
-  const SC::Surface_solution_set_d cone =
-      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)}));
-  EXPECT_FALSE(cone.is_complete());
-  check_complex(cone);
-  EXPECT_EQ(counts_of(cone), (Counts{{0, 2}, {0, 2}})); // without the apex
-  ASSERT_EQ(cone.undecided_regions().size(), 1u);
-  const std::vector<SC::Undecided_part> undecided = cone.undecided();
-  for (const auto& [lower, upper] : undecided[0].place) {
-    EXPECT_LT(lower, 1e-6);
-    EXPECT_GT(upper, -1e-6);
-  }
-  for (const SC::Solution_surface& surface : cone.surfaces())
-    EXPECT_TRUE(surface.is_open_ended);
 }
 
 // A saddle on a face of the domain, and a face that is touched along a circle: planes keep away from what is not known

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -52,7 +53,8 @@ struct Surface_arc
 \ingroup PkgSplineConstraintsDSolver
 
 A part of a surface of solutions: a disk. In its box the solutions are a graph over two of the unknowns, above the part
-of their plane that its boundary, seen along the others, is around.
+of their plane that its boundary, seen along the others, is around. Or they are singular in one point inside of the box,
+the apex of the patch: the cones with this apex over loops on the boundary of the box, each of which is a patch.
 */
 struct Surface_patch
 {
@@ -66,11 +68,11 @@ struct Surface_patch
   //! the box.
   Curve_vertex::Exact_box box;
 
-  //! the unknowns that the patch is a graph over.
+  //! the unknowns that the patch is a graph over; -1 for a patch with an apex.
   std::array<int, 2> parameters;
 
   //! the sign of the determinant of the derivatives of the equalities by all other unknowns, by proof the same on all
-  //! of the box. It orients the patch: those that meet in an arc agree.
+  //! of the box. It orients the patch: those that meet in an arc agree. It is 0 for a patch with an apex.
   int orientation;
 
   //! its boundary, one loop.
@@ -78,6 +80,10 @@ struct Surface_patch
 
   //! index of the surface that it belongs to.
   std::size_t surface = 0;
+
+  //! index of the vertex in which all solutions in the box meet, the only singular one, if the patch has an apex. It is
+  //! a vertex of no arc; the solutions but for it are a cylinder over the boundary.
+  std::optional<std::size_t> apex = std::nullopt;
 };
 
 /*!
@@ -172,11 +178,11 @@ public:
   const std::vector<Curve_vertex>& vertices() const { return m_vertices; }
 
   //! indices of the vertices that are single points: a surface of solutions of the equalities only touches the domain
-  //! there, from outside.
+  //! there, from outside, or the point is isolated.
   const std::vector<std::size_t>& points() const { return m_points; }
 
-  //! indices of the vertices where surfaces meet each other, or one itself, in a point. Singular points elsewhere are
-  //! undecided.
+  //! indices of the vertices where surfaces meet each other, or one itself, in a point, and of the apexes of patches.
+  //! Singular points elsewhere are undecided.
   const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
 
   //! number of unknowns of the problem. Ranges of boxes beyond are those of inequalities.

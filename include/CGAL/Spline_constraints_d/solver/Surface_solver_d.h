@@ -36,8 +36,11 @@ loop: then they are a disk. So no component and no hole is lost, however small, 
 A surface may touch a face of the domain: for one equality in three unknowns, and at a point with rational coordinates
 where the contact is of second order, it is decided from which side. Corners of the domain that surfaces pass through
 are decided for three unknowns. Inequalities cut surfaces as faces of the domain do, see `Surface_solution_set_d`.
-Vertices where surfaces meet are told. Other singular points and curves, repeated factors, and edges of the domain that
-are solutions, are left undecided; boxes that touch are one region.
+Vertices where surfaces meet are told. Of one equality in three unknowns, isolated singular points inside of the domain,
+and of the cells of splines, are decided with the disks that end in them: where the second derivative is regular, as at
+the apex of a cone, and rational ones where weights of the unknowns exist such that the terms of least weight have no
+other singular point, as where spheres touch. Other singular points and curves, repeated factors, and edges of the
+domain that are solutions, are left undecided; boxes that touch are one region.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
 number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.

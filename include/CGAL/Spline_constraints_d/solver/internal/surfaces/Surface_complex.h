@@ -61,6 +61,9 @@ public:
     std::vector<std::size_t> points = m_found.points;
     for (std::size_t& i : points)
       i = vertex(i, domain);
+    for (Surface_patch& patch : m_found.patches)
+      if (patch.apex)
+        patch.apex = vertex(*patch.apex, domain);
     std::vector<Undecided_surface_region> undecided = regions();
     std::vector<Solution_surface> surfaces = connected_surfaces(undecided);
     Summary summary = m_found.summary;
@@ -191,17 +194,20 @@ private:
     return m_arcs[side.arc].ends[side.is_reversed ? 1 : 0];
   }
 
-  // The vertices with several fans.
+  // The vertices with several fans, and those inside of patches.
   void find_singular_points(Sets& fans)
   {
     std::map<std::size_t, std::size_t> fan_at;
     std::set<std::size_t> result;
-    for (std::size_t p = 0; p < m_found.patches.size(); ++p)
+    for (std::size_t p = 0; p < m_found.patches.size(); ++p) {
+      if (m_found.patches[p].apex)
+        result.insert(*m_found.patches[p].apex);
       for (std::size_t k = 0; k < m_found.patches[p].boundary.size(); ++k) {
         const std::size_t own = vertex_at(m_found.patches[p].boundary[k]), fan = fans.find_set(m_first_corner[p] + k);
         if (fan_at.try_emplace(own, fan).first->second != fan)
           result.insert(own);
       }
+    }
     m_singular_points.assign(result.begin(), result.end());
     for (const std::size_t i : m_singular_points)
       m_vertices[i].is_singular = true;

@@ -13,6 +13,8 @@
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_finder.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Link_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/arc_loops.h>
 
 #include <algorithm>
@@ -87,6 +89,7 @@ public:
 
 private:
   Surface_findings& m_found;
+  Cone_finder m_cones;
   Node m_below, m_above; // parts of a box that is to be split
 
   // That a box is split along.
@@ -101,7 +104,7 @@ public:
   Surface_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
                       const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
                       Surface_findings& found)
-    : Search(system, cell, 2, domain_widths, options, control, found.summary), m_found(found)
+    : Search(system, cell, 2, domain_widths, options, control, found.summary), m_found(found), m_cones(m_equalities)
   {
     m_below.allocate(m_layout);
     m_above.allocate(m_layout);
@@ -133,7 +136,9 @@ public:
   Box_verdict examine(Node& node, State& state, int)
   {
     state.arcs = m_found.arcs.parts_of(state.arcs); // boxes on the other side may have cut them
-    return this->examine_box(node, state.box, state.age, [&] { return is_patch(state.box, state.arcs); });
+    const Box_verdict verdict =
+        this->examine_box(node, state.box, state.age, [&] { return is_patch(state.box, state.arcs); });
+    return verdict == Box_verdict::SPLIT && is_cone(state.box, state.arcs) ? Box_verdict::DONE : verdict;
   }
 
   // None for a box that is too small.
@@ -158,11 +163,16 @@ public:
 private:
   const Arc_store& store() const { return m_found.arcs; }
 
+  bool touches_open_part(const Exact_ranges& box) const
+  {
+    return std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(),
+                       [&](const Exact_ranges& part) { return touch(part, box); });
+  }
+
   // Finishes a box where the solutions are a graph, if its arcs are one loop, or none.
   bool is_patch(const Exact_ranges& box, const Arc_indices& arcs)
   {
-    const auto is_near = [&](const Exact_ranges& part) { return touch(part, box); };
-    if (std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(), is_near))
+    if (touches_open_part(box))
       return false;
     if (arcs.empty())
       return true;
@@ -174,6 +184,34 @@ private:
     return true;
   }
 
+  // Finishes a box where the solutions are the cone over its arcs, with a singular point as the apex: a disk for each
+  // loop.
+  bool is_cone(const Exact_ranges& box, const Arc_indices& arcs)
+  {
+    if (!m_cones.is_possible() || !may_gradient_vanish() || touches_open_part(box))
+      return false;
+    const Cone_point* const point = m_cones(box);
+    if (!point || !Link_test(*point, box)(store(), arcs))
+      return false;
+    std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store(), arcs);
+    if (!loops)
+      return false;
+    const std::size_t apex = m_found.arcs.add_vertex(Plane_point::singular(point->point));
+    if (loops->empty())
+      m_found.points.push_back(apex);
+    for (Arc_loop& loop : *loops)
+      m_found.patches.push_back({box, {-1, -1}, 0, std::move(loop), 0, apex});
+    return true;
+  }
+
+  bool may_gradient_vanish()
+  {
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (m_analysis.view.derivative_lower(0)[j] > 0 || m_analysis.view.derivative_upper(0)[j] < 0)
+        return false;
+    return true;
+  }
+
   // A plane where a part of the box is seen to be empty, or that surfaces cross; there are many through a small box
   // that will do, unless it is too small.
   std::optional<Plane> plane_of_split(const Node& node, const Exact_ranges& box, const Arc_indices& arcs)
@@ -182,6 +220,8 @@ private:
       for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
+          continue;
+        if (m_cones.is_near(box, axis, value, this->width(node, axis)))
           continue;
         if (m_control.must_stop(true))
           return std::nullopt;

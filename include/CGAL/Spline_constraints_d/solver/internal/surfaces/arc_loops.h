@@ -12,9 +12,11 @@
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,8 +24,10 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The loop that the arcs are; none if they are several, or an end does not belong to two of them.
-inline std::optional<std::vector<Surface_patch::Side>> single_loop(const Arc_store& store, const Arc_indices& arcs)
+using Arc_loop = std::vector<Surface_patch::Side>;
+
+// The loops that the arcs are; none if an end does not belong to two of them.
+inline std::optional<std::vector<Arc_loop>> loops_of_arcs(const Arc_store& store, const Arc_indices& arcs)
 {
   std::map<std::size_t, std::vector<std::size_t>> arcs_at;
   for (const std::size_t a : arcs)
@@ -32,17 +36,31 @@ inline std::optional<std::vector<Surface_patch::Side>> single_loop(const Arc_sto
   for (const auto& [vertex, own] : arcs_at)
     if (own.size() != 2 || own[0] == own[1])
       return std::nullopt;
-  std::vector<Surface_patch::Side> loop;
-  std::size_t arc = arcs.front(), vertex = store.arcs()[arc].ends[0];
-  do {
-    const std::array<std::size_t, 2>& ends = store.arcs()[arc].ends;
-    const bool is_reversed = ends[0] != vertex;
-    loop.push_back({arc, is_reversed});
-    vertex = ends[is_reversed ? 0 : 1];
-    const std::vector<std::size_t>& both = arcs_at[vertex];
-    arc = both[0] == arc ? both[1] : both[0];
-  } while (arc != arcs.front());
-  return loop.size() == arcs.size() ? std::optional(std::move(loop)) : std::nullopt;
+  std::vector<Arc_loop> result;
+  std::set<std::size_t> done;
+  for (const std::size_t first : arcs) {
+    if (done.count(first) > 0)
+      continue;
+    Arc_loop& loop = result.emplace_back();
+    std::size_t arc = first, vertex = store.arcs()[first].ends[0];
+    do {
+      const std::array<std::size_t, 2>& ends = store.arcs()[arc].ends;
+      const bool is_reversed = ends[0] != vertex;
+      loop.push_back({arc, is_reversed});
+      done.insert(arc);
+      vertex = ends[is_reversed ? 0 : 1];
+      const std::vector<std::size_t>& both = arcs_at[vertex];
+      arc = both[0] == arc ? both[1] : both[0];
+    } while (arc != first);
+  }
+  return result;
+}
+
+// The loop that the arcs are, if it is just one.
+inline std::optional<Arc_loop> single_loop(const Arc_store& store, const Arc_indices& arcs)
+{
+  std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store, arcs);
+  return loops && loops->size() == 1 ? std::optional(std::move(loops->front())) : std::nullopt;
 }
 
 } // namespace internal

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_CONE_FINDER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_CONE_FINDER_H
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Gauss_newton_search.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Quadratic_cone_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Weighted_cone_test.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Finds singular points of the surface of one equality in three unknowns, in one cell: rational ones, and others where
+the second derivative is regular. It knows which of them are proved to be cones or isolated.
+*/
+class Cone_finder
+{
+  // Relative to the cell. In large boxes points are looked for, so that planes keep away from them. Boxes around points
+  // where surfaces touch may be moderate: to tell the sheets apart costs many boxes for each smaller one.
+  static constexpr double large = 0x1p-2, moderate = 0x1p-4, small = 0x1p-6;
+
+  const Constraint_system_d& m_system; // without breaks
+  std::vector<double> m_lengths;
+  std::optional<Power_polynomial> m_equation; // made when it is needed
+  std::vector<Power_polynomial> m_conditions; // it and its derivatives
+  Polynomials_with_gradients<double> m_rounded;
+  Polynomials_with_gradients<Exact_rational> m_exact;
+  std::deque<Cone_point> m_points;
+  std::vector<Exact_point> m_places; // singular points, or near them, proved or not
+  std::size_t m_calls = 0, m_steps = 0, m_attempts = 0;
+
+public:
+  explicit Cone_finder(const Constraint_system_d& system) : m_system(system)
+  {
+    for (const auto& [lower, upper] : domain_of(m_system))
+      m_lengths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
+  }
+
+  bool is_possible() const { return m_system.dimension() == 3 && m_system.equalities().size() == 1; }
+
+  // A point that is the only singular one in a box and lies inside, if the box is small and lies inside of the cell.
+  const Cone_point* operator()(const Exact_ranges& box)
+  {
+    if (!is_smaller(box, large))
+      return nullptr;
+    ++m_calls;
+    if (!known(box))
+      search(box);
+    const Cone_point* const result = known(box);
+    return result && is_inside(result->point, box) && is_inside(box, domain_of(m_system)) &&
+            is_smaller(box, result->is_quadratic() ? small : moderate)
+        ? result
+        : nullptr;
+  }
+
+  // Whether a plane through a box comes near to a singular point in it, for a box of that width.
+  bool is_near(const Exact_ranges& box, int axis, const Exact_rational& value, double width) const
+  {
+    constexpr double far = 0.2;
+    return std::any_of(m_places.begin(), m_places.end(), [&](const Exact_point& place) {
+      for (std::size_t j = 0; j < 3; ++j)
+        if (place[j] < box[j].first || box[j].second < place[j])
+          return false;
+      return CGAL::to_double(Exact_rational(CGAL::abs(place[static_cast<std::size_t>(axis)] - value))) < far * width;
+    });
+  }
+
+private:
+  bool is_smaller(const Exact_ranges& box, double share) const
+  {
+    for (std::size_t j = 0; j < box.size(); ++j)
+      if (CGAL::to_double(Exact_rational(box[j].second - box[j].first)) > share * m_lengths[j])
+        return false;
+    return true;
+  }
+
+  static bool is_inside(const Exact_ranges& inner, const Exact_ranges& outer)
+  {
+    for (std::size_t j = 0; j < inner.size(); ++j)
+      if (inner[j].first <= outer[j].first || outer[j].second <= inner[j].second)
+        return false;
+    return true;
+  }
+
+  // The point whose region has a box.
+  const Cone_point* known(const Exact_ranges& box) const
+  {
+    const auto found = std::find_if(m_points.begin(), m_points.end(),
+                                    [&](const Cone_point& point) { return is_within(box, point.region); });
+    return found == m_points.end() ? nullptr : &*found;
+  }
+
+  // Where there are none, or many that cannot be proved, this costs a part of what the boxes do.
+  void search(const Exact_ranges& box)
+  {
+    constexpr std::size_t few_steps = 1000, more_steps = 8, few_attempts = 8, more_attempts = 4;
+    if (m_steps > few_steps + more_steps * m_calls || m_attempts > few_attempts + more_attempts * m_points.size())
+      return;
+    prepare();
+    Exact_ranges near = box;
+    for (std::size_t j = 0; j < near.size(); ++j) {
+      near[j].first -= Exact_rational(small * m_lengths[j]);
+      near[j].second += Exact_rational(small * m_lengths[j]);
+    }
+    if (const std::optional<Exact_point> point = rational_point_in(near))
+      add(box_around(*point, Exact_point(3, Exact_rational(0))), *point);
+    else if (const std::optional<Exact_ranges> irrational = irrational_point_in(near)) {
+      Exact_point middle;
+      for (const auto& [lower, upper] : *irrational)
+        middle.push_back(Exact_rational((lower + upper) / 2));
+      add(*irrational, middle);
+    }
+  }
+
+  void prepare()
+  {
+    if (m_equation)
+      return;
+    m_equation = *restricted(m_system.equalities().front(), Partial_point(3));
+    m_conditions = {*m_equation, m_equation->derivative(0), m_equation->derivative(1), m_equation->derivative(2)};
+    for (const Power_polynomial& condition : m_conditions) {
+      m_rounded.add(condition);
+      m_exact.add(condition);
+    }
+  }
+
+  void add(const Exact_ranges& point, const Exact_point& middle)
+  {
+    if (std::find(m_places.begin(), m_places.end(), middle) != m_places.end())
+      return;
+    m_places.push_back(middle);
+    ++m_attempts;
+    std::optional<Cone_point> proved = Quadratic_cone_test(*m_equation, middle)(point, m_lengths);
+    if (!proved && is_within(point, box_around(middle, Exact_point(3, Exact_rational(0)))))
+      proved = weighted_cone_point(*m_equation, middle, m_lengths);
+    if (proved)
+      m_points.push_back(*std::move(proved));
+  }
+
+  std::optional<Exact_point> rational_point_in(const Exact_ranges& box)
+  {
+    constexpr std::size_t steps_for_digits = 64; // that cost as much
+    const auto is_singular = [this](const Exact_point& point) {
+      return std::all_of(m_conditions.begin(), m_conditions.end(),
+                         [&](const Power_polynomial& condition) { return CGAL::is_zero(condition(point)); });
+    };
+    Gauss_newton_search<double> quick(m_rounded, box, is_singular);
+    Search_result found = quick();
+    m_steps += quick.steps();
+    if (!found.is_unclear)
+      return found.point;
+    Gauss_newton_search<Exact_rational> slow(m_exact, box, is_singular);
+    found = slow();
+    m_steps += steps_for_digits * slow.steps();
+    return found.point;
+  }
+
+  // Newton's method for the gradient, and the solver where it leads to.
+  std::optional<Exact_ranges> irrational_point_in(const Exact_ranges& box)
+  {
+    constexpr double near = 0x1p-20, seems_to_be_zero = 0x1p-30;
+    constexpr std::size_t most_nodes = 1000;
+    const std::optional<std::vector<double>> place = critical_point_in(box);
+    if (!place)
+      return std::nullopt;
+    const auto value = m_rounded(*place).front();
+    if (!(std::abs(value.value) <= seems_to_be_zero * value.size))
+      return std::nullopt;
+    Exact_point middle(place->begin(), place->end()), distances;
+    for (const double length : m_lengths)
+      distances.emplace_back(near * length);
+    Constraint_system_d system(box_around(middle, distances));
+    for (const Power_polynomial& condition : m_conditions)
+      if (!condition.is_zero())
+        system.add(condition, Relation::EQUAL);
+    const Solution_set_d<double> points =
+        Subdivision_solver_d<Certified_solver_traits>({.node_limit = most_nodes})(system);
+    if (!points.is_complete() || points.size() != 1 ||
+        points.count(Solution_kind::CERTIFIED) + points.count(Solution_kind::CLUSTER) != 1)
+      return std::nullopt;
+    return points.begin()->exact_box();
+  }
+
+  std::optional<std::vector<double>> critical_point_in(const Exact_ranges& box)
+  {
+    constexpr int most_steps = 20;
+    constexpr double short_step = 0x1p-45;
+    std::vector<double> place;
+    for (const auto& [lower, upper] : box)
+      place.push_back(CGAL::to_double(Exact_rational((lower + upper) / 2)));
+    for (int step = 0; step < most_steps; ++step) {
+      ++m_steps;
+      const auto values = m_rounded(place);
+      std::vector<double> rows;
+      for (std::size_t i = 1; i < values.size(); ++i) {
+        rows.insert(rows.end(), values[i].gradient.begin(), values[i].gradient.end());
+        rows.push_back(values[i].value);
+      }
+      const std::vector<int> row_of = gauss_jordan(rows, 4, 3, 3, [](double x) { return std::abs(x); });
+      if (row_of.empty())
+        return std::nullopt;
+      double longest = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double change = rows[static_cast<std::size_t>(4 * row_of[j] + 3)];
+        place[j] -= change;
+        longest = (std::max)(longest, std::abs(change) / m_lengths[j]);
+        if (!std::isfinite(place[j]) || place[j] < CGAL::to_double(box[j].first) ||
+            place[j] > CGAL::to_double(box[j].second))
+          return std::nullopt;
+      }
+      if (longest < short_step)
+        return place;
+    }
+    return std::nullopt;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_CONE_FINDER_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Singular points and curves of surfaces of solutions: cones, nodes, points where surfaces touch, isolated ones, with
+// the disks that end in each; surfaces that nearly have such points; singular curves, which stay undecided in a short
+// time.
+
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
+
+#include "surface_test_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace surface_singularities_test {
+
+namespace SC = CGAL::Spline_constraints;
+using SC::Power_polynomial;
+using Rational = SC::Exact_rational;
+using surface_test_checks::check_complex, surface_test_checks::Counts, surface_test_checks::counts,
+    surface_test_checks::counts_of, surface_test_checks::cube, surface_test_checks::number,
+    surface_test_checks::rotated, surface_test_checks::square, surface_test_checks::system,
+    surface_test_checks::variable;
+
+namespace {
+
+const Power_polynomial x = variable(0), y = variable(1), z = variable(2);
+
+Power_polynomial ratio(int p, int q) { return number(Rational(p) / q); }
+
+// Of radius 1.
+Power_polynomial sphere_at(const Power_polynomial& a, const Power_polynomial& b, const Power_polynomial& c)
+{
+  return square(x - a) + square(y - b) + square(z - c) - number(1);
+}
+
+// How many disks end in each singular point of a complete answer, and that they do.
+std::vector<std::size_t> disks_at_points(const SC::Surface_solution_set_d& set)
+{
+  EXPECT_TRUE(set.is_complete()) << set;
+  check_complex(set);
+  std::map<std::size_t, std::size_t> disks;
+  for (const std::size_t i : set.singular_points())
+    disks[i] = 0;
+  for (const SC::Surface_patch& patch : set.patches()) {
+    if (!patch.apex)
+      continue;
+    ++disks.at(*patch.apex);
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_LT(patch.box[j].first, set.vertices()[*patch.apex].box[j].first);
+      EXPECT_GT(patch.box[j].second, set.vertices()[*patch.apex].box[j].second);
+    }
+    for (const SC::Surface_patch::Side& side : patch.boundary) {
+      const SC::Surface_arc& arc = set.arcs()[side.arc];
+      const auto& value = arc.box[arc.plane].first;
+      EXPECT_TRUE(value == patch.box[arc.plane].first || value == patch.box[arc.plane].second);
+    }
+  }
+  std::vector<std::size_t> result;
+  for (const auto& [vertex, count] : disks)
+    result.push_back(count);
+  return result;
+}
+
+} // namespace
+
+TEST(Surface_singularities, cones)
+{
+  const SC::Surface_solution_set_d cone =
+      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)}));
+  EXPECT_EQ(disks_at_points(cone), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(counts_of(cone), (Counts{{1, 1}, {1, 1}}));
+  EXPECT_EQ(cone.vertices()[cone.singular_points()[0]].point(), (std::vector<double>{0, 0, 0}));
+  std::mt19937 random(7);
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b, c] = rotated(random);
+    const SC::Surface_solution_set_d set = SC::solve_surfaces(
+        system(cube(2), {square(a - ratio(1, 3)) + number(2) * square(b + ratio(1, 7)) - square(c - ratio(k, 5))}));
+    EXPECT_EQ(disks_at_points(set), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(set.surfaces().size(), 2u);
+  }
+}
+
+// Each node has an irrational coordinate.
+TEST(Surface_singularities, nodes_of_a_cubic)
+{
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(
+      system(cube(3), {square(x) + square(y) - square(x) * z + square(y) * z + square(z) - number(1)}));
+  EXPECT_EQ(disks_at_points(set), std::vector<std::size_t>(4, 2));
+  EXPECT_EQ(counts_of(set), (Counts{{1, 1}, {1, 1}, {1, 1}, {1, 1}, {2, 0}}));
+  std::set<std::array<int, 3>> places; // in units of the square root of two, and of one
+  for (const std::size_t i : set.singular_points()) {
+    const std::vector<double> point = set.vertices()[i].point();
+    std::array<int, 3> rounded;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double unit = j < 2 ? std::sqrt(2.0) : 1;
+      rounded[j] = static_cast<int>(std::lround(point[j] / unit));
+      EXPECT_NEAR(point[j], rounded[j] * unit, 1e-14);
+    }
+    places.insert(rounded);
+  }
+  EXPECT_EQ(places, (std::set<std::array<int, 3>>{{1, 0, 1}, {-1, 0, 1}, {0, 1, -1}, {0, -1, -1}}));
+}
+
+TEST(Surface_singularities, isolated_points)
+{
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(
+      system(cube(1), {square(x - ratio(1, 3)) + number(3) * square(y - ratio(1, 7)) + square(z - x * y)}));
+  EXPECT_TRUE(set.is_complete());
+  EXPECT_TRUE(set.surfaces().empty());
+  EXPECT_TRUE(set.singular_points().empty());
+  ASSERT_EQ(set.points().size(), 1u);
+  EXPECT_TRUE(set.vertices()[set.points()[0]].is_singular);
+  EXPECT_EQ(set.vertices()[set.points()[0]].box[0].first, Rational(1) / 3);
+  EXPECT_EQ(set.vertices()[set.points()[0]].box[2].first, Rational(1) / 21);
+}
+
+TEST(Surface_singularities, touching_spheres)
+{
+  for (const auto& [a, b, c] :
+       {std::array{number(2), number(0), number(0)}, std::array{ratio(2, 3), ratio(4, 3), ratio(4, 3)}}) {
+    const SC::Surface_solution_set_d set =
+        SC::solve_surfaces(system(cube(4), {sphere_at(number(0), number(0), number(0)) * sphere_at(a, b, c)}));
+    EXPECT_EQ(disks_at_points(set), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(counts_of(set), (Counts{{2, 0}, {2, 0}}));
+    const SC::Curve_vertex& vertex = set.vertices()[set.singular_points()[0]];
+    for (int j = 0; j < 3; ++j)
+      EXPECT_EQ(vertex.box[j].first + vertex.box[j].first, (std::array{a, b, c}[j].constant_term()));
+  }
+}
+
+// Joined by a neck, or parted.
+TEST(Surface_singularities, cones_that_are_hyperboloids)
+{
+  for (const int sign : {-1, 1}) {
+    const Power_polynomial e = number(Rational(sign) / 1000000000);
+    EXPECT_EQ(counts(system(cube(2), {square(x) + square(y) - square(z) + e})),
+              sign < 0 ? (Counts{{0, 2}}) : (Counts{{1, 1}, {1, 1}}));
+  }
+}
+
+// Second derivatives of rank 2, 1 and 0.
+TEST(Surface_singularities, degenerate_points)
+{
+  const auto solved = [](const Power_polynomial& f) { return SC::solve_surfaces(system(cube(1), {f})); };
+  const SC::Surface_solution_set_d cusp = solved(square(x) + square(y) - z * square(z)),
+                                   ding_dong = solved(square(x) + square(y) - square(z) * (ratio(1, 2) - z)),
+                                   tacnode = solved(square(x) + square(y) - square(square(z))),
+                                   three_sectors = solved(square(x) + y * square(y) - y * square(z)),
+                                   monkey_saddle = solved(z * square(z) - x * square(x) + number(3) * x * square(y) +
+                                                          ratio(1, 2) * square(square(x)));
+  EXPECT_EQ(disks_at_points(cusp), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(counts_of(cusp), (Counts{{1, 1}}));
+  EXPECT_EQ(disks_at_points(ding_dong), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(counts_of(ding_dong), (Counts{{1, 1}, {2, 0}}));
+  EXPECT_EQ(disks_at_points(tacnode), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(disks_at_points(three_sectors), (std::vector<std::size_t>{3}));
+  EXPECT_EQ(counts_of(three_sectors), (Counts{{1, 1}, {1, 1}, {1, 1}}));
+  EXPECT_EQ(disks_at_points(monkey_saddle), (std::vector<std::size_t>{1}));
+}
+
+// In an answer that is not complete each undecided region has the arcs of surfaces that reach it.
+static void expect_open_region(const SC::Surface_solution_set_d& set, std::size_t surfaces)
+{
+  EXPECT_FALSE(set.is_complete());
+  check_complex(set);
+  EXPECT_EQ(set.surfaces().size(), surfaces);
+  ASSERT_EQ(set.undecided_regions().size(), 1u);
+  std::set<std::size_t> open;
+  for (const std::size_t a : set.undecided_regions()[0].arcs) {
+    EXPECT_EQ(set.arcs()[a].patches, 1);
+    open.insert(a);
+  }
+  for (const SC::Solution_surface& surface : set.surfaces()) {
+    EXPECT_TRUE(surface.is_open_ended);
+    std::size_t on_region = 0;
+    for (const std::vector<std::size_t>& loop : surface.boundary)
+      on_region += static_cast<std::size_t>(
+          std::count_if(loop.begin(), loop.end(), [&](std::size_t a) { return open.count(a) > 0; }));
+    EXPECT_GT(on_region, 0u);
+  }
+}
+
+// Whitney's umbrella, whose handle is a line; spheres that cross in a circle; half of a cone, with the apex on a face.
+TEST(Surface_singularities, singular_curves_are_undecided)
+{
+  expect_open_region(SC::solve_surfaces(system(cube(1), {square(x) - square(y) * z})), 2);
+  const SC::Surface_solution_set_d crossing = SC::solve_surfaces(
+      system({{-2, 3}, {-2, 2}, {-2, 2}},
+             {sphere_at(number(0), number(0), number(0)) * sphere_at(number(1), number(0), number(0))}));
+  expect_open_region(crossing, 4);
+  EXPECT_EQ(counts_of(crossing), Counts(4, {1, 1})); // two caps of each
+  EXPECT_LT(crossing.summary().nodes, 100000u);
+  const SC::Surface_solution_set_d on_face =
+      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {0, 1}}, {square(x) + square(y) - square(z)}));
+  EXPECT_FALSE(on_face.is_complete());
+  check_complex(on_face);
+  EXPECT_FALSE(on_face.undecided_regions().empty());
+}
+
+} // namespace surface_singularities_test
