@@ -167,6 +167,16 @@ TEST(Surface_singularities, degenerate_points)
   EXPECT_EQ(disks_at_points(monkey_saddle), (std::vector<std::size_t>{1}));
 }
 
+// Surfaces that are singular everywhere.
+TEST(Surface_singularities, repeated_factors)
+{
+  const Power_polynomial sphere = sphere_at(number(0), number(0), number(0));
+  EXPECT_EQ(counts(system(cube(2), {square(sphere)})), (Counts{{2, 0}}));
+  EXPECT_EQ(counts(system(cube(2), {square(sphere) * sphere * (z - number(Rational(3) / 2))})),
+            (Counts{{1, 1}, {2, 0}}));
+  EXPECT_EQ(counts(system(cube(2, 4), {square(sphere), variable(3) - x * y})), (Counts{{2, 0}}));
+}
+
 // In an answer that is not complete each undecided region has the arcs of surfaces that reach it.
 static void expect_open_region(const SC::Surface_solution_set_d& set, std::size_t surfaces)
 {

@@ -39,8 +39,8 @@ are decided for three unknowns. Inequalities cut surfaces as faces of the domain
 Vertices where surfaces meet are told. Of one equality in three unknowns, isolated singular points inside of the domain,
 and of the cells of splines, are decided with the disks that end in them: where the second derivative is regular, as at
 the apex of a cone, and rational ones where weights of the unknowns exist such that the terms of least weight have no
-other singular point, as where spheres touch. Other singular points and curves, repeated factors, and edges of the
-domain that are solutions, are left undecided; boxes that touch are one region.
+other singular point, as where spheres touch. Repeated factors of equalities are left out. Other singular points and
+curves, and edges of the domain that are solutions, are left undecided; boxes that touch are one region.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
 number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.

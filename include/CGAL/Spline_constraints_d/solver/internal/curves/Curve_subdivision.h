@@ -74,6 +74,9 @@ unknown are the ends of the pieces; or when all of them end in one singular poin
 
 Inequalities that neither hold everywhere in a box nor exclude it have their zeros among the vertices of a graph, so
 that they hold for all points between two vertices or for none.
+
+Who needs regular curves only wants to know nothing else: singular points are not looked for, and the first box that is
+left undecided ends the search.
 */
 template <class Traits>
 class Curve_subdivision : Graph_box_search<Traits>
@@ -97,6 +100,7 @@ private:
   const Constraint_system_d m_closure; // without inequations
   Curve_vertices& m_vertices;
   Singular_branch_finder m_singular_branches;
+  const bool m_needs_regular;
   std::size_t m_budget = 0, m_open_before = 0;
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
@@ -105,11 +109,11 @@ private:
 public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
                     const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
-                    Curve_findings& findings)
+                    Curve_findings& findings, bool needs_regular = false)
     : Search(system, cell, 1, domain_widths, options, control, findings.summary),
       m_closure(without_inequations(m_system)), m_vertices(findings.vertices),
-      m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces),
-      m_undecided(findings.undecided), m_pending(findings.pending)
+      m_singular_branches(m_system, domain_widths, findings.vertices), m_needs_regular(needs_regular),
+      m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 
   // Looks at no more boxes than the budget allows. `open_before`: how many have been left undecided elsewhere.
@@ -131,7 +135,7 @@ public:
       m_undecided.push_back({std::move(state.box), std::move(state.vertices), reason});
       return false;
     }
-    if (m_summary.nodes >= m_budget) {
+    if (m_summary.nodes >= m_budget || (m_needs_regular && !m_undecided.empty())) {
       m_pending.push_back({domain_of(m_system), std::move(state.box), std::move(state.vertices), depth});
       return false;
     }
@@ -180,7 +184,7 @@ private:
   // Makes the pieces of a box whose only solutions are branches that end in one singular point.
   bool has_singular_point(const Exact_ranges& box, const Vertex_indices& vertices, int depth)
   {
-    if (depth % m_layout.dimension != 0 || (m_layout.equalities == 1 && !may_gradient_vanish()))
+    if (m_needs_regular || depth % m_layout.dimension != 0 || (m_layout.equalities == 1 && !may_gradient_vanish()))
       return false;
     const std::optional<Singular_branches> branches = m_singular_branches(box, vertices, m_open_inequalities);
     for (std::size_t i = 0; branches && i < branches->ends.size(); ++i)

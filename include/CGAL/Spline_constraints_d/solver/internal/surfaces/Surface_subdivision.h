@@ -49,15 +49,16 @@ struct Surface_findings
   Summary summary = {};
 };
 
-// The curves of a system of polynomials on a box, where these vertices are all on its boundary.
+// The curves of a system of polynomials on a box, where these vertices are all on its boundary; or, if one needs
+// regular ones, what tells that some are not.
 inline void find_curves(const Constraint_system_d& system, const Exact_ranges& box, const Solver_options& options,
-                        Run_control& control, std::size_t budget, Curve_findings& found)
+                        Run_control& control, std::size_t budget, bool needs_regular, Curve_findings& found)
 {
   std::vector<double> widths;
   for (const auto& [lower, upper] : box)
     widths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
   std::vector<std::size_t> vertices(found.vertices.size());
-  Curve_subdivision<Certified_solver_traits>(system, box, widths, options, control, found)
+  Curve_subdivision<Certified_solver_traits>(system, box, widths, options, control, found, needs_regular)
       .run({box, box, std::move(vertices), 0}, budget, 0);
 }
 
@@ -337,7 +338,7 @@ private:
   bool find_regular_curves(const Constraint_system_d& plane, Curve_findings& found)
   {
     constexpr std::size_t budget = 4096;
-    find_curves(plane, domain_of(plane), m_options, m_control, budget, found);
+    find_curves(plane, domain_of(plane), m_options, m_control, budget, true, found);
     m_summary.nodes += found.summary.nodes + found.vertices.work().nodes;
     if (!found.undecided.empty() || !found.pending.empty())
       return false;

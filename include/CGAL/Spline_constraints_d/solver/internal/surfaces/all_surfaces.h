@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_complex.h>
@@ -135,7 +136,7 @@ private:
       m_found.open_parts.push_back(face);
       return {};
     }
-    find_curves(plane, box, m_options, m_control, (std::numeric_limits<std::size_t>::max)(), found);
+    find_curves(plane, box, m_options, m_control, (std::numeric_limits<std::size_t>::max)(), false, found);
     m_found.summary.nodes += found.summary.nodes + found.vertices.work().nodes;
     for (const Undecided_box& undecided : found.undecided)
       m_found.open_parts.push_back(lifted(undecided.box));
@@ -175,6 +176,50 @@ private:
   }
 };
 
+// Whether a short polynomial has repeated factors; for a long one, or a spline, this is not looked at.
+inline bool is_seen_to_be_repeated(const Spline_function& function, int dimension)
+{
+  constexpr std::size_t short_polynomial = 200;
+  const auto size = [](const Spline_term& term) {
+    return term.pieces.size() == 1 ? term.pieces[0].size() : short_polynomial;
+  };
+  std::size_t coefficients = 0;
+  for (const Spline_term& term : function.terms())
+    coefficients += size(term);
+  return coefficients < short_polynomial &&
+      square_free_factors(*restricted(function, Partial_point(static_cast<std::size_t>(dimension)))).size() > 1;
+}
+
+/*
+The surfaces of equalities. If these have repeated factors they are left out, and the equalities replaced. Of short
+polynomials this is known at once. For others it is asked when boxes are left at the tolerance, as where surfaces count
+several times.
+*/
+template <class Traits>
+Surface_findings surfaces_of_simple_factors(std::shared_ptr<const Constraint_system_d>& equalities,
+                                            const Solver_options& options, Run_control& control)
+{
+  const auto is_small = [](const Undecided_surface_box& box) { return box.reason == Undecided_reason::TOLERANCE; };
+  const auto is_repeated = [&](const Spline_function& f) { return is_seen_to_be_repeated(f, equalities->dimension()); };
+  Surface_findings found;
+  if (std::none_of(equalities->equalities().begin(), equalities->equalities().end(), is_repeated)) {
+    found = All_surfaces<Traits>(*equalities, options, control)();
+    if (std::none_of(found.undecided.begin(), found.undecided.end(), is_small))
+      return found;
+  }
+  const Simple_factors factors(*equalities);
+  if (!factors.is_simpler())
+    return found;
+  const std::size_t nodes = found.summary.nodes;
+  equalities = std::make_shared<const Constraint_system_d>(factors.system());
+  Solver_options rest = options;
+  if (options.node_limit > 0)
+    rest.node_limit = (std::max)(options.node_limit - (std::min)(nodes, options.node_limit), std::size_t(1));
+  found = All_surfaces<Traits>(*equalities, rest, control)();
+  found.summary.nodes += nodes;
+  return found;
+}
+
 // All surfaces of solutions of a system.
 template <class Traits>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
@@ -188,7 +233,7 @@ Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Sol
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere))
     found.undecided.push_back({domain_of(*equalities), {}, Undecided_reason::CONTINUUM});
   else
-    found = All_surfaces<Traits>(*equalities, control.options_of_parts(options), control)();
+    found = surfaces_of_simple_factors<Traits>(equalities, control.options_of_parts(options), control);
   found.summary.seconds = control.seconds();
   return Surface_complex(std::move(found)).solution_set(std::move(equalities), system.dimension());
 }
