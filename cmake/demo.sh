@@ -22,10 +22,13 @@ failures=0
 
 if [ -x "$programs/solve_system" ]; then
   printf '\nsolve_system\n'
-  for system in "$examples"/data/*.bch "$examples"/data/curves/*.bch; do
+  for system in "$examples"/data/*.bch "$examples"/data/curves/*.bch "$examples"/data/surfaces/*.bch; do
     [ -e "$system" ] || continue
     status=0
-    output=$("$programs/solve_system" "$system") || status=$?
+    case $system in
+      */surfaces/*) output=$("$programs/solve_system" "$system" --output "$(basename "$system" .bch).svg") || status=$? ;;
+      *) output=$("$programs/solve_system" "$system") || status=$? ;;
+    esac
     printf '  %-28s %s\n' "$(basename "$system")" "$(printf '%s\n' "$output" | tail -n 1)"
     if [ "$status" -ne 0 ]; then
       printf '  %-28s exit status %s\n' '' "$status"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less
-// than unknowns, every curve of solutions.
+// than unknowns, every curve of solutions, and with two less, every surface.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
@@ -12,10 +12,12 @@
 // every solution is accounted for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
+#include "surface_output.h"
 
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <algorithm>
@@ -31,7 +33,8 @@ struct Arguments
 {
   std::string file, number_type = "certified", test = "graph", output;
   SC::Solver_options options;
-  bool json = false, parallel = false, whole = false;
+  double chord_error = 0; // a five hundredth of the domain
+  bool has_tolerance = false, json = false, parallel = false, whole = false;
 };
 
 Arguments parse(int argc, char* argv[])
@@ -45,7 +48,11 @@ Arguments parse(int argc, char* argv[])
       return std::string(argv[i]);
     };
     if (word == "--number-type") result.number_type = value();
-    else if (word == "--tolerance") result.options.tolerance = number(word, value());
+    else if (word == "--tolerance") {
+      result.options.tolerance = number(word, value());
+      result.has_tolerance = true;
+    }
+    else if (word == "--chord-error") result.chord_error = number(word, value());
     else if (word == "--test") result.test = value();
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
     else if (word == "--parallel") result.parallel = true;
@@ -58,10 +65,29 @@ Arguments parse(int argc, char* argv[])
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
                             " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--whole] [--json] "
-                            "[--output FILE.svg|FILE.vtp|FILE.txt]");
+                            "[--output FILE.svg|.vtp|.txt|.off|.ply|.stl] [--chord-error E]");
   if (result.parallel && result.number_type != "certified")
     throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
+}
+
+int solve_for_surfaces(const Arguments& arguments, const std::vector<std::string>& names,
+                       const SC::Constraint_system_d& system)
+{
+  SC::Solver_options options = arguments.options;
+  if (!arguments.has_tolerance)
+    options.tolerance = 1e-8;
+  Progress_bar progress;
+  const auto surfaces = SC::Surface_solver_d<>(options)(system, progress);
+  progress.clear();
+  if (!arguments.output.empty()) {
+    double size = 0;
+    for (int j = 0; j < 3; ++j)
+      size = (std::max)(size, CGAL::to_double(SC::Exact_rational(system.domain(j).second - system.domain(j).first)));
+    write_surfaces(arguments.output, surfaces, arguments.chord_error > 0 ? arguments.chord_error : size / 500);
+  }
+  print_surfaces(names, surfaces);
+  return surfaces.is_complete() ? 0 : 3;
 }
 
 template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
@@ -89,8 +115,15 @@ int solve(Arguments arguments)
     throw SC::Invalid_input("curves of solutions go with --number-type certified, and are not written as JSON");
   }
 
+  if (static_cast<int>(system.equalities().size()) + 2 == system.dimension()) {
+    if constexpr (std::is_same_v<Number, double> && tracks_rounding)
+      if (!arguments.json)
+        return solve_for_surfaces(arguments, input.names, system);
+    throw SC::Invalid_input("surfaces of solutions go with --number-type certified, and are not written as JSON");
+  }
+
   if (!arguments.output.empty())
-    throw SC::Invalid_input("--output is for curves of solutions: one equality less than unknowns");
+    throw SC::Invalid_input("--output is for curves and surfaces of solutions: one or two equalities less than unknowns");
 
   Progress_bar progress;
   const auto run = [&]<class Test>() {

@@ -273,6 +273,39 @@ TEST(Surface_mesh, breaks_of_splines_are_edges)
   EXPECT_NEAR(PMP::area(result.mesh), 4 * std::sqrt(2.0), 1e-12);
 }
 
+// A double cone, and the four nodes of Cayley's cubic: a vertex for each fan of triangles at an apex.
+TEST(Surface_mesh, singular_points)
+{
+  const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-1, 1});
+  const SC::Surface_solution_set_d cone = SC::solve_surfaces(square(x) + square(y) == square(z));
+  ASSERT_EQ(cone.euler_characteristic(), 2);
+  const SC::Solution_surface_mesh result = SC::to_surface_mesh(cone, {.chord_error = 0.01});
+  EXPECT_TRUE(result.is_complete());
+  EXPECT_LE(result.error, 0.012);
+  EXPECT_EQ(characteristic(result.mesh), 2);
+  EXPECT_EQ(number_of_boundaries(result.mesh), 2u);
+  EXPECT_EQ(std::count(result.mesh.points().begin(), result.mesh.points().end(), Mesh::Point(0, 0, 0)), 2);
+  EXPECT_NEAR(PMP::area(result.mesh), 2 * std::sqrt(2.0) * CGAL_PI, 0.1);
+
+  const auto [p, q, r] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
+  const SC::Surface_solution_set_d cayley =
+      SC::solve_surfaces(square(p) + square(q) - square(p) * r + square(q) * r + square(r) == 1);
+  ASSERT_TRUE(cayley.is_complete());
+  ASSERT_EQ(cayley.singular_points().size(), 4u);
+  const SC::Solution_surface_mesh nodes = SC::to_surface_mesh(cayley, {.chord_error = 0.03});
+  EXPECT_EQ(characteristic(nodes.mesh), cayley.euler_characteristic());
+  EXPECT_EQ(number_of_boundaries(nodes.mesh), cayley.number_of_boundary_loops());
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(nodes.mesh));
+  for (const auto f : nodes.mesh.faces()) { // oriented as the gradient is, beside the nodes, too
+    const auto h = nodes.mesh.halfedge(f);
+    const auto &a = nodes.mesh.point(nodes.mesh.source(h)), &b = nodes.mesh.point(nodes.mesh.target(h)),
+               &c = nodes.mesh.point(nodes.mesh.target(nodes.mesh.next(h)));
+    EXPECT_GT(CGAL::cross_product(b - a, c - a) *
+                  (nodes.differentials[nodes.mesh.target(h)].normal + nodes.differentials[nodes.mesh.source(h)].normal),
+              0);
+  }
+}
+
 TEST(Surface_mesh, limits_and_bad_input)
 {
   const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
@@ -287,9 +320,28 @@ TEST(Surface_mesh, limits_and_bad_input)
   EXPECT_EQ(other.unknowns[*other.mesh.vertices().begin()], copy.unknowns[*copy.mesh.vertices().begin()]);
 
   const auto [p, q, r, s] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
-  const SC::Surface_solution_set_d higher = SC::solve_surfaces(square(p) + square(q) == 1, square(r) + square(s) == 1);
-  EXPECT_THROW(SC::to_surface_mesh(higher), SC::Invalid_input);
   EXPECT_THROW(SC::to_surface_mesh(set, SC::Vector_expression<3>(p, q, s)), SC::Invalid_input);
+}
+
+// The sphere of dimension two in five unknowns, of which linear equalities give two; the mesh is a projection.
+TEST(Surface_mesh, unknowns_that_were_eliminated)
+{
+  const auto [p, q, r, s, t] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(
+      square(p) + square(q) + square(r) + square(s) + square(t) == 1, s == p / 3 + q / 5, t == r / 2 - p / 7);
+  const SC::Solution_surface_mesh result = SC::to_surface_mesh(set, {.chord_error = 0.01});
+  check(result, set, 0.01);
+  EXPECT_TRUE(CGAL::is_closed(result.mesh));
+  EXPECT_LE(share_of_angles_below(result.mesh, 20), 0.01);
+  for (const auto v : result.mesh.vertices()) {
+    const std::vector<double>& own = result.unknowns[v];
+    double norm = 0;
+    for (const double x : own)
+      norm += square(x);
+    EXPECT_NEAR(norm, 1, 1e-13);
+    EXPECT_NEAR(own[3], own[0] / 3 + own[1] / 5, 1e-14);
+    EXPECT_NEAR(own[4], own[2] / 2 - own[0] / 7, 1e-14);
+  }
 }
 
 } // namespace surface_mesh_test

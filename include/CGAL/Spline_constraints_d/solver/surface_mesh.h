@@ -27,11 +27,11 @@ Solution_surface_mesh mesh_of_solutions(const Surface_solution_set_d& set, const
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-triangles of surfaces of solutions in three unknowns, as a mesh in space.
+triangles of surfaces of solutions, as a mesh in space, whose coordinates are the first three unknowns.
 
 The mesh has the topology that was proved of the surfaces: each patch is triangulated over its two parameters, within
 the polygon that its boundary is there, and patches share the points of their arcs. So it is a manifold, closed where
-the surfaces are, and no triangles meet but in common edges and vertices. A vertex in which surfaces meet is there once
+the surfaces are; with three unknowns no triangles meet but in common edges and vertices. A vertex in which surfaces meet is there once
 for each fan of triangles. All vertices are solutions up to rounding, found by Newton's method, or by the solver where
 that fails. Then, unless this is not wanted, triangles are made well-shaped; a mesh that would cross itself after that is
 given as it was before.
@@ -39,7 +39,7 @@ given as it was before.
 \param set the solutions.
 \param options how fine the triangles are.
 \param run the limit of time, and a visitor. What was not done in time is undecided.
-\throws Invalid_input when a bound is not positive, or the system has not three unknowns.
+\throws Invalid_input when a bound is not positive.
 */
 inline Solution_surface_mesh to_surface_mesh(const Surface_solution_set_d& set,
                                              const Surface_mesh_options& options = {}, const Solver_options& run = {})

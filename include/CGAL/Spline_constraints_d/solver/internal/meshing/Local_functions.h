@@ -66,6 +66,7 @@ public:
 
   std::size_t dimension() const { return m_place.size(); }
   std::size_t size() const { return m_functions.size(); }
+  const std::vector<double>& place() const { return m_place; }
 
   // Values and derivatives up to an order, 1 or 2.
   void evaluate(std::span<const double> point, int order, Function_jets& result) const

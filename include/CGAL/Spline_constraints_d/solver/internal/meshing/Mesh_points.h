@@ -49,7 +49,14 @@ public:
 
   const Surface_solution_set_d& set() const { return m_set; }
   const Surface_mesh_options& options() const { return m_options; }
+
+  // Triangles are as fine as these options ask for; or just so fine that neighbours turn by no more than an angle.
   void set_options(const Surface_mesh_options& options) { m_options = options; }
+  void set_angle_only(double angle)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    m_options = {.chord_error = infinity, .angle = angle, .edge_length = infinity};
+  }
   Surface_points& surface() { return m_surface; }
   Surface_image& image() { return m_image; }
   std::size_t size() const { return m_points.size(); }
@@ -105,10 +112,11 @@ public:
   {
     constexpr double share = 1.0 / 16;
     const double length = std::sqrt(CGAL::squared_distance(p, q)), distance = distance_from_chord(p, middle, q);
-    // a circle turns by eight times its sagitta over the chord
-    return distance <= m_options.chord_error && length <= m_options.edge_length &&
-        (8 * distance <= m_options.angle * length || distance <= share * m_options.chord_error ||
-         length <= m_options.chord_error);
+    const bool is_flat =
+        8 * distance <= m_options.angle * length; // a circle turns by 8 times its sagitta over the chord
+    const bool is_tiny = std::isfinite(m_options.chord_error) &&
+        (distance <= share * m_options.chord_error || length <= m_options.chord_error);
+    return distance <= m_options.chord_error && length <= m_options.edge_length && (is_flat || is_tiny);
   }
 
   static double distance_from_chord(const Surface_image::Point& p, const Surface_image::Point& middle,

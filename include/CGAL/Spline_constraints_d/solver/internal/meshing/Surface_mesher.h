@@ -87,6 +87,9 @@ private:
         planes[end].insert(m_set.arcs()[a].plane);
         patch[end] = m_patches_of_arc[a].front();
       }
+    for (std::size_t p = 0; p < m_set.patches().size(); ++p)
+      if (const std::optional<std::size_t> apex = m_set.patches()[p].apex)
+        patch[*apex] = p;
     for (std::size_t i = 0; i < m_set.vertices().size(); ++i) {
       std::vector<int> fixed(planes[i].begin(), planes[i].end());
       std::vector<double> point = m_set.vertices()[i].point();
@@ -162,6 +165,10 @@ private:
   // Triangulates a patch. The chords of its boundary that are too long for it, all where they cross each other.
   std::set<Patch_triangulation::Chord> triangulate(std::size_t patch)
   {
+    if (m_set.patches()[patch].apex) {
+      m_triangles[patch] = cone_of(patch);
+      return turning_chords(patch);
+    }
     Patch_triangulation triangulation(m_points, patch);
     const std::vector<std::size_t> loop = loop_of(patch);
     std::set<Patch_triangulation::Chord> coarse;
@@ -173,6 +180,42 @@ private:
       for (std::size_t k = 0; k < loop.size(); ++k)
         coarse.insert(std::minmax(loop[k], loop[(k + 1) % loop.size()]));
     return coarse;
+  }
+
+  // A triangle for each chord of a patch with an apex, the orientation of which is that along its boundary.
+  std::vector<Triangle> cone_of(std::size_t patch)
+  {
+    const std::size_t apex = *m_set.patches()[patch].apex;
+    const std::vector<std::size_t> loop = loop_of(patch);
+    std::vector<Triangle> result;
+    double turn = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const std::size_t a = loop[k], b = loop[(k + 1) % loop.size()];
+      result.push_back({apex, a, b});
+      const Surface_image::Vector normal = m_points.image().normal(patch, m_points[a].unknowns);
+      turn +=
+          CGAL::cross_product(m_points[b].image - m_points[a].image, m_points[apex].image - m_points[a].image) * normal;
+    }
+    if (turn < 0)
+      for (Triangle& triangle : result)
+        std::swap(triangle[1], triangle[2]);
+    return result;
+  }
+
+  // The chords of a patch with an apex whose triangles turn away from the normals of the surface too far.
+  std::set<Patch_triangulation::Chord> turning_chords(std::size_t patch)
+  {
+    constexpr double least_cosine = 0.75;
+    std::set<Patch_triangulation::Chord> result;
+    for (const auto& [apex, a, b] : m_triangles[patch]) {
+      const Surface_image::Vector normal =
+          CGAL::cross_product(m_points[a].image - m_points[apex].image, m_points[b].image - m_points[apex].image);
+      for (const std::size_t i : {a, b})
+        if (!(normal * m_points.image().normal(patch, m_points[i].unknowns) >=
+              least_cosine * Surface_image::length(normal)))
+          result.insert(std::minmax(a, b));
+    }
+    return result;
   }
 
   // Puts points in the middle of some chords of an arc; whether it has one of them.
@@ -197,6 +240,8 @@ private:
   void orient(std::size_t p)
   {
     const Surface_patch& patch = m_set.patches()[p];
+    if (patch.apex)
+      return;
     const int n = m_set.system().dimension();
     const int exchanges = (n - 1 - patch.parameters[1]) + (n - 2 - patch.parameters[0]) + n - m_set.dimension();
     if (patch.orientation * (exchanges % 2 == 0 ? 1 : -1) < 0)

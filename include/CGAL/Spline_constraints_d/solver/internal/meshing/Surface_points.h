@@ -62,6 +62,12 @@ public:
     return *own;
   }
 
+  // The one of two patches that a point is nearer to, so that its polynomials are more exact there.
+  std::size_t nearer(std::size_t first, std::size_t second, const Point& point)
+  {
+    return first == second || distance(first, point) <= distance(second, point) ? first : second;
+  }
+
   // Moves a point near a patch onto the surface, by steps of least length that leave these unknowns as they are; false
   // when Newton's method does not converge.
   bool move_to_surface(std::size_t patch, std::span<const int> fixed, Point& point)
@@ -112,6 +118,15 @@ public:
   }
 
 private:
+  double distance(std::size_t patch, const Point& point)
+  {
+    const std::vector<double>& place = functions(patch).place();
+    double result = 0;
+    for (std::size_t j = 0; j < point.size(); ++j)
+      result = (std::max)(result, std::abs(point[j] - place[j]));
+    return result;
+  }
+
   // The step of Newton's method of least length, with some unknowns held: d = -J^T (J J^T)^-1 f.
   bool set_least_step(std::span<const int> fixed)
   {

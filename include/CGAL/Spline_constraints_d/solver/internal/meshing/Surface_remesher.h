@@ -116,6 +116,7 @@ private:
   {
     Unknowns unknowns;
     Point image;
+    std::size_t patch;
   };
 
   Remeshed_vertex& data(Vertex v) { return m_vertices[v]; }
@@ -128,11 +129,12 @@ private:
     const Surface_differentials_3 own = m_points.image().differentials(data(v).patch, unknowns(v));
     const double curvature = (std::max)(std::abs(own.curvatures[0]), std::abs(own.curvatures[1]));
     // the middle of an equilateral triangle is l^2 / 6 times the curvature away; edges are longer by a third at most
-    constexpr double margin = 0.8;
+    constexpr double margin = 0.8, share = 4; // see Mesh_points::is_fine()
     double length = (std::min)(options.edge_length, m_longest);
-    if (curvature > 0)
-      length = (std::min)(
-          {length, margin * std::sqrt(6 * options.chord_error / curvature), margin * options.angle / curvature});
+    if (curvature > 0) {
+      const double of_error = margin * std::sqrt(6 * options.chord_error / curvature);
+      length = (std::min)({length, of_error, (std::max)(margin * options.angle / curvature, of_error / share)});
+    }
     data(v).length = length;
     data(v).normal = own.normal;
     m_result.differentials[v] = own;
@@ -158,14 +160,16 @@ private:
     }
     for (const int j : fixed)
       middle[static_cast<std::size_t>(j)] = unknowns(vertices[0])[static_cast<std::size_t>(j)];
-    const std::size_t patch = data(vertices[0]).patch;
+    std::size_t patch = data(vertices[0]).patch;
+    for (const Vertex v : vertices)
+      patch = m_points.surface().nearer(patch, data(v).patch, middle);
     if (!m_points.surface().move_to_surface(patch, fixed, middle))
       return std::nullopt;
     const Point image = m_points.image()(patch, middle), center = CGAL::ORIGIN + sum / vertices.size();
     const double size = CGAL::squared_distance(m_mesh.point(vertices[0]), m_mesh.point(vertices[1]));
     if (!(CGAL::squared_distance(image, center) < 0.25 * size))
       return std::nullopt;
-    return Sample{std::move(middle), image};
+    return Sample{std::move(middle), image, patch};
   }
 
   std::optional<Sample> middle_of(Edge e)
@@ -250,7 +254,7 @@ private:
   {
     const bool is_on_feature = is_feature(e);
     const Halfedge h = m_mesh.halfedge(e);
-    Remeshed_vertex own{data(m_mesh.source(h)).patch, fixed_along(e)};
+    Remeshed_vertex own{middle.patch, fixed_along(e)};
     const Halfedge first = CGAL::Euler::split_edge(h, m_mesh); // to the new vertex, before h
     const Vertex vertex = m_mesh.target(first);
     data(vertex) = std::move(own);
@@ -271,6 +275,7 @@ private:
   {
     m_mesh.point(v) = sample.image;
     m_result.unknowns[v] = sample.unknowns;
+    data(v).patch = sample.patch;
   }
 
   void collapse_short_edges()
@@ -302,7 +307,7 @@ private:
         !CGAL::Euler::does_satisfy_link_condition(e, m_mesh) || !stays_upright(h))
       return false;
     const Remeshed_vertex own = data(kept);
-    const Sample place_kept{unknowns(kept), m_mesh.point(kept)};
+    const Sample place_kept{unknowns(kept), m_mesh.point(kept), own.patch};
     const Surface_differentials_3 differentials = m_result.differentials[kept];
     std::vector<std::pair<Vertex, bool>> sides; // edges that become one, and whether it is a feature
     for (const Halfedge side : {h, m_mesh.opposite(h)})
@@ -402,7 +407,7 @@ private:
     const std::optional<Sample> moved = moved_along_surface(v, sum / weight);
     if (!moved)
       return;
-    const Sample before{unknowns(v), m_mesh.point(v)};
+    const Sample before{unknowns(v), m_mesh.point(v), data(v).patch};
     const Vector normal = data(v).normal;
     place(v, *moved);
     data(v).normal = m_points.image().normal(data(v).patch, unknowns(v));
@@ -426,14 +431,16 @@ private:
       return std::nullopt;
     const double a = displacement * s, b = displacement * t;
     const double first = (g * a - f * b) / determinant, second = (e * b - f * a) / determinant;
-    Sample result{unknowns(v), {}};
+    Sample result{unknowns(v), {}, data(v).patch};
     for (std::size_t j = 0; j < result.unknowns.size(); ++j) {
       const auto row = static_cast<Eigen::Index>(j);
       result.unknowns[j] += first * tangents.unknowns(row, 0) + second * tangents.unknowns(row, 1);
     }
-    if (!m_points.surface().move_to_surface(data(v).patch, {}, result.unknowns))
+    for (const Halfedge in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      result.patch = m_points.surface().nearer(result.patch, data(m_mesh.source(in)).patch, result.unknowns);
+    if (!m_points.surface().move_to_surface(result.patch, {}, result.unknowns))
       return std::nullopt;
-    result.image = m_points.image()(data(v).patch, result.unknowns);
+    result.image = m_points.image()(result.patch, result.unknowns);
     const Vector aim = first * s + second * t;
     const double error = (result.image - (m_mesh.point(v) + aim)).squared_length();
     return error <= 0.25 * aim.squared_length() ? std::optional(std::move(result)) : std::nullopt;

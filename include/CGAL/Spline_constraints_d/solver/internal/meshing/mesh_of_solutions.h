@@ -16,12 +16,15 @@
 #include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_mesher.h>
 #include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_remesher.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -60,8 +63,8 @@ public:
   Solution_surface_mesh operator()()
   {
     Solution_surface_mesh result;
-    if (!m_options.is_remeshed || !remesh(result, coarse_options()))
-      remesh(result, m_options);
+    if (!m_options.is_remeshed || !remesh(result, true))
+      remesh(result, false);
     result.error = Surface_remesher(result, m_points, m_vertices, m_control).measured_error();
     result.mesh.remove_property_map(m_vertices);
     name_undecided(result);
@@ -69,26 +72,54 @@ public:
   }
 
 private:
-  static Surface_mesh_options coarse_options()
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {.chord_error = infinity, .angle = 0.75, .edge_length = infinity};
-  }
-
   // Whether it is embedded afterwards, if that is so in the space of the unknowns; otherwise it is as it was before.
-  bool remesh(Solution_surface_mesh& result, const Surface_mesh_options& options_of_patches)
+  bool remesh(Solution_surface_mesh& result, bool begins_coarse)
   {
-    m_points.set_options(options_of_patches);
+    constexpr double angle = 0.75;
+    if (begins_coarse)
+      m_points.set_angle_only(angle);
     result = mesh_of_patches();
     m_points.set_options(m_options);
     if (!m_options.is_remeshed)
       return true;
     Solution_surface_mesh before = result;
     Surface_remesher(result, m_points, m_vertices, m_control).run();
-    if (m_points.surface().dimension() != 3 || !Polygon_mesh_processing::does_self_intersect(result.mesh))
+    if (m_points.surface().dimension() != 3 || !crosses_itself(result.mesh))
       return true;
     result = std::move(before);
     m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
+    return false;
+  }
+
+  // Whether triangles meet elsewhere than in common vertices and edges, and in singular points, of which each fan has a
+  // vertex of its own.
+  static bool crosses_itself(const Mesh& mesh)
+  {
+    std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+    Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const auto& pair) { return !meet_in_a_corner_only(mesh, pair.first, pair.second); });
+  }
+
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  static std::array<Kernel::Point_3, 3> corners_of(const Mesh& mesh, Mesh::Face_index face)
+  {
+    const auto h = mesh.halfedge(face);
+    const auto point = [&](Vertex v) {
+      return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+    };
+    return {point(mesh.source(h)), point(mesh.target(h)), point(mesh.target(mesh.next(h)))};
+  }
+
+  static bool meet_in_a_corner_only(const Mesh& mesh, Mesh::Face_index first, Mesh::Face_index second)
+  {
+    std::array<Kernel::Point_3, 3> p = corners_of(mesh, first), q = corners_of(mesh, second);
+    for (int i = 0; i < 3; ++i, std::rotate(p.begin(), p.begin() + 1, p.end()))
+      for (int k = 0; k < 3; ++k, std::rotate(q.begin(), q.begin() + 1, q.end()))
+        if (p[0] == q[0]) // each opposite edge misses the other triangle
+          return !CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), Kernel::Triangle_3(q[0], q[1], q[2])) &&
+              !CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), Kernel::Triangle_3(p[0], p[1], p[2]));
     return false;
   }
 
@@ -195,9 +226,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh mesh_of_solutions(const Sur
 {
   if (!(options.chord_error > 0) || !(options.angle > 0) || !(options.edge_length > 0))
     throw Invalid_input("to_surface_mesh: chord error, angle and edge length must be positive");
-  if (image == nullptr && set.dimension() != 3)
-    throw Invalid_input("to_surface_mesh: a system of " + std::to_string(set.dimension()) +
-                        " unknowns needs a map to space");
   std::optional<Image_functions> functions;
   if (image != nullptr) {
     Exact_ranges domain = domain_of(set.system());

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Writes surfaces of solutions, in their first three unknowns, as meshes: into .off, .ply and .stl triangles alone, into
+// .vtp with all unknowns, normals and curvatures, into .svg as a picture; and prints a line for each surface.
+#ifndef SURFACE_OUTPUT_H
+#define SURFACE_OUTPUT_H
+
+#include <CGAL/Spline_constraints_d/IO/Scene_3.h>
+#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
+
+#include <CGAL/IO/Color.h>
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Seen with the third unknown upwards; each surface in a color of its own.
+inline void draw_surfaces(std::ostream& out, const CGAL::Spline_constraints::Solution_surface_mesh& surfaces,
+                          const CGAL::Spline_constraints::View_3& view = {})
+{
+  using Color = CGAL::IO::Color;
+  static const std::array<Color, 6> colors{Color(222, 184, 112), Color(126, 176, 213), Color(178, 224, 127),
+                                           Color(253, 127, 111), Color(189, 126, 190), Color(139, 211, 199)};
+  CGAL::Spline_constraints::Scene_3 scene(view);
+  scene.add(surfaces.mesh, {}, [&](const auto& face) { return colors[surfaces.surface[face] % colors.size()]; });
+  scene.write(out);
+}
+
+// `chord_error`: how far triangles may be from the surfaces.
+inline void write_surfaces(const std::string& path, const CGAL::Spline_constraints::Surface_solution_set_d& set,
+                           double chord_error)
+{
+  using CGAL::Spline_constraints::Invalid_input;
+  const auto surfaces = CGAL::Spline_constraints::to_surface_mesh(set, {.chord_error = chord_error});
+  std::ofstream out(path);
+  out.precision(17);
+  if (path.ends_with(".off"))
+    CGAL::IO::write_OFF(out, surfaces.mesh);
+  else if (path.ends_with(".ply"))
+    CGAL::IO::write_PLY(out, surfaces.mesh);
+  else if (path.ends_with(".stl"))
+    CGAL::IO::write_STL(out, surfaces.mesh);
+  else if (path.ends_with(".vtp"))
+    CGAL::Spline_constraints::IO::write_VTP(out, surfaces);
+  else if (path.ends_with(".svg"))
+    draw_surfaces(out, surfaces);
+  else
+    throw Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .vtp or .svg");
+  if (!out.flush())
+    throw Invalid_input("--output: " + path + " cannot be written");
+  std::cout << "mesh: " << surfaces.mesh.number_of_vertices() << " vertices, " << surfaces.mesh.number_of_faces()
+            << " triangles, error " << surfaces.error << '\n';
+}
+
+inline void print_surfaces(const std::vector<std::string>& names,
+                           const CGAL::Spline_constraints::Surface_solution_set_d& set)
+{
+  const auto print_box = [&](const auto& box) {
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = CGAL::Spline_constraints::to_double_range(box[j]);
+      std::cout << (j == 0 ? "" : " ") << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    std::cout << '\n';
+  };
+  int index = 0;
+  for (const CGAL::Spline_constraints::Solution_surface& surface : set.surfaces()) {
+    std::cout << "surface " << ++index << "  Euler characteristic " << surface.euler_characteristic << ", ";
+    if (surface.is_closed())
+      std::cout << "closed, ";
+    else
+      std::cout << surface.boundary.size() << (surface.boundary.size() == 1 ? " boundary loop, " : " boundary loops, ");
+    std::cout << "genus " << surface.genus() << ", " << surface.patches.size() << " patches"
+              << (surface.is_open_ended ? ", may go on in an undecided region" : "") << '\n';
+  }
+  std::cout.precision(17);
+  for (const auto& [name, points] : {std::pair("point", &set.points()), std::pair("singular point", &set.singular_points())})
+    for (const std::size_t point : *points) {
+      std::cout << name << ' ';
+      print_box(set.vertices()[point].box);
+    }
+  for (const auto& region : set.undecided_regions()) {
+    std::cout << "undecided (" << region.reason << ") with " << region.arcs.size() << " arcs, " << region.boxes.size()
+              << " boxes, the first ";
+    print_box(region.boxes.front());
+  }
+  std::cout.precision(4);
+  std::cout << set << '\n';
+}
+
+#endif // SURFACE_OUTPUT_H
