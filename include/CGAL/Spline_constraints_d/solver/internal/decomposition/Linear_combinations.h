@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -88,19 +89,23 @@ class Linear_combinations
     int degree;
   };
 
-  static constexpr std::size_t most_products = 20000; // of numbers: a few milliseconds
+  static constexpr double most_products = 20000; // of numbers of some hundred bits: some ten milliseconds
 
   const std::vector<Power_polynomial>& m_given;
+  const std::function<void()>& m_check;
   std::vector<Candidate> m_candidates;
 
 public:
-  explicit Linear_combinations(const std::vector<Power_polynomial>& given) : m_given(given) {}
+  // `check` as of decomposition_of(); it has a target.
+  Linear_combinations(const std::vector<Power_polynomial>& given, const std::function<void()>& check)
+    : m_given(given), m_check(check)
+  {}
 
   // Nothing when no choice has fewer coefficients than the given ones, or these are linearly dependent.
   std::optional<std::vector<Power_polynomial>> cheapest()
   {
     const std::vector<Monomial> columns = shared_columns();
-    if (columns.empty() || m_given.size() * m_given.size() * columns.size() > most_products)
+    if (columns.empty() || takes_too_long(columns.size()))
       return std::nullopt;
     double cost = 0;
     for (std::size_t i = 0; i < m_given.size(); ++i) {
@@ -119,6 +124,18 @@ public:
   }
 
 private:
+  // In elimination numbers grow to as many times their digits as there are polynomials.
+  bool takes_too_long(std::size_t columns) const
+  {
+    long bits = 0;
+    for (const Power_polynomial& polynomial : m_given)
+      for (const auto& [monomial, coefficient] : polynomial.terms())
+        bits = (std::max)(bits, bit_length(numerator_of(coefficient)) + bit_length(denominator_of(coefficient)));
+    const auto rows = static_cast<double>(m_given.size());
+    const double growth = (std::max)(rows * static_cast<double>(bits) / 512, 1.0);
+    return rows * rows * static_cast<double>(columns) * growth > most_products;
+  }
+
   Weights unit(std::size_t i) const
   {
     Weights result(m_given.size(), Exact_rational(0));
@@ -167,6 +184,7 @@ private:
         const auto term = m_given[i].terms().find(monomial);
         row.push_back(term == m_given[i].terms().end() ? Exact_rational(0) : term->second);
       }
+      m_check();
       const Weights weights = unit(i);
       row.insert(row.end(), weights.begin(), weights.end());
       echelon.add(std::move(row));
@@ -183,6 +201,7 @@ private:
 
   void add_combination(const Weights& weights)
   {
+    m_check();
     Power_polynomial result;
     Polynomial_shape largest;
     for (std::size_t i = 0; i < weights.size(); ++i)

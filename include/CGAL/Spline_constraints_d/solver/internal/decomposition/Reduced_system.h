@@ -159,7 +159,7 @@ private:
         polynomials.push_back(*equality.polynomial);
     if (polynomials.size() < 2)
       return;
-    auto combinations = Linear_combinations(polynomials).cheapest();
+    auto combinations = Linear_combinations(polynomials, m_check).cheapest();
     if (!combinations)
       return;
     m_is_changed = true;
