@@ -226,6 +226,27 @@ TEST(Elimination, SpheresInMoreDimensions)
   EXPECT_LT(cut.summary().nodes, 2000u);
 }
 
+// The tip of a cone over a plane: two patches that end in it are graphs over nothing.
+TEST(Elimination, TipsOfCones)
+{
+  const auto x = variables(4);
+  const System cone = with_equalities(System({{-2, 2}, {-2, 2}, {-1, 1}, {-9, 9}}),
+                                      {square(x[0]) + square(x[1]) - square(x[2]), x[3] - x[0] - x[1] * 2});
+  EXPECT_EQ(SC::internal::elimination_of(cone, 2).eliminated.size(), 1u);
+  const Surfaces surfaces = SC::solve_surfaces(cone);
+  EXPECT_TRUE(surfaces.is_complete()) << surfaces;
+  ASSERT_EQ(surfaces.singular_points().size(), 1u);
+  EXPECT_EQ(surfaces.vertices()[surfaces.singular_points()[0]].point(), (std::vector<double>{0, 0, 0, 0}));
+  std::size_t tips = 0;
+  for (const SC::Surface_patch& patch : surfaces.patches()) {
+    EXPECT_EQ(patch.box.size(), 4u);
+    EXPECT_EQ(patch.orientation == 0, patch.apex.has_value());
+    EXPECT_EQ(patch.parameters[0] < 0, patch.apex.has_value());
+    tips += patch.apex.has_value() ? 1 : 0;
+  }
+  EXPECT_EQ(tips, 2u);
+}
+
 // A bound on an eliminated unknown that cuts curves, touches them from within or without, or excludes a whole one.
 TEST(Elimination, BoundsOfEliminatedUnknowns)
 {

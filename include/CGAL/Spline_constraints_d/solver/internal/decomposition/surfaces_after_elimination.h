@@ -85,6 +85,8 @@ inline Surface_solution_set_d lifted(const Surface_solution_set_d& found, const 
   for (Surface_patch& patch : patches) {
     const std::vector<Exact_rational> middle = lifting.point(middle_of(patch.box));
     patch.box = lifting(patch.box);
+    if (patch.apex)
+      continue;
     for (int& parameter : patch.parameters)
       parameter = lifting.unknown(parameter);
     patch.orientation = sign(middle, patch.parameters);
