@@ -7,7 +7,7 @@
 #include "surface_output.h"
 
 #include <CGAL/Spline_constraints_d/function/Expression.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces/implicit_surface_mesh.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/implicit_surface_mesh.h>
 
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/Polynomial.h>

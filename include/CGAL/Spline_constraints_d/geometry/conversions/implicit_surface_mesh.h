@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_SURFACES_IMPLICIT_SURFACE_MESH_H
-#define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_SURFACES_IMPLICIT_SURFACE_MESH_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONVERSIONS_IMPLICIT_SURFACE_MESH_H
+#define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONVERSIONS_IMPLICIT_SURFACE_MESH_H
 
 #include <CGAL/Spline_constraints_d/geometry/conversions/from_cgal_polynomial.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
@@ -67,4 +67,4 @@ Solution_surface_mesh to_surface_mesh(const CGAL::Polynomial<Coefficient>& polyn
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_SURFACES_IMPLICIT_SURFACE_MESH_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONVERSIONS_IMPLICIT_SURFACE_MESH_H
