@@ -41,12 +41,16 @@
 
 namespace CGAL::Spline_constraints {
 
+template class Bernstein_tensor<double>;
 template class Bernstein_tensor<Exact_rational>;
+template class Bspline_function<double>;
 template class Bspline_function<Exact_rational>;
 
 namespace internal {
 
 template class Local_weights<Exact_rational>;
+template class Homogeneous_spline<double, 2>;
+template class Homogeneous_spline<double, 3>;
 template class Homogeneous_spline<Exact_rational, 2>;
 template class Homogeneous_spline<Exact_rational, 3>;
 

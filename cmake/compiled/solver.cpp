@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The default solvers of points and of curves, on one core and on all, and of surfaces, Newton's method, and the proof of answers.
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Newton_iteration.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
@@ -11,8 +12,14 @@
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
 
-namespace CGAL::Spline_constraints::internal {
+namespace CGAL::Spline_constraints {
+
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Mpfr_interval)
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Exact_rational)
+
+namespace internal {
 
 CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS()
 
-} // namespace CGAL::Spline_constraints::internal
+} // namespace internal
+} // namespace CGAL::Spline_constraints

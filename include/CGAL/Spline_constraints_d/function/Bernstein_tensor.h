@@ -479,6 +479,7 @@ private:
 };
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Bernstein_tensor<double>;
 extern template class Bernstein_tensor<Exact_rational>;
 #endif
 

@@ -473,6 +473,7 @@ private:
 };
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Bspline_function<double>;
 extern template class Bspline_function<Exact_rational>;
 #endif
 

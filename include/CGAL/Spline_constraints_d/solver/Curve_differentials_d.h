@@ -386,6 +386,15 @@ std::optional<Curve_differentials_d<NT>> curve_differentials(const Constraint_sy
   return internal::Implicit_differentiation<NT>(system, box)(parameter);
 }
 
+// The two number types that follow.
+#define CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(EXTERN, NT)                                                        \
+  EXTERN template std::optional<Curve_differentials_d<NT>> curve_differentials<NT>(                                    \
+      const Constraint_system_d&, const Curve_vertex::Exact_box&, std::optional<int>);
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(extern, Mpfr_interval)
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(extern, Exact_rational)
+#endif
+
 //! \ingroup PkgSplineConstraintsDSolver
 //! the same at a vertex of a curve, as enclosures that hold for the exact solution.
 inline std::optional<Curve_differentials_d<Mpfr_interval>>

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Node_arrays.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/analysis_error.h>
@@ -138,7 +139,10 @@ inline Node_view::Node_view(const internal::System_layout& layout)
                                                                  : &internal::bound_sum_of_lines<0>;
 }
 
-inline void Node_view::choose_passes(const internal::Block& block, internal::Node_arrays::Plan& plan)
+// It instantiates all passes.
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::choose_passes(const internal::Block& block,
+                                                             internal::Node_arrays::Plan& plan)
 {
   internal::run_with_constant<6>(block.functions.size(), [&](auto members) {
     plan.bound = internal::is_line(block) ? &internal::bound_line<members> : &internal::bound_tensor<members>;
@@ -153,6 +157,7 @@ inline void Node_view::choose_passes(const internal::Block& block, internal::Nod
             block.degrees.back(), [&](auto degree) { plan.enclose = &internal::enclose_small_tensor<axes, degree>; });
     });
 }
+#endif
 
 inline void Node_view::bound_blocks()
 {

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_INTEGER_BLOSSOM_H
 
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
 
@@ -70,44 +71,12 @@ public:
     m_span = std::make_shared<const Span>(std::move(result));
   }
 
-  void add(const Blossom_argument<Exact_rational>& x)
-  {
-    const auto parts = parts_of_rational(x.value);
-    const Short_integer &numerator = parts.first, &denominator = parts.second;
-    const bool is_direction = x.weight == 0;
-    std::vector<Short_integer>& weights = m_weights.numerators;
-    const std::size_t level = weights.size();
-    const Short_integer value = numerator * m_span->unit, multiple = multiple_of_differences(level);
-    const auto distance_from = [&](const Short_integer& knot) {
-      return is_direction ? value : value - knot * denominator;
-    };
-    weights.emplace_back(0);
-    Short_integer carried(0);
-    for (std::size_t r = 0; r < level; ++r) {
-      if (weights[r] == 0) {   // as many are where arguments are knots
-        weights[r] = std::exchange(carried, Short_integer(0));
-        continue;
-      }
-      const Short_integer &right = m_span->right(r), &left = m_span->left(r, level);
-      const Short_integer quotient = weights[r] * (multiple / (right - left));
-      weights[r] = carried - distance_from(right) * quotient;
-      carried = distance_from(left) * quotient;
-    }
-    weights[level] = std::move(carried);
-    m_weights.denominator *= multiple * denominator;
-  }
+  void add(const Blossom_argument<Exact_rational>& x);
 
   const Integer_weights& weights() const { return m_weights; }
 
 private:
-  Short_integer multiple_of_differences(std::size_t level) const
-  {
-    Short_integer result(1);
-    for (std::size_t r = 0; r < level; ++r)
-      if (const Short_integer difference = m_span->right(r) - m_span->left(r, level); result != difference)
-        result *= difference / gcd(result, difference);
-    return result;
-  }
+  Short_integer multiple_of_differences(std::size_t level) const;
 };
 
 // A band matrix of rationals whose rows are integers over a denominator each.
@@ -138,17 +107,58 @@ public:
   }
 
   // Every line of a tensor along one axis, transformed.
-  std::vector<Exact_rational> applied_to(const std::vector<Exact_rational>& data, const Axis_view& view) const
-  {
-    std::vector<Short_integer> numerators;
-    const Short_integer denominator = over_common_denominator(data, numerators);
-    const std::vector<Short_integer> image = transform_axis(numerators, view, m_numerators);
-    std::vector<Exact_rational> result(image.size());
-    for (std::size_t k = 0; k < image.size(); ++k)
-      set_quotient(result[k], image[k], denominator * m_denominators[k / view.inner % m_denominators.size()]);
-    return result;
-  }
+  std::vector<Exact_rational> applied_to(const std::vector<Exact_rational>& data, const Axis_view& view) const;
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Integer_blossom::add(const Blossom_argument<Exact_rational>& x)
+{
+  const auto parts = parts_of_rational(x.value);
+  const Short_integer &numerator = parts.first, &denominator = parts.second;
+  const bool is_direction = x.weight == 0;
+  std::vector<Short_integer>& weights = m_weights.numerators;
+  const std::size_t level = weights.size();
+  const Short_integer value = numerator * m_span->unit, multiple = multiple_of_differences(level);
+  const auto distance_from = [&](const Short_integer& knot) {
+    return is_direction ? value : value - knot * denominator;
+  };
+  weights.emplace_back(0);
+  Short_integer carried(0);
+  for (std::size_t r = 0; r < level; ++r) {
+    if (weights[r] == 0) {   // as many are where arguments are knots
+      weights[r] = std::exchange(carried, Short_integer(0));
+      continue;
+    }
+    const Short_integer &right = m_span->right(r), &left = m_span->left(r, level);
+    const Short_integer quotient = weights[r] * (multiple / (right - left));
+    weights[r] = carried - distance_from(right) * quotient;
+    carried = distance_from(left) * quotient;
+  }
+  weights[level] = std::move(carried);
+  m_weights.denominator *= multiple * denominator;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Short_integer Integer_blossom::multiple_of_differences(std::size_t level) const
+{
+  Short_integer result(1);
+  for (std::size_t r = 0; r < level; ++r)
+    if (const Short_integer difference = m_span->right(r) - m_span->left(r, level); result != difference)
+      result *= difference / gcd(result, difference);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Exact_rational>
+Integer_band::applied_to(const std::vector<Exact_rational>& data, const Axis_view& view) const
+{
+  std::vector<Short_integer> numerators;
+  const Short_integer denominator = over_common_denominator(data, numerators);
+  const std::vector<Short_integer> image = transform_axis(numerators, view, m_numerators);
+  std::vector<Exact_rational> result(image.size());
+  for (std::size_t k = 0; k < image.size(); ++k)
+    set_quotient(result[k], image[k], denominator * m_denominators[k / view.inner % m_denominators.size()]);
+  return result;
+}
+#endif
 
 inline std::vector<Exact_rational> transform_axis(const std::vector<Exact_rational>& data, const Axis_view& view,
                                                   const Integer_band& matrix)

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 #include <CGAL/Spline_constraints_d/function/bernstein_product.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
 #include <algorithm>
@@ -181,27 +182,7 @@ public:
     m_pieces.simplify();
   }
 
-  explicit Integer_spline(const Bspline_function<Exact_rational>& function)
-  {
-    m_pieces.degrees = function.degrees();
-    for (int j = 0; j < function.dimension(); ++j)
-      m_pieces.breaks.push_back(function.breaks(j));
-    std::vector<Power_form> forms;
-    Short_integer common(1);
-    for (const Bernstein_tensor<Exact_rational>& piece : function.bezier_pieces()) {
-      forms.push_back(power_form(piece, m_pieces.breaks, forms.size()));
-      reduce(forms.back());
-      common *= forms.back().denominator / gcd(common, forms.back().denominator);
-    }
-    m_denominator = common.to_big_integer();
-    for (const Power_form& form : forms) {
-      const Short_integer factor = common / form.denominator;
-      auto& integers = m_pieces.pieces.emplace_back();
-      for (const Short_integer& coefficient : form.numerators)
-        integers.push_back((coefficient * factor).to_big_integer());
-    }
-    m_pieces.simplify();
-  }
+  explicit Integer_spline(const Bspline_function<Exact_rational>& function);
 
   int dimension() const { return static_cast<int>(m_pieces.degrees.size()); }
   const std::vector<int>& degrees() const { return m_pieces.degrees; }
@@ -227,52 +208,10 @@ public:
   }
 
   // On a part of the domain of an axis. Where the part is a single point, on the cell that holds it.
-  Integer_spline restricted(int axis, const Exact_rational& begin, const Exact_rational& end) const
-  {
-    const Breaks_of_axis& own = breaks()[axis];
-    const std::size_t first = cell_at(own, begin);
-    std::size_t last = first + 1;
-    while (last + 1 < own.size() && own[last] < end)
-      ++last;
-    const Axis_view cells = axis_view(m_pieces.last_cells(), axis);
-    Integer_pieces<Big_integer> result{degrees(), {}, {}};
-    for (int j = 0; j < dimension(); ++j)
-      if (j == axis)
-        result.breaks.emplace_back(own.begin() + first, own.begin() + last + 1);
-      else
-        result.breaks.push_back(breaks()[j]);
-    if (begin < end) {
-      result.breaks[axis].front() = begin;
-      result.breaks[axis].back() = end;
-    }
-    for (std::size_t o = 0; o < cells.outer; ++o) {   // only the cells of the part are touched
-      const auto row = pieces().begin() + o * (cells.degree + 1) * cells.inner;
-      result.pieces.insert(result.pieces.end(), row + first * cells.inner, row + last * cells.inner);
-    }
-    return Integer_spline(std::move(result), m_denominator);
-  }
+  Integer_spline restricted(int axis, const Exact_rational& begin, const Exact_rational& end) const;
 
   // On the face where an axis has a value, as a function that is constant along it.
-  Integer_spline face(int axis, const Exact_rational& value) const
-  {
-    const Integer_spline slab = restricted(axis, value, value);
-    const Axis_view view = axis_view(slab.degrees(), axis);
-    const Big_integer p = numerator_of(value), q = denominator_of(value);
-    Integer_pieces<Big_integer> result{slab.degrees(), slab.breaks(), {}};
-    result.degrees[axis] = 0;
-    result.breaks[axis].clear();
-    for (const auto& piece : slab.pieces()) {
-      auto& values = result.pieces.emplace_back();
-      for (std::size_t o = 0; o < view.outer; ++o)
-        for (std::size_t i = 0; i < view.inner; ++i) {
-          Big_integer sum = 0, power_of_q = 1;
-          for (int k = view.degree; k >= 0; --k, power_of_q *= q)
-            sum = Big_integer(sum * p + piece[(o * (view.degree + 1) + k) * view.inner + i] * power_of_q);
-          values.push_back(std::move(sum));
-        }
-    }
-    return Integer_spline(std::move(result), Big_integer(m_denominator * pow(q, static_cast<unsigned>(view.degree))));
-  }
+  Integer_spline face(int axis, const Exact_rational& value) const;
 
   Integer_spline operator-() const
   {
@@ -293,56 +232,13 @@ public:
   }
 
   // The derivative of the pieces, which need not be continuous.
-  Integer_spline piecewise_derivative(int axis) const
-  {
-    const Axis_view view = axis_view(degrees(), axis);
-    Integer_pieces<Big_integer> result;
-    result.breaks = breaks();
-    result.degrees = degrees();
-    const int degree = (std::max)(view.degree - 1, 0);
-    result.degrees[axis] = degree;
-    for (const auto& piece : pieces()) {
-      auto& derivative = result.pieces.emplace_back();
-      for (std::size_t o = 0; o < view.outer; ++o)
-        for (int k = 0; k <= degree; ++k)
-          for (std::size_t i = 0; i < view.inner; ++i)
-            derivative.push_back(view.degree == 0
-                                     ? Big_integer(0)
-                                     : Big_integer(piece[(o * (view.degree + 1) + k + 1) * view.inner + i] * (k + 1)));
-    }
-    return Integer_spline(std::move(result), m_denominator);
-  }
+  Integer_spline piecewise_derivative(int axis) const;
 
   // On the same domain, piece by piece.
-  friend Integer_spline operator*(const Integer_spline& a, const Integer_spline& b)
-  {
-    const Convolution_shape shape(a.degrees(), b.degrees());
-    Integer_pieces<Big_integer> result{shape.result, common_breaks(a, b), {}};
-    for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
-      result.pieces.push_back(convolved(shape, a.piece_on(result.breaks, cell), b.piece_on(result.breaks, cell)));
-    });
-    return Integer_spline(std::move(result), Big_integer(a.m_denominator * b.m_denominator));
-  }
+  friend Integer_spline operator*(const Integer_spline& a, const Integer_spline& b);
 
   // a - factor b, on the same domain, piece by piece.
-  static Integer_spline difference(const Integer_spline& a, const Integer_spline& b, int factor)
-  {
-    Integer_pieces<Big_integer> result{a.degrees(), common_breaks(a, b), {}};
-    for (std::size_t j = 0; j < result.degrees.size(); ++j)
-      result.degrees[j] = (std::max)(a.degrees()[j], b.degrees()[j]);
-    const Big_integer denominator = lcm(a.m_denominator, b.m_denominator), a_scale = denominator / a.m_denominator,
-                      b_scale = -factor * (denominator / b.m_denominator);
-    const std::vector<int> origin(result.degrees.size(), 0);
-    for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
-      auto& sum = result.pieces.emplace_back(tensor_size(result.degrees), Big_integer(0));
-      for (const auto& summand : {std::pair(&a, &a_scale), std::pair(&b, &b_scale)}) {
-        auto next = summand.first->piece_on(result.breaks, cell).begin();
-        for_each_position(result.degrees, origin, summand.first->degrees(),
-                          [&](std::size_t position) { add_product(sum[position], *next++, *summand.second); });
-      }
-    });
-    return Integer_spline(std::move(result), denominator);
-  }
+  static Integer_spline difference(const Integer_spline& a, const Integer_spline& b, int factor);
 
   // The value at a point of the domain.
   Exact_rational operator()(std::span<const Exact_rational> point) const { return value(point, point); }
@@ -358,21 +254,7 @@ public:
   }
 
   // Throws when neighbouring pieces differ where they meet.
-  void check_continuity(const std::string& what) const
-  {
-    for (std::size_t j = 0; j < degrees().size(); ++j)
-      for (std::size_t k = 1; k < cells_between(breaks()[j]); ++k) {
-        const Axis_view cells = axis_view(m_pieces.last_cells(), j), view = axis_view(degrees(), j);
-        const Exact_rational& at = breaks()[j][k];
-        for (std::size_t o = 0; o < cells.outer; ++o)
-          for (std::size_t i = 0; i < cells.inner; ++i) {
-            const std::size_t after = (o * (cells.degree + 1) + k) * cells.inner + i;
-            if (contracted(rational(after - cells.inner), view, at) != contracted(rational(after), view, at))
-              throw Invalid_input(what + " is not continuous at the parameter " + text_of(at) + " of axis " +
-                                  std::to_string(j) + "; split there");
-          }
-      }
-  }
+  void check_continuity(const std::string& what) const;
 
 private:
   static std::vector<Breaks_of_axis> common_breaks(const Integer_spline& a, const Integer_spline& b)
@@ -384,17 +266,7 @@ private:
   }
 
   // To lowest terms.
-  static void reduce(Power_form& form)
-  {
-    Short_integer common = form.denominator;
-    for (auto coefficient = form.numerators.begin(); common != 1 && coefficient != form.numerators.end(); ++coefficient)
-      common = gcd(common, *coefficient);
-    if (common == 1)
-      return;
-    form.denominator /= common;
-    for (Short_integer& coefficient : form.numerators)
-      coefficient /= common;
-  }
+  static void reduce(Power_form& form);
 
   std::vector<Exact_rational> rational(std::size_t piece) const
   {
@@ -410,6 +282,155 @@ private:
     return denominator == 1 ? numerator.str() : numerator.str() + "/" + denominator.str();
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline::Integer_spline(const Bspline_function<Exact_rational>& function)
+{
+  m_pieces.degrees = function.degrees();
+  for (int j = 0; j < function.dimension(); ++j)
+    m_pieces.breaks.push_back(function.breaks(j));
+  std::vector<Power_form> forms;
+  Short_integer common(1);
+  for (const Bernstein_tensor<Exact_rational>& piece : function.bezier_pieces()) {
+    forms.push_back(power_form(piece, m_pieces.breaks, forms.size()));
+    reduce(forms.back());
+    common *= forms.back().denominator / gcd(common, forms.back().denominator);
+  }
+  m_denominator = common.to_big_integer();
+  for (const Power_form& form : forms) {
+    const Short_integer factor = common / form.denominator;
+    auto& integers = m_pieces.pieces.emplace_back();
+    for (const Short_integer& coefficient : form.numerators)
+      integers.push_back((coefficient * factor).to_big_integer());
+  }
+  m_pieces.simplify();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::restricted(int axis, const Exact_rational& begin,
+                                                                        const Exact_rational& end) const
+{
+  const Breaks_of_axis& own = breaks()[axis];
+  const std::size_t first = cell_at(own, begin);
+  std::size_t last = first + 1;
+  while (last + 1 < own.size() && own[last] < end)
+    ++last;
+  const Axis_view cells = axis_view(m_pieces.last_cells(), axis);
+  Integer_pieces<Big_integer> result{degrees(), {}, {}};
+  for (int j = 0; j < dimension(); ++j)
+    if (j == axis)
+      result.breaks.emplace_back(own.begin() + first, own.begin() + last + 1);
+    else
+      result.breaks.push_back(breaks()[j]);
+  if (begin < end) {
+    result.breaks[axis].front() = begin;
+    result.breaks[axis].back() = end;
+  }
+  for (std::size_t o = 0; o < cells.outer; ++o) {   // only the cells of the part are touched
+    const auto row = pieces().begin() + o * (cells.degree + 1) * cells.inner;
+    result.pieces.insert(result.pieces.end(), row + first * cells.inner, row + last * cells.inner);
+  }
+  return Integer_spline(std::move(result), m_denominator);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::face(int axis, const Exact_rational& value) const
+{
+  const Integer_spline slab = restricted(axis, value, value);
+  const Axis_view view = axis_view(slab.degrees(), axis);
+  const Big_integer p = numerator_of(value), q = denominator_of(value);
+  Integer_pieces<Big_integer> result{slab.degrees(), slab.breaks(), {}};
+  result.degrees[axis] = 0;
+  result.breaks[axis].clear();
+  for (const auto& piece : slab.pieces()) {
+    auto& values = result.pieces.emplace_back();
+    for (std::size_t o = 0; o < view.outer; ++o)
+      for (std::size_t i = 0; i < view.inner; ++i) {
+        Big_integer sum = 0, power_of_q = 1;
+        for (int k = view.degree; k >= 0; --k, power_of_q *= q)
+          sum = Big_integer(sum * p + piece[(o * (view.degree + 1) + k) * view.inner + i] * power_of_q);
+        values.push_back(std::move(sum));
+      }
+  }
+  return Integer_spline(std::move(result), Big_integer(m_denominator * pow(q, static_cast<unsigned>(view.degree))));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::piecewise_derivative(int axis) const
+{
+  const Axis_view view = axis_view(degrees(), axis);
+  Integer_pieces<Big_integer> result;
+  result.breaks = breaks();
+  result.degrees = degrees();
+  const int degree = (std::max)(view.degree - 1, 0);
+  result.degrees[axis] = degree;
+  for (const auto& piece : pieces()) {
+    auto& derivative = result.pieces.emplace_back();
+    for (std::size_t o = 0; o < view.outer; ++o)
+      for (int k = 0; k <= degree; ++k)
+        for (std::size_t i = 0; i < view.inner; ++i)
+          derivative.push_back(view.degree == 0
+                                   ? Big_integer(0)
+                                   : Big_integer(piece[(o * (view.degree + 1) + k + 1) * view.inner + i] * (k + 1)));
+  }
+  return Integer_spline(std::move(result), m_denominator);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline operator*(const Integer_spline& a, const Integer_spline& b)
+{
+  const Convolution_shape shape(a.degrees(), b.degrees());
+  Integer_pieces<Big_integer> result{shape.result, Integer_spline::common_breaks(a, b), {}};
+  for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
+    result.pieces.push_back(convolved(shape, a.piece_on(result.breaks, cell), b.piece_on(result.breaks, cell)));
+  });
+  return Integer_spline(std::move(result), Big_integer(a.m_denominator * b.m_denominator));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::difference(const Integer_spline& a,
+                                                                        const Integer_spline& b, int factor)
+{
+  Integer_pieces<Big_integer> result{a.degrees(), common_breaks(a, b), {}};
+  for (std::size_t j = 0; j < result.degrees.size(); ++j)
+    result.degrees[j] = (std::max)(a.degrees()[j], b.degrees()[j]);
+  const Big_integer denominator = lcm(a.m_denominator, b.m_denominator), a_scale = denominator / a.m_denominator,
+                    b_scale = -factor * (denominator / b.m_denominator);
+  const std::vector<int> origin(result.degrees.size(), 0);
+  for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
+    auto& sum = result.pieces.emplace_back(tensor_size(result.degrees), Big_integer(0));
+    for (const auto& summand : {std::pair(&a, &a_scale), std::pair(&b, &b_scale)}) {
+      auto next = summand.first->piece_on(result.breaks, cell).begin();
+      for_each_position(result.degrees, origin, summand.first->degrees(),
+                        [&](std::size_t position) { add_product(sum[position], *next++, *summand.second); });
+    }
+  });
+  return Integer_spline(std::move(result), denominator);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Integer_spline::check_continuity(const std::string& what) const
+{
+  for (std::size_t j = 0; j < degrees().size(); ++j)
+    for (std::size_t k = 1; k < cells_between(breaks()[j]); ++k) {
+      const Axis_view cells = axis_view(m_pieces.last_cells(), j), view = axis_view(degrees(), j);
+      const Exact_rational& at = breaks()[j][k];
+      for (std::size_t o = 0; o < cells.outer; ++o)
+        for (std::size_t i = 0; i < cells.inner; ++i) {
+          const std::size_t after = (o * (cells.degree + 1) + k) * cells.inner + i;
+          if (contracted(rational(after - cells.inner), view, at) != contracted(rational(after), view, at))
+            throw Invalid_input(what + " is not continuous at the parameter " + text_of(at) + " of axis " +
+                                std::to_string(j) + "; split there");
+        }
+    }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Integer_spline::reduce(Power_form& form)
+{
+  Short_integer common = form.denominator;
+  for (auto coefficient = form.numerators.begin(); common != 1 && coefficient != form.numerators.end(); ++coefficient)
+    common = gcd(common, *coefficient);
+  if (common == 1)
+    return;
+  form.denominator /= common;
+  for (Short_integer& coefficient : form.numerators)
+    coefficient /= common;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -357,6 +357,8 @@ private:
 };
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Homogeneous_spline<double, 2>;
+extern template class Homogeneous_spline<double, 3>;
 extern template class Homogeneous_spline<Exact_rational, 2>;
 extern template class Homogeneous_spline<Exact_rational, 3>;
 #endif

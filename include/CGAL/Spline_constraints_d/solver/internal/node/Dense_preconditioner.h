@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_DENSE_PRECONDITIONER_H
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/matrix_inverse.h>
 
@@ -172,23 +173,7 @@ private:
   // to <- C from, control point by control point, and errors <- |C| errors of the source; sizes known to the compiler
   // where it pays.
   void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to,
-                double* errors) const
-  {
-    run_with_constant<6>(static_cast<int>(members) == m_layout.equalities ? members : 0, [&](auto size) {
-      if constexpr (size > 0)
-        multiply_fixed<size>(from, stride, points, to, errors);
-      else {
-        const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members),
-                           count = static_cast<Eigen::Index>(points);
-        const Eigen::Map<const Eigen::MatrixXd> matrix(m_columns.data(), rows, columns);
-        const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(
-            from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
-        Eigen::Map<Eigen::MatrixXd>(to, rows, count).noalias() = matrix.lazyProduct(source);
-        Eigen::Map<Eigen::VectorXd>(errors, rows).noalias() =
-            matrix.cwiseAbs().lazyProduct(Eigen::Map<const Eigen::VectorXd>(m_source_errors.data(), columns));
-      }
-    });
-  }
+                double* errors) const;
 
   template <int n>
   void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to, double* errors) const
@@ -223,6 +208,28 @@ private:
       matrix->resize(source.equalities * source.equalities);
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Dense_preconditioner::multiply(const double* from, std::size_t stride,
+                                                                   std::size_t members, std::size_t points, double* to,
+                                                                   double* errors) const
+{
+  run_with_constant<6>(static_cast<int>(members) == m_layout.equalities ? members : 0, [&](auto size) {
+    if constexpr (size > 0)
+      multiply_fixed<size>(from, stride, points, to, errors);
+    else {
+      const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members),
+                         count = static_cast<Eigen::Index>(points);
+      const Eigen::Map<const Eigen::MatrixXd> matrix(m_columns.data(), rows, columns);
+      const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(
+          from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+      Eigen::Map<Eigen::MatrixXd>(to, rows, count).noalias() = matrix.lazyProduct(source);
+      Eigen::Map<Eigen::VectorXd>(errors, rows).noalias() =
+          matrix.cwiseAbs().lazyProduct(Eigen::Map<const Eigen::VectorXd>(m_source_errors.data(), columns));
+    }
+  });
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints
