@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Regions on surfaces, and meshes. What other sources of the library have is only declared.
+// Regions on surfaces, their meshes, and pictures of meshes. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
+#include <CGAL/Spline_constraints_d/IO/internal/scene/Scene_painter.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/trimmed_sphere_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_regions.h>

@@ -12,6 +12,7 @@
 // All readers and writers of files. read_SVG.h needs pugixml, and is there where that is found.
 #include <CGAL/Spline_constraints_d/IO/Minibex_system.h>
 #include <CGAL/Spline_constraints_d/IO/Parse_error.h>
+#include <CGAL/Spline_constraints_d/IO/Scene_3.h>
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>

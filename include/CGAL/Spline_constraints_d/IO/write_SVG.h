@@ -92,7 +92,7 @@ public:
              "style='background: white' viewBox='"
           << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h) << "' width='"
           << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
-          << "<g transform='scale(1 -1)' fill='none' font-family='sans-serif'>\n";
+          << "<g transform='scale(1 -1)' fill='none' stroke-linejoin='round' font-family='sans-serif'>\n";
   }
 
   /*!
@@ -182,14 +182,13 @@ public:
           << stroke(color, width) << "/>\n";
   }
 
-  //! fills a polygon, given as `polyline()` takes its points; an edge of a fifth of a pixel closes the gap to its
-  //! neighbours.
+  //! fills a polygon, given as `polyline()` takes its points; an edge, in pixels, closes the gap to its neighbours.
   template <std::ranges::forward_range Range>
-  void polygon(const Range& points, const std::string& color)
+  void polygon(const Range& points, const std::string& color, double edge = 0.2)
   {
     m_out << "<path d='";
     write_ring(points);
-    m_out << "Z' fill='" << color << "' " << stroke(color, 0.2) << "/>\n";
+    m_out << "Z' fill='" << color << "' " << stroke(color, edge) << "/>\n";
   }
 
   //! fills a polygon but for its holes, as above.
