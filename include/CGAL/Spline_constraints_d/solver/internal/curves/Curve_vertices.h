@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Multiple_root.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_roots_on_line.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Exact_box.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
@@ -33,14 +34,19 @@ namespace internal {
 struct Plane_point
 {
   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
-  enum Kind { REGULAR, SINGULAR, UNKNOWN };
+  enum Kind
+  {
+    REGULAR,
+    SINGULAR,
+    UNKNOWN
+  };
 
   Kind kind;
-  Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
-  std::vector<bool> is_fixed;   // per unknown
-  std::optional<std::size_t> inequality = std::nullopt;   // one that is zero there
-  bool is_excluded = false;                               // a strict one is
-  bool is_singular = false;                               // by proof, and what ends there is known
+  Exact_ranges box, region;   // in the region, there is no other one on the first of the planes
+  std::vector<bool> is_fixed; // per unknown
+  std::optional<std::size_t> inequality = std::nullopt; // one that is zero there
+  bool is_excluded = false;                             // a strict one is
+  bool is_singular = false;                             // by proof, and what ends there is known
 
   // On no plane.
   static Plane_point singular(const Exact_ranges& box)
@@ -111,11 +117,15 @@ class Curve_vertices
 {
   Subdivision_solver_d<Certified_solver_traits> m_solver;
   std::vector<Plane_point> m_points;
-  std::vector<Exact_ranges> m_continua;   // boxes on planes with infinitely many solutions, or so it seems
+  std::vector<Exact_ranges> m_continua; // boxes on planes with infinitely many solutions, or so it seems
   Summary m_work;
+  bool m_tries_doubles = false;
 
 public:
-  explicit Curve_vertices(const Solver_options& options) : m_solver(options) {}
+  // `tries_doubles`: before the solver, for points on lines, whose boxes are a little wider then.
+  explicit Curve_vertices(const Solver_options& options, bool tries_doubles = false)
+    : m_solver(options), m_tries_doubles(tries_doubles)
+  {}
 
   // With some of the points of others, so that a task may add what it finds, without regard to other tasks.
   Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points)
@@ -257,17 +267,22 @@ public:
     const std::size_t before = m_points.size();
     std::vector<std::size_t> result;
     const Constraint_system_d plane = internal::on_plane(system, box, axis, value);
-    for (const Solution_d<double>& solution : solve(plane)) {
-      if (needs_regular && solution.kind() != Solution_kind::CERTIFIED) {
-        m_points.resize(before);
-        return std::nullopt;
+    if (const auto roots = simple_roots(plane))
+      for (const auto& [root, region] : *roots)
+        result.push_back(
+            placed(plane, on_plane({Plane_point::REGULAR, root, region, {}}, axis, value), box, axis, known));
+    else
+      for (const Solution_d<double>& solution : solve(plane)) {
+        if (needs_regular && solution.kind() != Solution_kind::CERTIFIED) {
+          m_points.resize(before);
+          return std::nullopt;
+        }
+        if (solution.kind() == Solution_kind::CONTINUUM || solution.reason() == Undecided_reason::CONTINUUM) {
+          add_continuum(solution, axis, value);
+          continue;
+        }
+        result.push_back(placed(plane, on_plane(point_of(solution), axis, value), box, axis, known));
       }
-      if (solution.kind() == Solution_kind::CONTINUUM || solution.reason() == Undecided_reason::CONTINUUM) {
-        add_continuum(solution, axis, value);
-        continue;
-      }
-      result.push_back(placed(plane, point_of(solution, axis, value), box, axis, known));
-    }
     const auto is_near = [&](std::size_t i) {
       return m_points[i].box[axis].first < value && value < m_points[i].box[axis].second &&
           std::find(result.begin(), result.end(), i) == result.end();
@@ -339,13 +354,21 @@ private:
             {}};
   }
 
-  static Plane_point point_of(const Solution_d<double>& solution, int axis, const Exact_rational& value)
+  static Plane_point on_plane(Plane_point point, int axis, const Exact_rational& value)
   {
-    Plane_point result = point_of(solution);
-    for (Exact_ranges* ranges : {&result.box, &result.region})
+    for (Exact_ranges* ranges : {&point.box, &point.region})
       ranges->insert(ranges->begin() + axis, {value, value});
-    result.is_fixed.assign(result.box.size(), false);
-    return result;
+    point.is_fixed.assign(point.box.size(), false);
+    return point;
+  }
+
+  // Of a system in one unknown, if doubles do.
+  std::optional<std::vector<Simple_roots_on_line::Root>> simple_roots(const Constraint_system_d& plane)
+  {
+    if (!m_tries_doubles || plane.dimension() != 1)
+      return std::nullopt;
+    ++m_work.nodes;
+    return Simple_roots_on_line()(plane);
   }
 
   static void fix(Plane_point& point, int axis, const Exact_rational& value)

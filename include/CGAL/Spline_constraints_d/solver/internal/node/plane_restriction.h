@@ -52,8 +52,12 @@ inline Spline_term with_fixed(const Spline_term& term, std::size_t axis, const E
         return without_axis(piece[cell * step], static_cast<std::size_t>(degree) + 1, inner_size,
                             [&](const Exact_rational* coefficient, std::size_t distance) {
                               Exact_rational sum = coefficient[degree * distance];
-                              for (int k = degree - 1; k >= 0; --k)
-                                sum = Exact_rational(sum * value + coefficient[k * distance]);
+                              for (int k = degree - 1; k >= 0; --k) { // many coefficients are zero
+                                if (!CGAL::is_zero(sum))
+                                  sum *= value;
+                                if (!CGAL::is_zero(coefficient[k * distance]))
+                                  sum += coefficient[k * distance];
+                              }
                               return sum;
                             });
       });

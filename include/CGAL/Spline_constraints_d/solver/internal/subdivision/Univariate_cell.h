@@ -50,7 +50,7 @@ inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& fun
   for (const Spline_term& term : function.terms())
     for (const auto& piece : term.pieces)
       for (const Exact_rational& coefficient : piece)
-        denominator = lcm(denominator, denominator_of(coefficient));
+        extend_common_denominator(denominator, coefficient);
   std::vector<std::vector<Big_integer>> sums((std::max)(breaks.size() - 1, std::size_t(1)));
   for (const Spline_term& term : function.terms())
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -63,7 +63,7 @@ inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& fun
       if (sums[i].size() < piece.size())
         sums[i].resize(piece.size(), Big_integer(0));
       for (std::size_t k = 0; k < piece.size(); ++k)
-        add_product(sums[i][k], numerator_of(piece[k]), denominator / denominator_of(piece[k]));
+        sums[i][k] += numerator_over(piece[k], denominator);
     }
   std::vector<Integer_polynomial> result;
   for (std::vector<Big_integer>& sum : sums)

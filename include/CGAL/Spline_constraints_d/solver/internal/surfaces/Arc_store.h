@@ -52,7 +52,7 @@ class Arc_store
 {
   std::vector<Plane_point> m_vertices;
   std::vector<Stored_arc> m_arcs;
-  std::map<std::pair<std::vector<bool>, Exact_ranges>, std::size_t> m_places; // of the points on several planes
+  std::multimap<std::vector<double>, std::size_t> m_places; // of the points on several planes: near the lower ends
 
 public:
   // Where arcs are cut, with the points in the order from their first ends.
@@ -66,12 +66,19 @@ public:
   // around are left undecided.
   std::size_t add_vertex(const Plane_point& point)
   {
-    const auto [place, is_new] = m_places.try_emplace({point.is_fixed, point.box}, m_vertices.size());
-    if (is_new || point.planes() < 2) {
-      place->second = m_vertices.size();
-      m_vertices.push_back(point);
-    }
-    return place->second;
+    std::vector<double> place;
+    for (const auto& [lower, upper] : point.box)
+      place.push_back(CGAL::to_double(lower));
+    const auto [first, last] = m_places.equal_range(place);
+    const auto known = std::find_if(first, last, [&](const auto& entry) {
+      return m_vertices[entry.second].is_fixed == point.is_fixed && m_vertices[entry.second].box == point.box;
+    });
+    if (known != last)
+      return known->second;
+    if (point.planes() > 1)
+      m_places.emplace_hint(last, std::move(place), m_vertices.size());
+    m_vertices.push_back(point);
+    return m_vertices.size() - 1;
   }
 
   std::vector<std::size_t> add_vertices(const std::vector<Plane_point>& points)

@@ -111,7 +111,7 @@ private:
   // Where there are none, or many that cannot be proved, this costs a part of what the boxes do.
   void search(const Exact_ranges& box)
   {
-    constexpr std::size_t few_steps = 1000, more_steps = 8, few_attempts = 8, more_attempts = 4;
+    constexpr std::size_t few_steps = 300, more_steps = 4, few_attempts = 8, more_attempts = 4;
     if (m_steps > few_steps + more_steps * m_calls || m_attempts > few_attempts + more_attempts * m_points.size())
       return;
     prepare();
@@ -120,14 +120,20 @@ private:
       near[j].first -= Exact_rational(small * m_lengths[j]);
       near[j].second += Exact_rational(small * m_lengths[j]);
     }
-    if (const std::optional<Exact_point> point = rational_point_in(near))
-      add(box_around(*point, Exact_point(3, Exact_rational(0))), *point);
-    else if (const std::optional<Exact_ranges> irrational = irrational_point_in(near)) {
+    const Search_result found = quick_search(near);
+    if (found.point)
+      return add(box_around(*found.point, Exact_point(3, Exact_rational(0))), *found.point);
+    const std::optional<std::vector<double>> critical = critical_point_in(near);
+    if (critical && is_known(*critical))
+      return;
+    if (const auto irrational = critical ? singular_point_near(*critical) : std::nullopt) {
       Exact_point middle;
       for (const auto& [lower, upper] : *irrational)
         middle.push_back(Exact_rational((lower + upper) / 2));
       add(*irrational, middle);
-    }
+    } else if (found.is_unclear && !critical && is_smaller(box, moderate))
+      if (const std::optional<Exact_point> point = slow_search(near))
+        add(box_around(*point, Exact_point(3, Exact_rational(0))), *point);
   }
 
   void prepare()
@@ -155,39 +161,58 @@ private:
       m_points.push_back(*std::move(proved));
   }
 
-  std::optional<Exact_point> rational_point_in(const Exact_ranges& box)
+  // For a rational point.
+  Search_result quick_search(const Exact_ranges& box)
   {
-    constexpr std::size_t steps_for_digits = 64; // that cost as much
-    const auto is_singular = [this](const Exact_point& point) {
-      return std::all_of(m_conditions.begin(), m_conditions.end(),
-                         [&](const Power_polynomial& condition) { return CGAL::is_zero(condition(point)); });
-    };
-    Gauss_newton_search<double> quick(m_rounded, box, is_singular);
-    Search_result found = quick();
-    m_steps += quick.steps();
-    if (!found.is_unclear)
-      return found.point;
-    Gauss_newton_search<Exact_rational> slow(m_exact, box, is_singular);
-    found = slow();
-    m_steps += steps_for_digits * slow.steps();
-    return found.point;
+    Gauss_newton_search<double> search(m_rounded, box, [this](const Exact_point& point) { return is_singular(point); });
+    const Search_result result = search();
+    m_steps += search.steps();
+    return result;
   }
 
-  // Newton's method for the gradient, and the solver where it leads to.
-  std::optional<Exact_ranges> irrational_point_in(const Exact_ranges& box)
+  // With more digits.
+  std::optional<Exact_point> slow_search(const Exact_ranges& box)
   {
-    constexpr double near = 0x1p-20, seems_to_be_zero = 0x1p-30;
-    constexpr std::size_t most_nodes = 1000;
-    const std::optional<std::vector<double>> place = critical_point_in(box);
-    if (!place)
-      return std::nullopt;
-    const auto value = m_rounded(*place).front();
-    if (!(std::abs(value.value) <= seems_to_be_zero * value.size))
-      return std::nullopt;
-    Exact_point middle(place->begin(), place->end()), distances;
+    constexpr std::size_t quick_steps = 64; // that cost as much as one
+    Gauss_newton_search<Exact_rational> search(m_exact, box,
+                                               [this](const Exact_point& point) { return is_singular(point); });
+    const Search_result result = search();
+    m_steps += quick_steps * search.steps();
+    return result.point;
+  }
+
+  bool is_singular(const Exact_point& point) const
+  {
+    return std::all_of(m_conditions.begin(), m_conditions.end(),
+                       [&](const Power_polynomial& condition) { return CGAL::is_zero(condition(point)); });
+  }
+
+  Exact_ranges box_near(const std::vector<double>& place) const
+  {
+    constexpr double near = 0x1p-20;
+    Exact_point distances;
     for (const double length : m_lengths)
       distances.emplace_back(near * length);
-    Constraint_system_d system(box_around(middle, distances));
+    return box_around(Exact_point(place.begin(), place.end()), distances);
+  }
+
+  bool is_known(const std::vector<double>& place) const
+  {
+    const Exact_ranges around = box_near(place);
+    return std::any_of(m_places.begin(), m_places.end(), [&](const Exact_point& known) {
+      return is_within(box_around(known, Exact_point(3, Exact_rational(0))), around);
+    });
+  }
+
+  // By the solver, if the equality seems to be zero at a critical point.
+  std::optional<Exact_ranges> singular_point_near(const std::vector<double>& critical) const
+  {
+    constexpr double seems_to_be_zero = 0x1p-30;
+    constexpr std::size_t most_nodes = 1000;
+    const auto value = m_rounded(critical).front();
+    if (!(std::abs(value.value) <= seems_to_be_zero * value.size))
+      return std::nullopt;
+    Constraint_system_d system(box_near(critical));
     for (const Power_polynomial& condition : m_conditions)
       if (!condition.is_zero())
         system.add(condition, Relation::EQUAL);
@@ -199,6 +224,7 @@ private:
     return points.begin()->exact_box();
   }
 
+  // Newton's method for the gradient.
   std::optional<std::vector<double>> critical_point_in(const Exact_ranges& box)
   {
     constexpr int most_steps = 20;

@@ -253,7 +253,7 @@ private:
     if (meets_open_part(box, axis, value) || !are_ends_beside(arcs, axis, value))
       return std::nullopt;
     const Constraint_system_d plane = on_plane(m_equalities, box, axis, value);
-    Curve_findings found{Curve_vertices(m_options)};
+    Curve_findings found{Curve_vertices(m_options, true)};
     Arc_store::Cuts cuts;
     if (!find_crossings(plane, box, arcs, axis, value, found.vertices, cuts))
       return std::nullopt;

@@ -123,7 +123,7 @@ private:
       part.insert(part.begin() + axis, {value, value});
       return part;
     };
-    Curve_findings found{Curve_vertices(m_options)};
+    Curve_findings found{Curve_vertices(m_options, true)};
     std::vector<std::size_t> known;
     for (int j = 0; j < plane.dimension(); ++j)
       for (const Exact_rational& end : {box[j].first, box[j].second}) {
