@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Regions on surfaces, and meshes. What other sources of the library have is only declared.
-// Regions on surfaces, their meshes, and pictures of meshes. What other sources of the library have is only declared.
+// Regions on surfaces, meshes, and pictures of meshes. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
 #include <CGAL/Spline_constraints_d/IO/internal/scene/Scene_painter.h>

