@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Triangles of implicit surfaces, all components of them: the tangle cube as a CGAL::Polynomial, and a torus with a ball
-// in its middle that is too small to be found by rays. Writes the tangle cube with its properties, and a picture.
+// Triangles of implicit surfaces, all components of them: the tangle cube as a CGAL::Polynomial, and a torus with a
+// ball in its middle that is too small to be found by rays. Writes the tangle cube with its properties, and a picture.
 
 #include "surface_output.h"
 

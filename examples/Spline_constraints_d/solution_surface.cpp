@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All positions of a linkage of five bars in the plane, one of which is fixed: four equations in six unknowns, whose
-// solutions are a surface. Its genus depends on the lengths of the bars; with equal ones it is 4. Draws the surface with
-// the place of the middle joint as a map, and the difference of the heights of the other two upwards.
+// solutions are a surface. Its genus depends on the lengths of the bars; with equal ones it is 4. Draws the surface
+// with the place of the middle joint as a map, and the difference of the heights of the other two upwards.
 
 #include "surface_output.h"
 
@@ -17,8 +17,7 @@ namespace SC = CGAL::Spline_constraints;
 
 int main()
 {
-  const auto [ax, ay, bx, by, cx, cy] =
-      SC::unknowns({-3, 3}, {-3, 3}, {-3, 3}, {-3, 3}, {-3, 3}, {-3, 3});
+  const auto [ax, ay, bx, by, cx, cy] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3}, {-3, 3}, {-3, 3}, {-3, 3});
   const auto squared_length = [](const SC::Expression& x, const SC::Expression& y) { return square(x) + square(y); };
   for (const int bar : {1, 2}) { // length of the first moving bar, in halves of the others
     const SC::Exact_rational length = SC::Exact_rational(bar) / 2;

@@ -123,7 +123,7 @@ int solve(Arguments arguments)
   }
 
   if (!arguments.output.empty())
-    throw SC::Invalid_input("--output is for curves and surfaces of solutions: one or two equalities less than unknowns");
+    throw SC::Invalid_input("--output is for curves and surfaces: one or two equalities less than unknowns");
 
   Progress_bar progress;
   const auto run = [&]<class Test>() {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes surfaces of solutions, in their first three unknowns, as meshes: into .off, .ply and .stl triangles alone, into
-// .vtp with all unknowns, normals and curvatures, into .svg as a picture; and prints a line for each surface.
+// Writes surfaces of solutions, in their first three unknowns, as meshes: into .off, .ply and .stl triangles alone,
+// into .vtp with all unknowns, normals and curvatures, into .svg as a picture; and prints a line for each surface.
 #ifndef SURFACE_OUTPUT_H
 #define SURFACE_OUTPUT_H
 
@@ -79,9 +79,9 @@ inline void print_surfaces(const std::vector<std::string>& names,
               << (surface.is_open_ended ? ", may go on in an undecided region" : "") << '\n';
   }
   std::cout.precision(17);
-  for (const auto& [name, points] : {std::pair("point", &set.points()), std::pair("singular point", &set.singular_points())})
+  for (const auto* points : {&set.points(), &set.singular_points()})
     for (const std::size_t point : *points) {
-      std::cout << name << ' ';
+      std::cout << (points == &set.points() ? "point " : "singular point ");
       print_box(set.vertices()[point].box);
     }
   for (const auto& region : set.undecided_regions()) {

@@ -31,10 +31,10 @@ triangles of surfaces of solutions, as a mesh in space, whose coordinates are th
 
 The mesh has the topology that was proved of the surfaces: each patch is triangulated over its two parameters, within
 the polygon that its boundary is there, and patches share the points of their arcs. So it is a manifold, closed where
-the surfaces are; with three unknowns no triangles meet but in common edges and vertices. A vertex in which surfaces meet is there once
-for each fan of triangles. All vertices are solutions up to rounding, found by Newton's method, or by the solver where
-that fails. Then, unless this is not wanted, triangles are made well-shaped; a mesh that would cross itself after that is
-given as it was before.
+the surfaces are; with three unknowns no triangles meet but in common edges and vertices. A vertex in which surfaces
+meet is there once for each fan of triangles. All vertices are solutions up to rounding, found by Newton's method, or by
+the solver where that fails. Then, unless this is not wanted, triangles are made well-shaped; a mesh that would cross
+itself after that is given as it was before.
 
 \param set the solutions.
 \param options how fine the triangles are.
@@ -50,8 +50,8 @@ inline Solution_surface_mesh to_surface_mesh(const Surface_solution_set_d& set,
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-the same of the image of surfaces of solutions, in any number of unknowns, under a map to space. Where the map is not one
-to one the image may cross itself, or have edges; the mesh follows it.
+the same of the image of surfaces of solutions, in any number of unknowns, under a map to space. Where the map is not
+one to one the image may cross itself, or have edges; the mesh follows it.
 
 \param set the solutions.
 \param image the point of space as formulas of the unknowns, such as `S(u, v)` of a surface.

@@ -42,7 +42,8 @@ the polynomial is.
 \param run as for `solve_surfaces()`; its limit of time is that of finding the surface and of the triangles together.
 \throws Invalid_input as `to_surface_mesh()` for surfaces of solutions.
 */
-inline Solution_surface_mesh to_surface_mesh(const Implicit_surface_3& surface, const Surface_mesh_options& options = {},
+inline Solution_surface_mesh to_surface_mesh(const Implicit_surface_3& surface,
+                                             const Surface_mesh_options& options = {},
                                              const Solver_options& run = {.tolerance = 1e-8})
 {
   const Surface_solution_set_d set = solve_surfaces(surface, run);

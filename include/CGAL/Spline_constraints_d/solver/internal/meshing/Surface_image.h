@@ -119,8 +119,8 @@ public:
     return Point(m_quotients.values[0], m_quotients.values[1], m_quotients.values[2]);
   }
 
-  // The directions in which unknowns can move on the surface, as columns, and those in which their images move. With the
-  // gradients of the equalities before them, those of inequalities negated, they are positively oriented.
+  // The directions in which unknowns can move on the surface, as columns, and those in which their images move. With
+  // the gradients of the equalities before them, those of inequalities negated, they are positively oriented.
   using Directions = Eigen::Matrix<double, Eigen::Dynamic, 2>;
   struct Tangents
   {

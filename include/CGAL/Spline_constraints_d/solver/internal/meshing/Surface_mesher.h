@@ -250,8 +250,8 @@ private:
   }
 };
 
-// Triangles of surfaces whose points are numbered anew where surfaces meet, or one itself, in a point: there each fan of
-// triangles has a point of its own. `copies`: the points that the new ones beyond `points` are copies of.
+// Numbers points of triangles anew where surfaces meet, or one itself, in a point: there each fan of triangles gets a
+// point of its own. Returns the points that the new ones beyond `points` are copies of.
 inline std::vector<std::size_t> separate_fans(std::vector<std::array<std::size_t, 3>>& triangles,
                                               const std::set<std::size_t>& singular, std::size_t points)
 {
