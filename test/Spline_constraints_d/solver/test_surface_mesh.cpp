@@ -248,6 +248,41 @@ TEST(Surface_mesh, image_of_a_surface_in_four_unknowns)
   }
 }
 
+// The circles of a torus in its plane of symmetry and its meridians in another plane, which cross: four circles cut into
+// eight arcs, with exact coordinates on the planes.
+TEST(Surface_mesh, features_are_edges)
+{
+  const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const auto ring = square(x) + square(y);
+  const std::array constraints{square(ring + square(z) + Rational(91) / 100) - 4 * ring == 0};
+  const SC::Constraint_system_d system = SC::make_system(constraints);
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(system, {z.polynomial(), (3 * x + 4 * y).polynomial()});
+  ASSERT_TRUE(set.is_complete()) << set;
+  EXPECT_EQ(set.surfaces().size(), 1u);
+  EXPECT_EQ(set.euler_characteristic(), 0);
+  const SC::Solution_surface_mesh result = SC::to_surface_mesh(set, {.chord_error = 0.005});
+  check(result, set, 0.005);
+  EXPECT_TRUE(PMP::is_outward_oriented(result.mesh));
+  double horizontal = 0, vertical = 0;
+  for (const auto e : result.mesh.edges()) {
+    const auto h = result.mesh.halfedge(e);
+    const auto &a = result.mesh.point(result.mesh.source(h)), &b = result.mesh.point(result.mesh.target(h));
+    EXPECT_GE(a.z() * b.z(), 0); // none crosses
+    if (!result.is_feature[e])
+      continue;
+    const double length = std::sqrt(CGAL::squared_distance(a, b));
+    const bool is_horizontal = std::abs(a.z()) < 1e-15 && std::abs(b.z()) < 1e-15;
+    (is_horizontal ? horizontal : vertical) += length;
+    if (!is_horizontal) {
+      EXPECT_NEAR(3 * a.x() + 4 * a.y(), 0, 1e-13);
+      EXPECT_NEAR(3 * b.x() + 4 * b.y(), 0, 1e-13);
+    }
+  }
+  EXPECT_NEAR(horizontal, 4 * CGAL_PI, 0.1);
+  EXPECT_NEAR(vertical, 1.2 * CGAL_PI, 0.05);
+  EXPECT_THROW(SC::solve_surfaces(system, {SC::Power_polynomial::variable(3)}), SC::Invalid_input);
+}
+
 // z = |x| as a spline: the edge where it breaks is kept.
 TEST(Surface_mesh, breaks_of_splines_are_edges)
 {

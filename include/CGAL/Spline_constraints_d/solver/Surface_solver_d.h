@@ -19,6 +19,7 @@
 
 #include <array>
 #include <concepts>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -72,6 +73,21 @@ public:
     return internal::all_surfaces<Traits>(system, m_options, control);
   }
 
+  /*!
+  the same, cut along curves.
+  \param features functions along whose zeros surfaces are cut into patches: the curves in which a surface of solutions
+  meets the zeros of such a function are arcs, and edges of a mesh. Boxes have one more range for each of them, that of
+  its values. Where zeros only touch a surface, or cross each other, it may be undecided.
+  \throws Invalid_input also when a feature has an unknown that the system does not have.
+  */
+  Surface_solution_set_d operator()(const Constraint_system_d& system,
+                                    const std::vector<Spline_function>& features) const
+  {
+    internal::check_definitions<Traits, internal::are_surfaces_compiled<Traits>>();
+    internal::Run_control control(m_options);
+    return internal::all_surfaces<Traits>(system, m_options, control, features);
+  }
+
   //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
   //! goes on.
   template <SolverVisitor Visitor>
@@ -99,6 +115,15 @@ inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
   options.check();
   internal::Run_control control(options);
   return internal::surfaces_after_elimination<Certified_solver_traits>(system, options, control);
+}
+
+//! \ingroup PkgSplineConstraintsDSolver
+//! the same, cut along the zeros of functions, see `Surface_solver_d`; no unknowns are eliminated.
+inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
+                                             const std::vector<Spline_function>& features,
+                                             const Solver_options& options = {.tolerance = 1e-8})
+{
+  return Surface_solver_d<>(options)(system, features);
 }
 
 /*!

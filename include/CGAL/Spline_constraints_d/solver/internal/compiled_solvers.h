@@ -45,11 +45,12 @@ template <class Traits, class Concurrency_tag>
 Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
                                 const Curve_search& search);
 
-// Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
+// All surfaces of solutions of a system, cut along the zeros of some functions; defined in surfaces/all_surfaces.h.
 template <class Traits>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
-                                    Run_control& control);
+                                    Run_control& control, const std::vector<Spline_function>& features = {});
 
+// Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
 Newton_result improved_point(const Constraint_system_d& system, std::vector<double> start,
                              const Newton_options& options);
 
@@ -114,7 +115,7 @@ constexpr void check_definitions()
 
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS)                                                     \
   EXTERN template Surface_solution_set_d all_surfaces<TRAITS>(const Constraint_system_d&, const Solver_options&,       \
-                                                              Run_control&);
+                                                              Run_control&, const std::vector<Spline_function>&);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \

@@ -223,12 +223,12 @@ Surface_findings surfaces_of_simple_factors(std::shared_ptr<const Constraint_sys
 // All surfaces of solutions of a system.
 template <class Traits>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
-                                    Run_control& control)
+                                    Run_control& control, const std::vector<Spline_function>& features)
 {
   [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
   check_codimension(system, 2, "solve_surfaces");
-  auto equalities = std::make_shared<const Constraint_system_d>(inequalities_as_unknowns(system));
+  auto equalities = std::make_shared<const Constraint_system_d>(inequalities_as_unknowns(system, features));
   Surface_findings found;
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere))
     found.undecided.push_back({domain_of(*equalities), {}, Undecided_reason::CONTINUUM});

@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,8 +41,12 @@ A system of equalities with one unknown more for each inequality: g >= 0 is g = 
 face of the new domain cuts the surfaces, as faces do; the other one lies beyond the greatest value of g, so that
 surfaces do not reach it together with a face of the old domain. Inequalities that hold everywhere are left out; strict
 ones give the closure of what they allow.
+
+A feature, a function along whose zeros surfaces are to be cut, is an unknown likewise, positive or negative, with a
+break at zero: planes of breaks cut surfaces, and both sides share the arcs.
 */
-inline Constraint_system_d inequalities_as_unknowns(const Constraint_system_d& system)
+inline Constraint_system_d inequalities_as_unknowns(const Constraint_system_d& system,
+                                                    const std::vector<Spline_function>& features = {})
 {
   Exact_ranges domain = domain_of(system);
   std::vector<Spline_function> equalities = system.equalities();
@@ -61,6 +66,18 @@ inline Constraint_system_d inequalities_as_unknowns(const Constraint_system_d& s
     domain.emplace_back(Exact_rational(0), most > 0 ? Exact_rational(2 * most) : Exact_rational(1));
     value += Spline_function(Power_polynomial::variable(unknown) * Power_polynomial(Exact_rational(-1)));
     equalities.push_back(std::move(value));
+  }
+  for (const Spline_function& feature : features) {
+    Constraint_system_d(domain_of(system)).add(feature, Relation::EQUAL); // throws where it has other unknowns
+    const auto [least, most] = bounds_in_domain(feature, system);
+    if (least > 0 || most < 0)
+      continue;
+    const int unknown = static_cast<int>(domain.size());
+    const Exact_rational bound = 1 + 2 * (std::max)(Exact_rational(-least), most);
+    domain.emplace_back(Exact_rational(-bound), bound);
+    const Spline_function own(
+        Spline_term{{unknown}, {1}, {{Exact_rational(-bound), Exact_rational(0), bound}}, {{0, 1}, {0, 1}}});
+    equalities.push_back(feature - own);
   }
   Constraint_system_d result(std::move(domain));
   for (Spline_function& equality : equalities)
