@@ -31,25 +31,6 @@ K::Point_3 rounded(const Exact::Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-K::Vector_3 rounded_normal(const rounded_cuboid::Surface& surface, const rounded_cuboid::Number& u,
-                           const rounded_cuboid::Number& v)
-{
-  return rounded(CGAL::ORIGIN + surface.normal(u, v)) - CGAL::ORIGIN;
-}
-
-// The face as a polygon, if it shows its back.
-void add_ground(Scene& scene, const rounded_cuboid::Surface& surface, const SC::Surface_face_3& face,
-                const std::array<double, 3>& color)
-{
-  const K::Vector_3 normal = rounded_normal(surface, face.sample[0], face.sample[1]);
-  if (!(normal * Scene::direction() < 0))
-    return;
-  std::vector<K::Point_3> polygon;
-  for (const SC::Surface_face_edge_3& edge : face.loops.front())
-    polygon.push_back(rounded(surface(edge.source.x(), edge.source.y())));
-  scene.add_ground(polygon, normal, color, face.loops.size() > 1 ? 0 : 1);
-}
-
 bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, const Exact::Sphere_3& ball,
           const Axis& axis)
 {
@@ -67,11 +48,7 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     for (const auto& [access, color] : colors) {
       const auto part = SC::to_surface_mesh(surfaces[i], static_cast<int>(access), 0.01);
       is_complete = is_complete && part.is_complete();
-      if (part.error > 1e-9)   // flat ones are polygons
-        scene.add_backs(part.mesh, color);
-      for (const SC::Surface_face_3& face : surfaces[i].faces())
-        if (face.label == static_cast<int>(access))
-          add_ground(scene, cuboid[i], face, color);
+      scene.add(part.mesh, color);
     }
     const auto boundaries = SC::accessibility_boundaries(cuboid[i], ball, axis);
     closed += boundaries.number_of_closed_curves();
@@ -79,13 +56,8 @@ bool draw(const char* path, const std::vector<rounded_cuboid::Surface>& cuboid, 
     is_complete = is_complete && boundaries.is_complete();
     for (const SC::Surface_curve& curve : boundaries.curves()) {
       std::vector<K::Point_3> points;
-      for (const auto& sample : boundaries.polyline(curve, 4e-3)) {
-        const auto& at = sample.parameters;
-        if (rounded_normal(cuboid[i], at[0], at[1]) * Scene::direction() < 0)
-          points.push_back(rounded(sample.point));
-        else
-          scene.add(std::exchange(points, {}), "#c00020", 2);
-      }
+      for (const auto& sample : boundaries.polyline(curve, 4e-3))
+        points.push_back(rounded(sample.point));
       scene.add(points, "#c00020", 2);
     }
   }
