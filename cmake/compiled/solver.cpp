@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/surface_proof.h>
 
 namespace CGAL::Spline_constraints {
 

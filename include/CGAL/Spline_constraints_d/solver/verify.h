@@ -11,12 +11,14 @@
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/System_decomposition.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/surface_proof.h>
 #endif
 
 #include <cmath>
@@ -103,6 +105,23 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   return internal::verification::is_proved(system, solution.kind(), box, solution.ends()) ||
       (solution.kind() < Solution_kind::CONTINUUM && system.dimension() > 1 &&
        internal::is_solution_proved_by_parts(system, solution.kind(), box));
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+proves the cells of surfaces of solutions once more, from their boxes alone, in exact rational arithmetic and apart from the
+solver: that solutions in the box of each patch are a graph over its parameters and have its orientation,
+those in the box of each arc, on its plane, a graph over its parameter, that the box of each vertex holds one solution
+on the planes of its arcs, and that boundaries are loops. `true` only when all of these proofs succeed. That there are no
+other solutions is not proved again, nor are patches with an apex, for which the answer is `false`;
+`false` says nothing else either, as bounds are other ones than those of the solver.
+
+Cost: an exact expansion of the equalities for each cell, of a patch several ones; much more than solving takes.
+*/
+inline bool verify(const Surface_solution_set_d& set)
+{
+  return internal::verification::are_surfaces_proved(set);
 }
 
 } // namespace Spline_constraints

@@ -66,6 +66,9 @@ bool is_proved(const Constraint_system_d& system, Solution_kind kind,
                const std::vector<std::pair<Exact_rational, Exact_rational>>& box,
                const std::vector<std::vector<Exact_rational>>& ends);
 
+// Whether all cells of surfaces of solutions are proved; defined in verification/surface_proof.h.
+bool are_surfaces_proved(const Surface_solution_set_d& set);
+
 } // namespace verification
 
 // Complete where solver/own_traits.h is included.
