@@ -28,10 +28,10 @@ namespace internal {
 namespace verification {
 
 /*
-Proves the cells of a surface of solutions once more, in exact arithmetic, from their boxes alone: that solutions in
-the box of a patch are a graph over its parameters, with the sign of the minor that it has; that those in the box of an arc,
-on its plane, are a graph over its parameter; that the box of a vertex holds one solution on two planes that it lies
-on; and that boundaries are loops on the faces of boxes.
+Proves the cells of a surface of solutions once more, in exact arithmetic, from their boxes alone: that solutions in the
+box of a patch are a graph over its parameters, with the sign of the minor that it has; that those in the box of an arc,
+on its plane, are a graph over its parameter; that the box of a vertex holds one solution on two planes that it lies on;
+and that boundaries are loops on the faces of boxes.
 */
 class Surface_proof
 {
@@ -145,8 +145,8 @@ private:
   }
 
   // The sign of the determinant of the derivatives by all unknowns but two, which is the same in the parts of the box
-  // that may hold solutions if |I - C J| < 1 there in weighted row sums, with C near a share of the inverse at a point amid
-  // them, as derivatives may be greater elsewhere; 0 where that is not proved.
+  // that may hold solutions if |I - C J| < 1 there in weighted row sums; 0 where that is not proved. C is near a share
+  // of the inverse at a point amid the solutions, or amid the box: derivatives may be greater elsewhere.
   int sign_of_graph(const Box& box, const Point& middle, const std::array<int, 2>& parameters) const
   {
     const Exact_rational share = Exact_rational(1) / 16;
@@ -154,14 +154,16 @@ private:
     for (int j = 0; j < m_system.dimension(); ++j)
       if (std::find(parameters.begin(), parameters.end(), j) == parameters.end())
         axes.push_back(j);
-    const Matrix jacobian = Part(m_functions, point_box(middle)).jacobian(m_functions.size(), axes);
-    Matrix inverse = rounded_left_inverse(jacobian, digits_for(box));
-    for (Exact_rational& entry : inverse.entries)
-      entry *= share;
-    std::size_t parts = 0;
-    if (inverse.rows == 0 || !is_near_identity(inverse, axes, box, parts))
-      return 0;
-    return sign_of_determinant(jacobian.entries, axes.size());
+    for (const Point& point : {middle, verification::middle_of(box)}) {
+      const Matrix jacobian = Part(m_functions, point_box(point)).jacobian(m_functions.size(), axes);
+      Matrix inverse = rounded_left_inverse(jacobian, digits_for(box));
+      for (Exact_rational& entry : inverse.entries)
+        entry *= share;
+      std::size_t parts = 0;
+      if (inverse.rows > 0 && is_near_identity(inverse, axes, box, parts))
+        return sign_of_determinant(jacobian.entries, axes.size());
+    }
+    return 0;
   }
 
   bool is_near_identity(const Matrix& inverse, const Axes& axes, const Box& box, std::size_t& parts) const
@@ -213,7 +215,7 @@ private:
     return result;
   }
 
-  // Whether weighted row sums are below the weights. Unknowns that stand for values of inequalities depend on the others
+  // Whether weighted row sums are below the weights. Unknowns that stand for values of inequalities depend on others,
   // and no others on them: they have a great weight.
   bool is_contraction(const Matrix& distances, const Axes& axes) const
   {
