@@ -110,12 +110,12 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-proves the cells of surfaces of solutions once more, from their boxes alone, in exact rational arithmetic and apart from the
-solver: that solutions in the box of each patch are a graph over its parameters and have its orientation,
-those in the box of each arc, on its plane, a graph over its parameter, that the box of each vertex holds one solution
-on the planes of its arcs, and that boundaries are loops. `true` only when all of these proofs succeed. That there are no
-other solutions is not proved again, nor are patches with an apex, for which the answer is `false`;
-`false` says nothing else either, as bounds are other ones than those of the solver.
+proves the cells of surfaces of solutions once more, from their boxes alone, in exact rational arithmetic and apart from
+the solver: that solutions in the box of each patch are a graph over its parameters and have its orientation, those in
+the box of each arc, on its plane, a graph over its parameter, that the box of each vertex holds one solution on its
+planes, and that boundaries are loops. `true` only when all of these proofs succeed. That there are no other solutions
+is not proved again, nor are patches with an apex, for which the answer is `false`; `false` says nothing else either, as
+bounds are other ones than those of the solver.
 
 Cost: an exact expansion of the equalities for each cell, of a patch several ones; much more than solving takes.
 */
