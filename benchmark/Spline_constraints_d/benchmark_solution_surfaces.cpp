@@ -108,17 +108,14 @@ SURFACES(half_torus, SC::make_system(std::array{torus(x, y, z), x >= 0}));
 SURFACES(tangle_cube, SC::make_system(std::array{tangle_cube()}));
 SURFACES(genus_28, SC::make_system(std::array{chebyshev_surface()}));
 SURFACES(clifford_torus, clifford_torus());
-<<<<<<< HEAD
 BENCHMARK_CAPTURE(eliminated_to_whole, common_sphere, common_sphere())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(eliminated_to_whole, sphere_in_hyperplanes, sphere_in_hyperplanes())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(eliminated_to_whole, torus_and_height, torus_and_height())->Unit(benchmark::kMillisecond);
-=======
 SURFACES(cone, SC::make_system(std::array{square(x) + square(y) == square(z)}));
 SURFACES(cubic_with_four_nodes,
          SC::make_system(std::array{square(x) + square(y) - square(x) * z + square(y) * z + square(z) == 1}));
 SURFACES(touching_spheres,
          SC::make_system(std::array{
              (square(x - 1) + square(y) + square(z) - 1) * (square(x + 1) + square(y) + square(z) - 1) == 0}));
->>>>>>> 6c9ee052 (Surfaces with singular points in the benchmark, and what is measured now)
 
 } // namespace
