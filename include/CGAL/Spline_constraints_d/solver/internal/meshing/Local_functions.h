@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -50,14 +51,8 @@ class Local_functions
   std::vector<double> m_place;
   std::vector<std::vector<Local_term>> m_functions;
 
-  // Partial sums, with the derivatives by the axes that have been summed over: the value, those of first order, and
-  // those of second order by axes i >= k at i (i + 1) / 2 + k.
-  struct Layers
-  {
-    std::vector<double> values;
-    std::vector<std::vector<double>> first, second;
-  };
-  mutable std::array<Layers, 2> m_layers;
+  // Partial sums of a term, with the derivatives by the axes that have been summed over, see channel().
+  mutable std::vector<double> m_sums;
 
 public:
   Local_functions(std::vector<double> place, std::vector<std::vector<Local_term>> functions)
@@ -77,66 +72,74 @@ public:
     result.hessians.assign(order > 1 ? size() * n * n : 0, 0);
     for (std::size_t i = 0; i < size(); ++i)
       for (const Local_term& term : m_functions[i])
-        add(term, point, order, i, result);
+        if (order > 1)
+          add<2>(term, point, i, result);
+        else
+          add<1>(term, point, i, result);
   }
 
 private:
-  void add(const Local_term& term, std::span<const double> point, int order, std::size_t function,
-           Function_jets& result) const
+  // Where sums begin, counted in numbers of coefficients: those of values at 0; behind them, for each axis i that was
+  // summed over, those of its derivatives, and those of second derivatives by i and the axes k <= i.
+  static std::size_t channel(std::size_t i) { return 1 + i * (i + 3) / 2; }
+  static std::size_t channel(std::size_t i, std::size_t k) { return channel(i) + 1 + k; }
+
+  // Sums over one axis after the other, the last one first. Sums take the place of what was summed, whose rows are
+  // longer.
+  template <int Order>
+  void add(const Local_term& term, std::span<const double> point, std::size_t function, Function_jets& result) const
   {
-    const std::size_t n = dimension(), axes = term.variables.size();
-    Layers *sums = &m_layers[0], *next = &m_layers[1];
-    sums->values = term.coefficients;
-    for (std::size_t j = axes; j-- > 0;) {
-      const auto v = static_cast<std::size_t>(term.variables[j]);
-      sum_along(*sums, term.degrees[j], point[v] - m_place[v], axes - 1 - j, order, *next);
-      std::swap(sums, next);
+    const std::size_t n = dimension(), axes = term.variables.size(), size = term.coefficients.size();
+    m_sums.resize((std::max)(m_sums.size(), size * channel(axes)));
+    const auto sums = [&](std::size_t place) { return m_sums.data() + place * size; };
+    const double* values = term.coefficients.data();
+    std::size_t rows = size;
+    for (std::size_t i = 0; i < axes; ++i) {
+      const std::size_t axis = axes - 1 - i, length = static_cast<std::size_t>(term.degrees[axis]) + 1;
+      const auto v = static_cast<std::size_t>(term.variables[axis]);
+      const double x = point[v] - m_place[v];
+      rows /= length;
+      sum<Order>(values, rows, length, x, {sums(0), sums(channel(i)), sums(channel(i, i))});
+      values = sums(0);
+      for (std::size_t k = 0; k < i; ++k)
+        sum<Order - 1>(sums(channel(k)), rows, length, x, {sums(channel(k)), sums(channel(i, k)), nullptr});
+      for (std::size_t k = 0; Order > 1 && k < i; ++k)
+        for (std::size_t l = 0; l <= k; ++l)
+          sum<0>(sums(channel(k, l)), rows, length, x, {sums(channel(k, l)), nullptr, nullptr});
     }
-    // axis i of the sums is axis axes - 1 - i of the term
     const auto unknown = [&](std::size_t i) { return static_cast<std::size_t>(term.variables[axes - 1 - i]); };
-    result.values[function] += sums->values.front();
+    result.values[function] += *values;
     for (std::size_t i = 0; i < axes; ++i)
-      result.gradients[function * n + unknown(i)] += sums->first[i].front();
-    for (std::size_t i = 0; order > 1 && i < axes; ++i)
+      result.gradients[function * n + unknown(i)] += *sums(channel(i));
+    for (std::size_t i = 0; Order > 1 && i < axes; ++i)
       for (std::size_t k = 0; k <= i; ++k) {
-        const double derivative = sums->second[i * (i + 1) / 2 + k].front();
+        const double derivative = *sums(channel(i, k));
         result.hessians[(function * n + unknown(i)) * n + unknown(k)] += derivative;
         if (i != k)
           result.hessians[(function * n + unknown(k)) * n + unknown(i)] += derivative;
       }
   }
 
-  // Sums over the last axis that is left; `done` axes were summed over before.
-  static void sum_along(const Layers& sums, int degree, double x, std::size_t done, int order, Layers& result)
+  // Values of polynomials in one variable by Horner's rule, and their derivatives up to an order, each to its place.
+  template <int Order>
+  static void sum(const double* coefficients, std::size_t rows, std::size_t length, double x,
+                  const std::array<double*, 3>& to)
   {
-    const std::size_t length = static_cast<std::size_t>(degree) + 1, rows = sums.values.size() / length;
-    result.first.resize((std::max)(result.first.size(), done + 1));
-    result.second.resize((std::max)(result.second.size(), (done + 1) * (done + 2) / 2));
-    const auto horner = [&](const std::vector<double>& from, int derivative, std::vector<double>& to) {
-      to.resize(rows);
-      for (std::size_t r = 0; r < rows; ++r)
-        to[r] = derivative_at(from.data() + r * length, degree, x, derivative);
-    };
-    horner(sums.values, 0, result.values);
-    horner(sums.values, 1, result.first[done]);
-    for (std::size_t i = 0; i < done; ++i)
-      horner(sums.first[i], 0, result.first[i]);
-    if (order < 2)
-      return;
-    const std::size_t own = done * (done + 1) / 2;
-    horner(sums.values, 2, result.second[own + done]);
-    for (std::size_t i = 0; i < done; ++i)
-      horner(sums.first[i], 1, result.second[own + i]);
-    for (std::size_t i = 0; i < own; ++i)
-      horner(sums.second[i], 0, result.second[i]);
-  }
-
-  static double derivative_at(const double* coefficients, int degree, double x, int derivative)
-  {
-    double result = 0;
-    for (int k = degree; k >= derivative; --k)
-      result = result * x + (derivative == 0 ? 1 : derivative == 1 ? k : k * (k - 1)) * coefficients[k];
-    return result;
+    for (std::size_t r = 0; r < rows; ++r, coefficients += length) {
+      double value = coefficients[length - 1], first = 0, half_of_second = 0;
+      for (std::size_t k = length - 1; k-- > 0;) {
+        if constexpr (Order > 1)
+          half_of_second = half_of_second * x + first;
+        if constexpr (Order > 0)
+          first = first * x + value;
+        value = value * x + coefficients[k];
+      }
+      to[0][r] = value;
+      if constexpr (Order > 0)
+        to[1][r] = first;
+      if constexpr (Order > 1)
+        to[2][r] = 2 * half_of_second;
+    }
   }
 };
 

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,10 +42,13 @@ class Mesh_points
   Surface_points m_surface;
   Surface_image m_image;
   std::vector<Mesh_point> m_points;
+  std::vector<Surface_points::Double_ranges> m_around_arc, m_around_patch; // their boxes, where they were needed
+  std::vector<std::map<std::pair<std::size_t, std::size_t>, std::optional<std::size_t>>> m_inside; // see add_inside()
 
 public:
   Mesh_points(const Surface_solution_set_d& set, const Image_functions* image, const Surface_mesh_options& options)
-    : m_set(set), m_options(options), m_surface(set), m_image(set, m_surface, image)
+    : m_set(set), m_options(options), m_surface(set), m_image(set, m_surface, image), m_around_arc(set.arcs().size()),
+      m_around_patch(set.patches().size()), m_inside(set.patches().size())
   {}
 
   const Surface_solution_set_d& set() const { return m_set; }
@@ -70,23 +74,30 @@ public:
   }
 
   // Adds the point of an arc whose parameter is in the middle between those of two others; none if they are too near.
-  std::optional<std::size_t> add_between(const Surface_arc& arc, std::size_t patch, std::size_t a, std::size_t b)
+  std::optional<std::size_t> add_between(std::size_t arc, std::size_t patch, std::size_t a, std::size_t b)
   {
-    const auto parameter = static_cast<std::size_t>(arc.parameter);
+    const Surface_arc& own = m_set.arcs()[arc];
+    const auto parameter = static_cast<std::size_t>(own.parameter);
     std::vector<double> middle = middle_of(a, b);
     if (middle[parameter] == m_points[a].unknowns[parameter] || middle[parameter] == m_points[b].unknowns[parameter])
       return std::nullopt;
-    std::optional<std::vector<double>> point =
-        m_surface.solution(patch, arc.box, {arc.plane, arc.parameter}, std::move(middle));
-    return point ? std::optional(add(patch, *std::move(point), {arc.plane})) : std::nullopt;
+    std::optional<std::vector<double>> point = m_surface.solution(patch, own.box, around(m_around_arc[arc], own.box),
+                                                                  {own.plane, own.parameter}, std::move(middle));
+    return point ? std::optional(add(patch, *std::move(point), {own.plane})) : std::nullopt;
   }
 
-  // Adds the point of a patch above the middle of two others; none if it is not there.
+  // Adds the point of a patch above the middle of two others, the first time; none if it is not there.
   std::optional<std::size_t> add_inside(std::size_t patch, std::size_t a, std::size_t b)
   {
-    std::optional<std::vector<double>> point =
-        m_surface.solution(patch, m_set.patches()[patch].box, m_set.patches()[patch].parameters, middle_of(a, b));
-    return point ? std::optional(add(patch, *std::move(point))) : std::nullopt;
+    const auto [place, is_new] = m_inside[patch].try_emplace(std::minmax(a, b));
+    if (is_new) {
+      const Surface_patch& own = m_set.patches()[patch];
+      std::optional<std::vector<double>> point =
+          m_surface.solution(patch, own.box, around(m_around_patch[patch], own.box), own.parameters, middle_of(a, b));
+      if (point)
+        place->second = add(patch, *std::move(point));
+    }
+    return place->second;
   }
 
   // Whether the surface above the middle of a chord of an arc is near enough to the chord: on a steep patch it is far
@@ -138,6 +149,13 @@ public:
   }
 
 private:
+  static const Surface_points::Double_ranges& around(Surface_points::Double_ranges& own, const Exact_ranges& box)
+  {
+    if (own.empty())
+      own = Surface_points::around(box);
+    return own;
+  }
+
   std::vector<double> middle_of(std::size_t a, std::size_t b) const
   {
     std::vector<double> result = m_points[a].unknowns;

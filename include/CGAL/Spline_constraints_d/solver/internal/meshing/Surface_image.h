@@ -139,17 +139,34 @@ public:
     return result;
   }
 
+  // Whether the surface is that of one equality in space, so that the gradient is its normal.
+  bool is_level_set() const { return !m_source && n() == 3; }
+
   // Of unit length; zero where there is none.
   Vector normal(std::size_t patch, const Unknowns& unknowns)
   {
+    if (is_level_set()) {
+      m_points.functions(patch).evaluate(unknowns, 1, m_jets);
+      return unit(m_jets.gradients);
+    }
     const Tangents tangent = tangents(patch, unknowns);
     const Vector cross = CGAL::cross_product(tangent.images[0], tangent.images[1]);
     const double size = length(cross);
     return size > 0 ? cross / size : Vector(CGAL::NULL_VECTOR);
   }
 
+  // The vector of this direction.
+  static Vector unit(const std::vector<double>& coordinates)
+  {
+    const Vector vector(coordinates[0], coordinates[1], coordinates[2]);
+    const double size = length(vector);
+    return size > 0 ? vector / size : Vector(CGAL::NULL_VECTOR);
+  }
+
   Surface_differentials_3 differentials(std::size_t patch, const Unknowns& unknowns)
   {
+    if (is_level_set())
+      return differentials_of_level_set(patch, unknowns);
     const Tangents tangent = tangents(patch, unknowns, 2);
     const auto& [first, second] = tangent.images;
     Surface_differentials_3 result{};
@@ -179,6 +196,32 @@ public:
 
 private:
   std::size_t n() const { return m_points.dimension(); }
+
+  // On f = 0 points bend away from the tangents by the second derivatives of f over the length of its gradient.
+  Surface_differentials_3 differentials_of_level_set(std::size_t patch, const Unknowns& unknowns)
+  {
+    m_points.functions(patch).evaluate(unknowns, 2, m_jets);
+    Surface_differentials_3 result{};
+    const Vector gradient(m_jets.gradients[0], m_jets.gradients[1], m_jets.gradients[2]);
+    const double size = length(gradient);
+    if (!(size > 0))
+      return result;
+    result.normal = gradient / size;
+    const Vector axis = std::abs(gradient.x()) < std::abs(gradient.y()) ? Vector(1, 0, 0) : Vector(0, 1, 0);
+    const Vector first = CGAL::cross_product(result.normal, axis);
+    result.tangents[0] = first / length(first);
+    result.tangents[1] = CGAL::cross_product(result.normal, result.tangents[0]);
+    const double* h = m_jets.hessians.data();
+    const auto bend = [&](const Vector& a, const Vector& b) {
+      const Vector image(h[0] * a.x() + h[1] * a.y() + h[2] * a.z(), h[3] * a.x() + h[4] * a.y() + h[5] * a.z(),
+                         h[6] * a.x() + h[7] * a.y() + h[8] * a.z());
+      return -(image * b) / size;
+    };
+    const auto& [s, t] = result.tangents;
+    result.second_form = {bend(s, s), bend(s, t), bend(t, t)};
+    set_principal(result);
+    return result;
+  }
 
   const Local_functions& functions(std::size_t patch)
   {

@@ -95,7 +95,7 @@ private:
       std::vector<double> point = m_set.vertices()[i].point();
       std::vector<double> moved = point;
       if (fixed.size() == 2 && m_points.surface().move_to_surface(patch[i], fixed, moved) &&
-          Surface_points::is_in(m_set.vertices()[i].box, moved))
+          Surface_points::is_in(Surface_points::around(m_set.vertices()[i].box), moved))
         point = std::move(moved);
       m_points.add(patch[i], std::move(point), std::move(fixed));
     }
@@ -114,7 +114,7 @@ private:
     constexpr int most_depth = 24;
     const Surface_arc& arc = m_set.arcs()[a];
     if (arc.parameter >= 0 && depth < most_depth)
-      if (const std::optional<std::size_t> middle = m_points.add_between(arc, m_patches_of_arc[a].front(), from, to);
+      if (const std::optional<std::size_t> middle = m_points.add_between(a, m_patches_of_arc[a].front(), from, to);
           middle && (depth == 0 || !m_points.is_fine(from, *middle, to))) {
         append(a, from, *middle, depth + 1);
         append(a, *middle, to, depth + 1);
@@ -225,7 +225,7 @@ private:
     for (std::size_t k = 1; k < m_chains[a].size(); ++k) {
       const std::size_t from = m_chains[a][k - 1], to = m_chains[a][k];
       if (m_set.arcs()[a].parameter >= 0 && chords.count(std::minmax(from, to)) > 0)
-        if (const auto middle = m_points.add_between(m_set.arcs()[a], m_patches_of_arc[a].front(), from, to))
+        if (const auto middle = m_points.add_between(a, m_patches_of_arc[a].front(), from, to))
           finer.push_back(*middle);
       finer.push_back(to);
     }

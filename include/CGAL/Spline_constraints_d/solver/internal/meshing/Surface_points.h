@@ -45,6 +45,7 @@ class Surface_points
 
 public:
   using Point = std::vector<double>;
+  using Double_ranges = std::vector<std::pair<double, double>>;
 
   explicit Surface_points(const Surface_solution_set_d& set)
     : m_set(set), m_source(set.system().equalities(), dimension()), m_near_patch(set.patches().size()),
@@ -69,8 +70,8 @@ public:
   }
 
   // Moves a point near a patch onto the surface, by steps of least length that leave these unknowns as they are; false
-  // when Newton's method does not converge.
-  bool move_to_surface(std::size_t patch, std::span<const int> fixed, Point& point)
+  // when Newton's method does not converge. It ends with the first step that is no longer than `enough`.
+  bool move_to_surface(std::size_t patch, std::span<const int> fixed, Point& point, double enough = 0)
   {
     constexpr int most_steps = 20;
     const Local_functions& equalities = functions(patch);
@@ -89,6 +90,8 @@ public:
       }
       if (!std::isfinite(length))
         return false;
+      if (length <= enough)
+        return true;
       // steps become shorter at a growing rate, until they are rounding errors
       const double next = step == 0 ? length : length * (std::min)(1.0, length / last);
       if (next <= 0x1p-51 * (std::max)(size, 0x1p-20) || (step > 3 && length <= 0x1p-44 * size && length >= last / 4))
@@ -98,21 +101,32 @@ public:
     return false;
   }
 
+  // Of the equalities where the last step of the last move began.
+  const std::vector<double>& last_gradients() const { return m_jets.gradients; }
+
   // The only solution in a box near a patch where two unknowns have the values that they have in `near`; none when
-  // there is none in the box.
-  std::optional<Point> solution(std::size_t patch, const Exact_ranges& box, const std::array<int, 2>& fixed,
-                                const Point& near)
+  // there is none in the box. `around`: the box in doubles.
+  std::optional<Point> solution(std::size_t patch, const Exact_ranges& box, const Double_ranges& around,
+                                const std::array<int, 2>& fixed, const Point& near)
   {
     Point result = near;
-    if (move_to_surface(patch, fixed, result) && is_in(box, result))
+    if (move_to_surface(patch, fixed, result) && is_in(around, result))
       return result;
     return certified_solution(box, fixed, near);
   }
 
-  static bool is_in(const Exact_ranges& box, const Point& point)
+  static Double_ranges around(const Exact_ranges& box)
+  {
+    Double_ranges result;
+    for (const auto& [lower, upper] : box)
+      result.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
+    return result;
+  }
+
+  static bool is_in(const Double_ranges& box, const Point& point)
   {
     for (std::size_t j = 0; j < point.size(); ++j)
-      if (point[j] < to_double_interval(box[j].first).first || to_double_interval(box[j].second).second < point[j])
+      if (point[j] < box[j].first || box[j].second < point[j])
         return false;
     return true;
   }

@@ -9,17 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_REMESHER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_MESHING_SURFACE_REMESHER_H
 
-#include <CGAL/Spline_constraints_d/solver/Solution_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
-#include <CGAL/Spline_constraints_d/solver/internal/meshing/Mesh_points.h>
-
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Remeshed_surface.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,172 +24,82 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// What is known of the vertices of a mesh besides their unknowns.
-struct Remeshed_vertex
-{
-  std::size_t patch;           // whose polynomials are used there
-  std::vector<int> fixed = {}; // the unknowns that the features at the vertex fix
-  bool is_corner = false;      // features end or turn there, so that it stays
-  double length = 0;           // that edges should have
-  Surface_differentials_3::Vector normal = {};
-};
-
-using Remeshed_vertices =
-    Solution_surface_mesh::Mesh::Property_map<Solution_surface_mesh::Mesh::Vertex_index, Remeshed_vertex>;
-
 /*
 Makes the triangles of a mesh well-shaped and as large as its options allow, while its topology and features stay: edges
 are split, collapsed and flipped, and vertices move along the surface (Botsch, Kobbelt 2004, A remeshing approach to
-multiresolution modeling, with lengths from curvatures). Vertices are moved to the surface by Newton's method; what
-would fold triangles is not done.
+multiresolution modeling, with lengths from curvatures). Edges are too long first, so that most of this is done with few
+triangles. Vertices stay near the surface, and are moved onto it by Newton's method in the end; what would fold
+triangles is not done.
 */
-class Surface_remesher
+class Surface_remesher : Remeshed_surface
 {
-  using Mesh = Solution_surface_mesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Edge = Mesh::Edge_index;
-  using Face = Mesh::Face_index;
-  using Point = Surface_image::Point;
-  using Vector = Surface_image::Vector;
-  using Unknowns = Surface_points::Point;
-
-  Solution_surface_mesh& m_result;
-  Mesh& m_mesh;
-  Mesh_points& m_points;
   Run_control& m_control;
-  Remeshed_vertices m_vertices;
-  double m_longest;
+  Sample m_before;
+  double m_enough_of_moves = 0.02; // as m_enough
 
   static constexpr double least_cosine = 0.5; // of normals of triangles with those of the surface
 
 public:
   Surface_remesher(Solution_surface_mesh& result, Mesh_points& points, Remeshed_vertices vertices, Run_control& control)
-    : m_result(result), m_mesh(result.mesh), m_points(points), m_control(control), m_vertices(vertices)
+    : Remeshed_surface(result, points, vertices), m_control(control)
+  {}
+
+  // False if a vertex is lost, which may happen unless vertices stay on the surface up to rounding all the time. It sets
+  // the error, too.
+  bool run(bool is_exact)
   {
-    CGAL::Bbox_3 box;
-    for (const Vertex v : m_mesh.vertices())
-      box += m_mesh.point(v).bbox();
-    constexpr double share = 0.25; // of the extent, for edges of a plane
-    m_longest = share * (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    if (is_exact)
+      m_enough = m_enough_of_moves = 0;
     for (const Vertex v : m_mesh.vertices())
       describe(v);
-  }
-
-  void run()
-  {
-    constexpr int iterations = 6;
-    for (int k = 0; k < iterations && !m_control.must_stop(true); ++k) {
-      split_long_edges();
-      collapse_short_edges();
-      flip_edges();
-      smooth();
-    }
-    refine_to_error();
-    m_mesh.collect_garbage();
-  }
-
-  // The greatest distance of middles of edges and triangles from points of the surface beside them.
-  double measured_error()
-  {
-    double result = 0;
-    for (const Edge e : m_mesh.edges())
-      if (const std::optional<Sample> middle = middle_of(e)) {
-        const Halfedge h = m_mesh.halfedge(e);
-        result = (std::max)(
-            result,
-            CGAL::squared_distance(middle->image,
-                                   CGAL::midpoint(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)))));
+    for (const double coarseness : {4.0, 2.0, 1.0}) {
+      m_coarseness = coarseness;
+      constexpr int iterations = 2;
+      for (int k = 0; k < iterations && !m_control.must_stop(true); ++k) {
+        if (k == 0 || coarseness > 1) {
+          split_long_edges();
+          collapse_short_edges();
+        }
+        flip_edges();
+        smooth();
       }
-    result = std::sqrt(result);
-    for (const Face face : m_mesh.faces())
-      result = (std::max)(result, distance_at_middle(corners_of(face)));
-    return result;
+      m_mesh.collect_garbage();
+    }
+    if (!is_exact && !move_to_surface())
+      return false;
+    for (const Vertex v : m_mesh.vertices())
+      describe(v);
+    refine_to_error();
+    return true;
+  }
+
+  // Measures the greatest distance of middles of edges and triangles from points of the surface beside them. Returns
+  // the edges that are not fine, and the longest ones of triangles whose middle is too far from the surface.
+  std::vector<Edge> measure_error()
+  {
+    constexpr double enough = 0.05;
+    const double enough_before = std::exchange(m_enough, enough);
+    std::vector<Edge> coarse;
+    m_result.error = 0;
+    for (const Face face : m_mesh.faces()) {
+      const double distance = distance_at_middle(face);
+      m_result.error = (std::max)(m_result.error, distance);
+      if (distance > m_points.options().chord_error)
+        coarse.push_back(longest_edge(face));
+    }
+    for (const Edge e : m_mesh.edges())
+      if (find_middle(e)) {
+        m_result.error = (std::max)(m_result.error, std::sqrt(CGAL::squared_distance(m_middle.image, middle_of(e))));
+        if (!is_fine_with_middle(e))
+          coarse.push_back(e);
+      }
+    m_enough = enough_before;
+    std::sort(coarse.begin(), coarse.end());
+    coarse.erase(std::unique(coarse.begin(), coarse.end()), coarse.end());
+    return coarse;
   }
 
 private:
-  struct Sample
-  {
-    Unknowns unknowns;
-    Point image;
-    std::size_t patch;
-  };
-
-  Remeshed_vertex& data(Vertex v) { return m_vertices[v]; }
-  const Unknowns& unknowns(Vertex v) const { return m_result.unknowns[v]; }
-  bool is_feature(Edge e) const { return m_result.is_feature[e]; }
-
-  void describe(Vertex v)
-  {
-    const Surface_mesh_options& options = m_points.options();
-    const Surface_differentials_3 own = m_points.image().differentials(data(v).patch, unknowns(v));
-    const double curvature = (std::max)(std::abs(own.curvatures[0]), std::abs(own.curvatures[1]));
-    // the middle of an equilateral triangle is l^2 / 6 times the curvature away; edges are longer by a third at most
-    constexpr double margin = 0.8, share = 4; // see Mesh_points::is_fine()
-    double length = (std::min)(options.edge_length, m_longest);
-    if (curvature > 0) {
-      const double of_error = margin * std::sqrt(6 * options.chord_error / curvature);
-      length = (std::min)({length, of_error, (std::max)(margin * options.angle / curvature, of_error / share)});
-    }
-    data(v).length = length;
-    data(v).normal = own.normal;
-    m_result.differentials[v] = own;
-  }
-
-  double length_of(Edge e) const
-  {
-    const Halfedge h = m_mesh.halfedge(e);
-    return std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))));
-  }
-
-  double aim(Vertex a, Vertex b) { return (std::min)(data(a).length, data(b).length); }
-
-  // The point of the surface beside the middle of some vertices; that of a feature, on it. None if it is far away.
-  std::optional<Sample> middle_of(std::span<const Vertex> vertices, std::span<const int> fixed)
-  {
-    Unknowns middle(unknowns(vertices[0]).size(), 0);
-    Vector sum(0, 0, 0);
-    for (const Vertex v : vertices) {
-      for (std::size_t j = 0; j < middle.size(); ++j)
-        middle[j] += unknowns(v)[j] / static_cast<double>(vertices.size());
-      sum = sum + (m_mesh.point(v) - CGAL::ORIGIN);
-    }
-    for (const int j : fixed)
-      middle[static_cast<std::size_t>(j)] = unknowns(vertices[0])[static_cast<std::size_t>(j)];
-    std::size_t patch = data(vertices[0]).patch;
-    for (const Vertex v : vertices)
-      patch = m_points.surface().nearer(patch, data(v).patch, middle);
-    if (!m_points.surface().move_to_surface(patch, fixed, middle))
-      return std::nullopt;
-    const Point image = m_points.image()(patch, middle), center = CGAL::ORIGIN + sum / vertices.size();
-    const double size = CGAL::squared_distance(m_mesh.point(vertices[0]), m_mesh.point(vertices[1]));
-    if (!(CGAL::squared_distance(image, center) < 0.25 * size))
-      return std::nullopt;
-    return Sample{std::move(middle), image, patch};
-  }
-
-  std::optional<Sample> middle_of(Edge e)
-  {
-    const Halfedge h = m_mesh.halfedge(e);
-    const std::array<Vertex, 2> ends{m_mesh.source(h), m_mesh.target(h)};
-    return middle_of(ends, fixed_along(e));
-  }
-
-  // The unknowns that are fixed along a feature: those at both ends.
-  std::vector<int> fixed_along(Edge e)
-  {
-    std::vector<int> result;
-    if (!is_feature(e))
-      return result;
-    const Halfedge h = m_mesh.halfedge(e);
-    const Vertex a = m_mesh.source(h), b = m_mesh.target(h);
-    for (const int j : data(a).fixed)
-      if (const auto& others = data(b).fixed; std::find(others.begin(), others.end(), j) != others.end() &&
-          unknowns(a)[static_cast<std::size_t>(j)] == unknowns(b)[static_cast<std::size_t>(j)])
-        result.push_back(j);
-    return result;
-  }
-
   static Vector normal_of(const Point& a, const Point& b, const Point& c) { return CGAL::cross_product(b - a, c - a); }
 
   // Whether a triangle with these corners faces the side that the normals of its vertices do.
@@ -233,49 +139,10 @@ private:
         return;
       std::sort(edges.begin(), edges.end());
       for (const auto& [ratio, e] : edges)
-        if (const std::optional<Sample> middle = middle_of(e))
-          split(e, *middle);
+        if (find_middle(e))
+          split(e);
+      flip_edges(1); // else edges across halves of triangles would be split in turn
     }
-  }
-
-  bool is_fine(Edge e)
-  {
-    const std::optional<Sample> middle = middle_of(e);
-    return !middle || is_fine(e, *middle);
-  }
-
-  bool is_fine(Edge e, const Sample& middle) const
-  {
-    const Halfedge h = m_mesh.halfedge(e);
-    return m_points.is_fine(m_mesh.point(m_mesh.source(h)), middle.image, m_mesh.point(m_mesh.target(h)));
-  }
-
-  Vertex split(Edge e, const Sample& middle)
-  {
-    const bool is_on_feature = is_feature(e);
-    const Halfedge h = m_mesh.halfedge(e);
-    Remeshed_vertex own{middle.patch, fixed_along(e)};
-    const Halfedge first = CGAL::Euler::split_edge(h, m_mesh); // to the new vertex, before h
-    const Vertex vertex = m_mesh.target(first);
-    data(vertex) = std::move(own);
-    place(vertex, middle);
-    describe(vertex);
-    m_result.is_feature[m_mesh.edge(first)] = m_result.is_feature[m_mesh.edge(h)] = is_on_feature;
-    for (const Halfedge in : {first, m_mesh.opposite(h)})
-      if (const Face face = m_mesh.face(in); face != Mesh::null_face()) {
-        const Halfedge diagonal = CGAL::Euler::split_face(in, m_mesh.next(m_mesh.next(in)), m_mesh);
-        m_result.is_feature[m_mesh.edge(diagonal)] = false;
-        for (const Halfedge side : {diagonal, m_mesh.opposite(diagonal)})
-          m_result.surface[m_mesh.face(side)] = m_result.surface[face];
-      }
-    return vertex;
-  }
-
-  void place(Vertex v, const Sample& sample)
-  {
-    m_mesh.point(v) = sample.image;
-    m_result.unknowns[v] = sample.unknowns;
-    data(v).patch = sample.patch;
   }
 
   void collapse_short_edges()
@@ -303,12 +170,11 @@ private:
   {
     const Vertex gone = m_mesh.source(h), kept = m_mesh.target(h);
     const Edge e = m_mesh.edge(h);
-    if (data(gone).is_corner || (!data(gone).fixed.empty() && !is_feature(e)) ||
-        !CGAL::Euler::does_satisfy_link_condition(e, m_mesh) || !stays_upright(h))
+    if (data(gone).is_corner || (!data(gone).fixed.empty() && !is_feature(e)) || !stays_upright(h) ||
+        !CGAL::Euler::does_satisfy_link_condition(e, m_mesh))
       return false;
     const Remeshed_vertex own = data(kept);
     const Sample place_kept{unknowns(kept), m_mesh.point(kept), own.patch};
-    const Surface_differentials_3 differentials = m_result.differentials[kept];
     std::vector<std::pair<Vertex, bool>> sides; // edges that become one, and whether it is a feature
     for (const Halfedge side : {h, m_mesh.opposite(h)})
       if (!m_mesh.is_border(side)) {
@@ -319,7 +185,6 @@ private:
     const Vertex vertex = CGAL::Euler::collapse_edge(e, m_mesh);
     data(vertex) = own;
     place(vertex, place_kept);
-    m_result.differentials[vertex] = differentials;
     for (const auto& [other, is_on_feature] : sides)
       m_result.is_feature[m_mesh.edge(m_mesh.halfedge(vertex, other))] = is_on_feature;
     return true;
@@ -352,15 +217,12 @@ private:
 
   bool would_be_fine(Vertex a, Vertex b, const std::vector<int>& fixed)
   {
-    const std::array<Vertex, 2> ends{a, b};
-    const std::optional<Sample> middle = middle_of(ends, fixed);
-    return middle && m_points.is_fine(m_mesh.point(a), middle->image, m_mesh.point(b));
+    return find_middle(std::array{a, b}, fixed) && m_points.is_fine(m_mesh.point(a), m_middle.image, m_mesh.point(b));
   }
 
   // Flips edges while that makes the least angle of their two triangles greater.
-  void flip_edges()
+  void flip_edges(int most_passes = 4)
   {
-    constexpr int most_passes = 4;
     bool has_changed = true;
     for (int pass = 0; pass < most_passes && std::exchange(has_changed, false); ++pass)
       for (const Edge e : m_mesh.edges())
@@ -375,9 +237,11 @@ private:
     const Halfedge o = m_mesh.opposite(h);
     const Vertex a = m_mesh.source(h), b = m_mesh.target(h), c = m_mesh.target(m_mesh.next(h)),
                  d = m_mesh.target(m_mesh.next(o));
+    const Point &pa = m_mesh.point(a), &pb = m_mesh.point(b), &pc = m_mesh.point(c), &pd = m_mesh.point(d);
+    if ((pa - pc) * (pb - pc) >= 0 && (pa - pd) * (pb - pd) >= 0) // it would be the longer diagonal
+      return false;
     if (c == d || m_mesh.halfedge(c, d) != Mesh::null_halfedge())
       return false;
-    const Point &pa = m_mesh.point(a), &pb = m_mesh.point(b), &pc = m_mesh.point(c), &pd = m_mesh.point(d);
     constexpr double gain = 1e-6;
     return (std::max)(sharpness(pa, pd, pc), sharpness(pb, pc, pd)) <
         (std::max)(sharpness(pa, pb, pc), sharpness(pb, pa, pd)) - gain &&
@@ -404,26 +268,53 @@ private:
     }
     if (!(weight > 0))
       return;
-    const std::optional<Sample> moved = moved_along_surface(v, sum / weight);
-    if (!moved)
-      return;
-    const Sample before{unknowns(v), m_mesh.point(v), data(v).patch};
+    m_before.unknowns = unknowns(v);
+    m_before.image = m_mesh.point(v);
+    m_before.patch = data(v).patch;
     const Vector normal = data(v).normal;
-    place(v, *moved);
-    data(v).normal = m_points.image().normal(data(v).patch, unknowns(v));
+    if (!find_moved(v, sum / weight))
+      return;
+    place(v, m_middle);
+    data(v).normal = m_points.image().is_level_set() ? Surface_image::unit(m_points.surface().last_gradients())
+                                                     : m_points.image().normal(data(v).patch, unknowns(v));
     for (const Halfedge in : m_mesh.halfedges_around_target(m_mesh.halfedge(v))) {
       const std::array<Vertex, 3> corners{m_mesh.source(in), v, m_mesh.target(m_mesh.next(in))};
       if (!is_upright(corners, {m_mesh.point(corners[0]), m_mesh.point(v), m_mesh.point(corners[2])})) {
-        place(v, before);
+        place(v, m_before);
         data(v).normal = normal;
         return;
       }
     }
   }
 
-  // The tangents' share of a displacement, followed to the surface; none if that leads elsewhere.
-  std::optional<Sample> moved_along_surface(Vertex v, const Vector& displacement)
+  // Follows the tangents' share of a displacement to the surface, up to a small part of it: m_middle is there then.
+  // False if that leads elsewhere.
+  bool find_moved(Vertex v, const Vector& displacement)
   {
+    m_middle.unknowns = unknowns(v);
+    m_middle.patch = data(v).patch;
+    const std::optional<Vector> aim = add_along_tangents(v, displacement, m_middle.unknowns);
+    if (!aim)
+      return false;
+    for (const Halfedge in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      m_middle.patch = m_points.surface().nearer(m_middle.patch, data(m_mesh.source(in)).patch, m_middle.unknowns);
+    const double size = Surface_image::length(*aim);
+    if (!m_points.surface().move_to_surface(m_middle.patch, {}, m_middle.unknowns,
+                                            m_points.image().is_level_set() ? m_enough_of_moves * size : 0))
+      return false;
+    m_middle.image = m_points.image()(m_middle.patch, m_middle.unknowns);
+    return (m_middle.image - (m_mesh.point(v) + *aim)).squared_length() <= 0.25 * size * size;
+  }
+
+  // Adds what moves the image by the tangents' share of a displacement, which it returns.
+  std::optional<Vector> add_along_tangents(Vertex v, const Vector& displacement, Unknowns& point)
+  {
+    if (m_points.image().is_level_set()) {
+      const Vector aim = displacement - displacement * data(v).normal * data(v).normal;
+      for (std::size_t j = 0; j < 3; ++j)
+        point[j] += aim[static_cast<int>(j)];
+      return aim;
+    }
     const Surface_image::Tangents tangents = m_points.image().tangents(data(v).patch, unknowns(v));
     const auto& [s, t] = tangents.images;
     const double e = s * s, f = s * t, g = t * t, determinant = e * g - f * f;
@@ -431,62 +322,59 @@ private:
       return std::nullopt;
     const double a = displacement * s, b = displacement * t;
     const double first = (g * a - f * b) / determinant, second = (e * b - f * a) / determinant;
-    Sample result{unknowns(v), {}, data(v).patch};
-    for (std::size_t j = 0; j < result.unknowns.size(); ++j) {
+    for (std::size_t j = 0; j < point.size(); ++j) {
       const auto row = static_cast<Eigen::Index>(j);
-      result.unknowns[j] += first * tangents.unknowns(row, 0) + second * tangents.unknowns(row, 1);
+      point[j] += first * tangents.unknowns(row, 0) + second * tangents.unknowns(row, 1);
     }
-    for (const Halfedge in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      result.patch = m_points.surface().nearer(result.patch, data(m_mesh.source(in)).patch, result.unknowns);
-    if (!m_points.surface().move_to_surface(result.patch, {}, result.unknowns))
-      return std::nullopt;
-    result.image = m_points.image()(result.patch, result.unknowns);
-    const Vector aim = first * s + second * t;
-    const double error = (result.image - (m_mesh.point(v) + aim)).squared_length();
-    return error <= 0.25 * aim.squared_length() ? std::optional(std::move(result)) : std::nullopt;
+    return first * s + second * t;
   }
 
-  // Splits the edges that are not fine, and those of triangles whose middle is too far from the surface.
+  Edge longest_edge(Face face) const
+  {
+    Edge result = m_mesh.edge(m_mesh.halfedge(face));
+    for (const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(face)))
+      if (length_of(m_mesh.edge(h)) > length_of(result))
+        result = m_mesh.edge(h);
+    return result;
+  }
+
+  // Splits edges, at points of the surface up to rounding, until triangles are fine.
   void refine_to_error()
   {
     constexpr int most_passes = 8;
-    for (int pass = 0; pass < most_passes && !m_control.must_stop(true); ++pass) {
-      std::vector<Edge> coarse;
-      for (const Face face : m_mesh.faces()) {
-        Edge longest = m_mesh.edge(m_mesh.halfedge(face));
-        for (const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(face)))
-          if (length_of(m_mesh.edge(h)) > length_of(longest))
-            longest = m_mesh.edge(h);
-        if (distance_at_middle(corners_of(face)) > m_points.options().chord_error)
-          coarse.push_back(longest);
-      }
-      for (const Edge e : m_mesh.edges())
-        if (!is_fine(e))
-          coarse.push_back(e);
-      std::sort(coarse.begin(), coarse.end());
-      coarse.erase(std::unique(coarse.begin(), coarse.end()), coarse.end());
-      if (coarse.empty())
-        return;
+    std::vector<Edge> coarse = measure_error();
+    for (int pass = 0; pass < most_passes && !coarse.empty() && !m_control.must_stop(true); ++pass) {
+      const double enough = std::exchange(m_enough, 0);
       for (const Edge e : coarse)
-        if (const std::optional<Sample> middle = middle_of(e))
-          split(e, *middle);
+        if (find_middle(e))
+          split(e);
+      m_enough = enough;
       flip_edges();
+      coarse = measure_error();
     }
   }
 
-  std::array<Vertex, 3> corners_of(Face face) const
+  // Vertices are solutions up to rounding afterwards; false if one is not near any.
+  bool move_to_surface()
   {
-    const Halfedge h = m_mesh.halfedge(face);
-    return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))};
-  }
-
-  double distance_at_middle(const std::array<Vertex, 3>& corners)
-  {
-    const std::optional<Sample> middle = middle_of(corners, {});
-    return middle ? std::sqrt(CGAL::squared_distance(
-                        middle->image,
-                        CGAL::centroid(m_mesh.point(corners[0]), m_mesh.point(corners[1]), m_mesh.point(corners[2]))))
-                  : 0;
+    for (const Vertex v : m_mesh.vertices()) {
+      const Remeshed_vertex& own = data(v);
+      if (!own.is_corner) {
+        m_before.unknowns = unknowns(v);
+        constexpr double rounding = 0x1p-20; // of edges; steps do not become shorter beside singular points
+        if (!m_points.surface().move_to_surface(own.patch, own.fixed, m_before.unknowns) &&
+            !m_points.surface().move_to_surface(own.patch, own.fixed, m_before.unknowns, rounding * own.length))
+          return false;
+        m_before.image = m_points.image()(own.patch, m_before.unknowns);
+        m_before.patch = own.patch;
+        constexpr double share = 0.1;
+        const double most = share * own.length;
+        if (!(CGAL::squared_distance(m_before.image, m_mesh.point(v)) < most * most))
+          return false;
+        place(v, m_before);
+      }
+    }
+    return true;
   }
 };
 

@@ -59,20 +59,20 @@ public:
   {}
 
   // Triangles that are made well-shaped need to be only as fine before as neighbours should be; if that was too coarse,
-  // so that the mesh crosses itself afterwards, they are as fine as all are to be.
+  // so that the mesh crosses itself afterwards, they are as fine as all are to be, and vertices do not leave the
+  // surface.
   Solution_surface_mesh operator()()
   {
     Solution_surface_mesh result;
-    if (!m_options.is_remeshed || !remesh(result, true))
-      remesh(result, false);
-    result.error = Surface_remesher(result, m_points, m_vertices, m_control).measured_error();
+    if ((!m_options.is_remeshed || !remesh(result, true)) && !remesh(result, false))
+      Surface_remesher(result, m_points, m_vertices, m_control).measure_error();
     result.mesh.remove_property_map(m_vertices);
     name_undecided(result);
     return result;
   }
 
 private:
-  // Whether it is embedded afterwards, if that is so in the space of the unknowns; otherwise it is as it was before.
+  // Whether it is remeshed and embedded, if that is so in the space of the unknowns; otherwise it is as it was before.
   bool remesh(Solution_surface_mesh& result, bool begins_coarse)
   {
     constexpr double angle = 0.75;
@@ -81,34 +81,51 @@ private:
     result = mesh_of_patches();
     m_points.set_options(m_options);
     if (!m_options.is_remeshed)
-      return true;
+      return false;
     Solution_surface_mesh before = result;
-    Surface_remesher(result, m_points, m_vertices, m_control).run();
-    if (m_points.surface().dimension() != 3 || !crosses_itself(result.mesh))
+    if (Surface_remesher(result, m_points, m_vertices, m_control).run(!begins_coarse) &&
+        (m_points.surface().dimension() != 3 || !crosses_itself(result.mesh)))
       return true;
     result = std::move(before);
     m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
     return false;
   }
 
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  // The points of the vertices in a kernel whose predicates are exact.
+  struct Points_for_predicates
+  {
+    using key_type = Vertex;
+    using value_type = Kernel::Point_3;
+    using reference = Kernel::Point_3;
+    using category = boost::readable_property_map_tag;
+
+    const Mesh* mesh;
+
+    friend Kernel::Point_3 get(const Points_for_predicates& map, Vertex v)
+    {
+      const auto& point = map.mesh->point(v);
+      return {point.x(), point.y(), point.z()};
+    }
+  };
+
   // Whether triangles meet elsewhere than in common vertices and edges, and in singular points, of which each fan has a
   // vertex of its own.
   static bool crosses_itself(const Mesh& mesh)
   {
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-    Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+    Polygon_mesh_processing::self_intersections(
+        mesh, std::back_inserter(pairs),
+        CGAL::parameters::vertex_point_map(Points_for_predicates{&mesh}).geom_traits(Kernel()));
     return std::any_of(pairs.begin(), pairs.end(),
                        [&](const auto& pair) { return !meet_in_a_corner_only(mesh, pair.first, pair.second); });
   }
 
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
   static std::array<Kernel::Point_3, 3> corners_of(const Mesh& mesh, Mesh::Face_index face)
   {
     const auto h = mesh.halfedge(face);
-    const auto point = [&](Vertex v) {
-      return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-    };
+    const auto point = [&](Vertex v) { return get(Points_for_predicates{&mesh}, v); };
     return {point(mesh.source(h)), point(mesh.target(h)), point(mesh.target(mesh.next(h)))};
   }
 
