@@ -331,6 +331,14 @@ TEST(Surface_mesh, singular_points)
   EXPECT_EQ(characteristic(nodes.mesh), cayley.euler_characteristic());
   EXPECT_EQ(number_of_boundaries(nodes.mesh), cayley.number_of_boundary_loops());
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(nodes.mesh));
+  EXPECT_LE(share_of_angles_below(nodes.mesh, 20), 0.01);
+  EXPECT_LE(std::count_if(nodes.mesh.edges().begin(), nodes.mesh.edges().end(), // no clusters of tiny triangles
+                          [&](const auto e) {
+                            const auto h = nodes.mesh.halfedge(e);
+                            return CGAL::squared_distance(nodes.mesh.point(nodes.mesh.source(h)),
+                                                          nodes.mesh.point(nodes.mesh.target(h))) < square(1e-3);
+                          }),
+            20);
   for (const auto f : nodes.mesh.faces()) { // oriented as the gradient is, beside the nodes, too
     const auto h = nodes.mesh.halfedge(f);
     const auto &a = nodes.mesh.point(nodes.mesh.source(h)), &b = nodes.mesh.point(nodes.mesh.target(h)),

@@ -97,7 +97,7 @@ protected:
     const Surface_mesh_options& options = m_points.options();
     const double curvature = (std::max)(std::abs(own.curvatures[0]), std::abs(own.curvatures[1]));
     // the middle of an equilateral triangle is l^2 / 6 times the curvature away; edges are longer by a third at most
-    constexpr double margin = 0.8, share = 4; // see Mesh_points::is_fine()
+    constexpr double margin = 0.9, share = 4; // see Mesh_points::is_fine()
     constexpr double greatest_angle = 0.6;    // of edges while the mesh is coarser
     double length = (std::min)(options.edge_length, m_longest);
     data(v).longest = m_longest;
@@ -106,7 +106,8 @@ protected:
       length = (std::min)({length, of_error, (std::max)(margin * options.angle / curvature, of_error / share)});
       data(v).longest = (std::min)(m_longest, greatest_angle / curvature);
     }
-    data(v).length = length;
+    // edges shorter than the error need not become shorter still, such as those beside singular points
+    data(v).length = (std::max)(length, (std::min)(options.edge_length, 0.5 * options.chord_error));
     data(v).normal = own.normal;
     m_result.differentials[v] = own;
   }

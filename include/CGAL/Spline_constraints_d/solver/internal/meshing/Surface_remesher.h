@@ -44,8 +44,8 @@ public:
     : Remeshed_surface(result, points, vertices), m_control(control)
   {}
 
-  // False if a vertex is lost, which may happen unless vertices stay on the surface up to rounding all the time. It sets
-  // the error, too.
+  // False if a vertex is lost, which may happen unless vertices stay on the surface up to rounding all the time. The
+  // error is measured, too.
   bool run(bool is_exact)
   {
     if (is_exact)

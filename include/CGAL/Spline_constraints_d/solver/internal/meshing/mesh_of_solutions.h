@@ -162,7 +162,7 @@ private:
       CGAL_assertion(face != Mesh::null_face());
       result.surface[face] = m_set.patches()[patch_of_triangle[t]].surface;
     }
-    add_features(result);
+    add_features(result, copies);
     return result;
   }
 
@@ -180,7 +180,7 @@ private:
   }
 
   // Marks the edges on arcs that bound a surface, or lie where a spline has a break.
-  void add_features(Solution_surface_mesh& result)
+  void add_features(Solution_surface_mesh& result, const std::vector<std::size_t>& copies)
   {
     std::vector<int> edges_at(result.mesh.number_of_vertices(), 0);
     for (std::size_t a = 0; a < m_set.arcs().size(); ++a) {
@@ -205,7 +205,10 @@ private:
     }
     for (const Vertex v : result.mesh.vertices())
       m_vertices[v].is_corner = edges_at[v] != 0 && (edges_at[v] != 2 || m_vertices[v].fixed.size() > 1);
-    for (const std::size_t i : m_set.singular_points())
+    std::vector<std::size_t> apexes = m_set.singular_points(); // in all fans
+    for (std::size_t k = 0; k < copies.size(); ++k)
+      apexes.push_back(m_points.size() + k);
+    for (const std::size_t i : apexes)
       if (const auto place = m_vertex_of.find(i); place != m_vertex_of.end())
         m_vertices[place->second].is_corner = true;
   }
