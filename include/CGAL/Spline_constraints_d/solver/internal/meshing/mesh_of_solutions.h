@@ -26,7 +26,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -49,7 +48,7 @@ class Mesh_of_solutions
   Run_control& m_control;
   Mesh_points m_points;
   Surface_mesher m_mesher;
-  std::map<std::size_t, Vertex> m_vertex_of; // of points
+  std::vector<Vertex> m_vertex_of; // of points and their copies; null where no triangle is
   Remeshed_vertices m_vertices;
 
 public:
@@ -75,7 +74,7 @@ private:
   // Whether it is remeshed and embedded, if that is so in the space of the unknowns; otherwise it is as it was before.
   bool remesh(Solution_surface_mesh& result, bool begins_coarse)
   {
-    constexpr double angle = 0.75;
+    constexpr double angle = 1;
     if (begins_coarse)
       m_points.set_angle_only(angle);
     result = mesh_of_patches();
@@ -151,9 +150,9 @@ private:
     }
     Solution_surface_mesh result;
     m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
-    m_vertex_of.clear();
     const std::set<std::size_t> singular(m_set.singular_points().begin(), m_set.singular_points().end());
     const std::vector<std::size_t> copies = separate_fans(triangles, singular, m_points.size());
+    m_vertex_of.assign(m_points.size() + copies.size(), Mesh::null_vertex());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       std::array<Vertex, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
@@ -168,15 +167,15 @@ private:
 
   Vertex vertex_at(Solution_surface_mesh& result, std::size_t point, const std::vector<std::size_t>& copies)
   {
-    const auto [place, is_new] = m_vertex_of.try_emplace(point);
-    if (is_new) {
+    Vertex& vertex = m_vertex_of[point];
+    if (vertex == Mesh::null_vertex()) {
       const Mesh_point& own = m_points[point < m_points.size() ? point : copies[point - m_points.size()]];
-      place->second = result.mesh.add_vertex(own.image);
-      result.unknowns[place->second] = own.unknowns;
-      result.differentials[place->second] = m_points.image().differentials(own.patch, own.unknowns);
-      m_vertices[place->second] = {own.patch};
+      vertex = result.mesh.add_vertex(own.image);
+      result.unknowns[vertex] = own.unknowns;
+      result.differentials[vertex] = m_points.image().differentials(own.patch, own.unknowns);
+      m_vertices[vertex] = {own.patch};
     }
-    return place->second;
+    return vertex;
   }
 
   // Marks the edges on arcs that bound a surface, or lie where a spline has a break.
@@ -188,14 +187,14 @@ private:
         continue;
       const std::vector<std::size_t>& chain = m_mesher.chains()[a];
       for (std::size_t k = 1; k < chain.size(); ++k) {
-        const auto from = m_vertex_of.find(chain[k - 1]), to = m_vertex_of.find(chain[k]);
-        if (from == m_vertex_of.end() || to == m_vertex_of.end())
+        const Vertex from = m_vertex_of[chain[k - 1]], to = m_vertex_of[chain[k]];
+        if (from == Mesh::null_vertex() || to == Mesh::null_vertex())
           continue;
-        const auto h = result.mesh.halfedge(from->second, to->second);
+        const auto h = result.mesh.halfedge(from, to);
         if (h == Mesh::null_halfedge())
           continue;
         result.is_feature[result.mesh.edge(h)] = true;
-        for (const Vertex v : {from->second, to->second}) {
+        for (const Vertex v : {from, to}) {
           ++edges_at[v];
           std::vector<int>& fixed = m_vertices[v].fixed;
           if (std::find(fixed.begin(), fixed.end(), m_set.arcs()[a].plane) == fixed.end())
@@ -209,8 +208,8 @@ private:
     for (std::size_t k = 0; k < copies.size(); ++k)
       apexes.push_back(m_points.size() + k);
     for (const std::size_t i : apexes)
-      if (const auto place = m_vertex_of.find(i); place != m_vertex_of.end())
-        m_vertices[place->second].is_corner = true;
+      if (const Vertex v = m_vertex_of[i]; v != Mesh::null_vertex())
+        m_vertices[v].is_corner = true;
   }
 
   bool is_on_break(const Surface_arc& arc) const
