@@ -133,7 +133,8 @@ Answer with_this_package(const Surface& surface, double radius, double error)
   const SC::Exact_rational bound(radius);
   const auto [x, y, z] = SC::unknowns({-bound, bound}, {-bound, bound}, {-bound, bound});
   const SC::Solution_surface_mesh result =
-      SC::to_surface_mesh(SC::solve_surfaces(surface(x, y, z) == 0), {.chord_error = error});
+      SC::to_surface_mesh(SC::solve_surfaces(surface(x, y, z) == 0),
+                          {.chord_error = error, .angle = 1}); // the others have no bound on angles
   const double seconds = seconds_since(start);
   Answer answer{result.mesh, seconds};
   if (!result.is_complete())
