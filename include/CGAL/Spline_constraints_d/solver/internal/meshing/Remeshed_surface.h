@@ -34,7 +34,7 @@ struct Remeshed_vertex
   bool is_corner = false;      // features end or turn there, so that it stays
   double length = 0;           // that edges should have
   double longest = 0;          // that they may have while the mesh is coarser than it should be
-  Surface_differentials_3::Vector normal = {};
+  Surface_differentials_3::Vector normal{0, 0, 0};
 };
 
 using Remeshed_vertices =
