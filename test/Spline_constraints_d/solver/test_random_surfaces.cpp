@@ -21,7 +21,7 @@ TEST(Random_surfaces, characteristic_is_that_of_a_morse_count)
 {
   std::mt19937 random(5353);
   std::size_t surfaces = 0, loops = 0;
-  for (int k = 0; k < 10; ++k) {
+  for (int k = 0; k < 40; ++k) {
     const morse_count::Polynomial f = morse_count::Polynomial::random(3 + k % 2, random);
     const SC::Surface_solution_set_d set = SC::solve_surfaces(morse_count::surface_in_cube(f));
     const std::optional<int> expected = morse_count::Morse_count(f)();
@@ -31,8 +31,8 @@ TEST(Random_surfaces, characteristic_is_that_of_a_morse_count)
     surfaces += set.surfaces().size();
     loops += set.number_of_boundary_loops();
   }
-  EXPECT_GT(surfaces, 10u);
-  EXPECT_GT(loops, 10u);
+  EXPECT_GT(surfaces, 40u);
+  EXPECT_GT(loops, 80u);
 }
 
 } // namespace random_surfaces_test
