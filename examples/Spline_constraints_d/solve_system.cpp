@@ -5,11 +5,12 @@
 // than unknowns, every curve of solutions, and with two less, every surface.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
+//                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE] [--chord-error E]
 //
 // --whole solves the system as it is, without decomposing it or eliminating unknowns. --parallel uses all cores, if the
-// program was built with TBB; for the number type certified. --output writes curves of solutions. Exit status: 0 when
-// every solution is accounted for, 3 when not, 2 for bad input.
+// program was built with TBB; for the number type certified. --output writes curves of solutions (.svg, .vtp, .txt) or
+// surfaces (.svg, .vtp, .off, .ply, .stl), these within --chord-error. Exit status: 0 when every solution is accounted
+// for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
 #include "surface_output.h"
