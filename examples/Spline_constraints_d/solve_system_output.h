@@ -7,6 +7,7 @@
 
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 
 #include <unistd.h>
 
@@ -161,6 +162,41 @@ inline void print_curves(const std::vector<std::string>& names,
     print_box(region.boxes.front());
   }
   std::cout << std::setprecision(4) << set << '\n';
+}
+
+inline void print_surfaces(const std::vector<std::string>& names,
+                           const CGAL::Spline_constraints::Surface_solution_set_d& set)
+{
+  const auto print_box = [&](const auto& box) {
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = as_doubles(box[j]);
+      std::cout << (j == 0 ? "" : " ") << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    std::cout << '\n';
+  };
+  int index = 0;
+  for (const CGAL::Spline_constraints::Solution_surface& surface : set.surfaces()) {
+    std::cout << "surface " << ++index << "  Euler characteristic " << surface.euler_characteristic << ", ";
+    if (surface.is_closed())
+      std::cout << "closed, ";
+    else
+      std::cout << surface.boundary.size() << (surface.boundary.size() == 1 ? " boundary loop, " : " boundary loops, ");
+    std::cout << "genus " << surface.genus() << ", " << surface.patches.size() << " patches"
+              << (surface.is_open_ended ? ", may go on in an undecided region" : "") << '\n';
+  }
+  std::cout.precision(17);
+  for (const auto* points : {&set.points(), &set.singular_points()})
+    for (const std::size_t point : *points) {
+      std::cout << (points == &set.points() ? "point " : "singular point ");
+      print_box(set.vertices()[point].box);
+    }
+  for (const auto& region : set.undecided_regions()) {
+    std::cout << "undecided (" << region.reason << ") with " << region.arcs.size() << " arcs, " << region.boxes.size()
+              << " boxes, the first ";
+    print_box(region.boxes.front());
+  }
+  std::cout.precision(4);
+  std::cout << set << '\n';
 }
 
 #endif // SOLVE_SYSTEM_OUTPUT_H

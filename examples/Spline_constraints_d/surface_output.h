@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Writes surfaces of solutions, in their first three unknowns, as meshes: into .off, .ply and .stl triangles alone,
-// into .vtp with all unknowns, normals and curvatures, into .svg as a picture; and prints a line for each surface.
+// into .vtp with all unknowns, normals and curvatures, into .svg as a picture.
 #ifndef SURFACE_OUTPUT_H
 #define SURFACE_OUTPUT_H
 
@@ -17,8 +17,6 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <utility>
-#include <vector>
 
 // Seen with the third unknown upwards; each surface in a color of its own.
 inline void draw_surfaces(std::ostream& out, const CGAL::Spline_constraints::Solution_surface_mesh& surfaces,
@@ -56,41 +54,6 @@ inline void write_surfaces(const std::string& path, const CGAL::Spline_constrain
     throw Invalid_input("--output: " + path + " cannot be written");
   std::cout << "mesh: " << surfaces.mesh.number_of_vertices() << " vertices, " << surfaces.mesh.number_of_faces()
             << " triangles, error " << surfaces.error << '\n';
-}
-
-inline void print_surfaces(const std::vector<std::string>& names,
-                           const CGAL::Spline_constraints::Surface_solution_set_d& set)
-{
-  const auto print_box = [&](const auto& box) {
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      const auto [lower, upper] = CGAL::Spline_constraints::to_double_range(box[j]);
-      std::cout << (j == 0 ? "" : " ") << names[j] << " in [" << lower << ',' << upper << ']';
-    }
-    std::cout << '\n';
-  };
-  int index = 0;
-  for (const CGAL::Spline_constraints::Solution_surface& surface : set.surfaces()) {
-    std::cout << "surface " << ++index << "  Euler characteristic " << surface.euler_characteristic << ", ";
-    if (surface.is_closed())
-      std::cout << "closed, ";
-    else
-      std::cout << surface.boundary.size() << (surface.boundary.size() == 1 ? " boundary loop, " : " boundary loops, ");
-    std::cout << "genus " << surface.genus() << ", " << surface.patches.size() << " patches"
-              << (surface.is_open_ended ? ", may go on in an undecided region" : "") << '\n';
-  }
-  std::cout.precision(17);
-  for (const auto* points : {&set.points(), &set.singular_points()})
-    for (const std::size_t point : *points) {
-      std::cout << (points == &set.points() ? "point " : "singular point ");
-      print_box(set.vertices()[point].box);
-    }
-  for (const auto& region : set.undecided_regions()) {
-    std::cout << "undecided (" << region.reason << ") with " << region.arcs.size() << " arcs, " << region.boxes.size()
-              << " boxes, the first ";
-    print_box(region.boxes.front());
-  }
-  std::cout.precision(4);
-  std::cout << set << '\n';
 }
 
 #endif // SURFACE_OUTPUT_H

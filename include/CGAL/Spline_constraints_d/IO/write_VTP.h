@@ -23,8 +23,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace IO {
-
 namespace internal {
 
 inline void begin_data(std::ostream& out, const char* type, const char* name, std::size_t components)
@@ -69,6 +67,8 @@ void write_polygons(std::ostream& out, const CGAL::Surface_mesh<Point>& mesh, co
 }
 
 } // namespace internal
+
+namespace IO {
 
 /*!
 \ingroup PkgSplineConstraintsDIO
