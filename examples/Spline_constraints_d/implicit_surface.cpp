@@ -29,7 +29,7 @@ int main()
     tangle_cube += 5 * square * square - 25 * square;
   }
   const SC::Solution_surface_mesh tangle =
-      SC::to_surface_mesh(tangle_cube, {{{-3, 3}, {-3, 3}, {-3, 3}}}, {.chord_error = 0.02});
+      SC::to_surface_mesh(tangle_cube, {{{-3, 3}, {-3, 3}, {-3, 3}}}, {.chord_error = 0.04});
   std::cout << "tangle cube: " << tangle.mesh.number_of_vertices() << " vertices, " << tangle.mesh.number_of_faces()
             << " triangles, " << (CGAL::is_closed(tangle.mesh) ? "closed" : "not closed")
             << ", complete: " << (tangle.is_complete() ? "yes" : "no") << '\n';

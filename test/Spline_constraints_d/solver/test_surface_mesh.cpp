@@ -65,7 +65,7 @@ void check(const SC::Solution_surface_mesh& result, const SC::Surface_solution_s
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(result.mesh));
   EXPECT_EQ(characteristic(result.mesh), set.euler_characteristic());
   EXPECT_EQ(number_of_boundaries(result.mesh), set.number_of_boundary_loops());
-  EXPECT_LE(result.error, 1.2 * error); // edges are measured from their chords, and triangles from their middles
+  EXPECT_LE(result.error, 1.05 * error); // points beside middles are found up to a small part of their distance
   EXPECT_GT(result.error, 0);
   EXPECT_EQ(PMP::does_self_intersect(result.mesh), false);
   for (const auto e : result.mesh.edges())

@@ -31,7 +31,7 @@ How fine the triangles of a surface of solutions are, see `to_surface_mesh()`. L
 */
 struct Surface_mesh_options
 {
-  //! how far triangles may be from the surface: at the middles of edges and triangles no more, up to rounding.
+  //! how far triangles may be from the surface, as `Solution_surface_mesh::error` measures it.
   double chord_error = 1e-2;
 
   //! how much an edge may turn from one end to the other, in radians, as long as the surface is farther from it than a
@@ -95,7 +95,8 @@ public:
   //! splines: the property map `"e:is_feature"`.
   Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
 
-  //! measured: the greatest distance found between the surface and the middles of edges and triangles.
+  //! measured: the greatest distance found of the middle of a triangle from the surface, and of a point of the surface
+  //! beside the middle of an edge from this edge.
   double error = 0;
 
   std::vector<Undecided_part> undecided_parts = {}; ///< see `undecided()`

@@ -75,6 +75,7 @@ public:
 
   /*!
   the same, cut along curves.
+  \param system the constraints; two equalities less than unknowns.
   \param features functions along whose zeros surfaces are cut into patches: the curves in which a surface of solutions
   meets the zeros of such a function are arcs, and edges of a mesh. Boxes have one more range for each of them, that of
   its values. Where zeros only touch a surface, or cross each other, it may be undecided.

@@ -218,10 +218,12 @@ protected:
     return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h))};
   }
 
-  Point middle_of(Edge e) const
+  // Of m_middle from an edge.
+  double distance_of_middle(Edge e) const
   {
     const Halfedge h = m_mesh.halfedge(e);
-    return CGAL::midpoint(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)));
+    return Mesh_points::distance_from_chord(m_mesh.point(m_mesh.source(h)), m_middle.image,
+                                            m_mesh.point(m_mesh.target(h)));
   }
 
   // Of the middle of a triangle from the surface; 0 where that is not found.

@@ -89,7 +89,7 @@ public:
     }
     for (const Edge e : m_mesh.edges())
       if (find_middle(e)) {
-        m_result.error = (std::max)(m_result.error, std::sqrt(CGAL::squared_distance(m_middle.image, middle_of(e))));
+        m_result.error = (std::max)(m_result.error, distance_of_middle(e));
         if (!is_fine_with_middle(e))
           coarse.push_back(e);
       }
