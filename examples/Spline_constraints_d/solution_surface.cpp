@@ -32,6 +32,6 @@ int main()
     std::cout << "  " << mesh.mesh.number_of_vertices() << " vertices, " << mesh.mesh.number_of_faces()
               << " triangles\n";
     std::ofstream picture(bar == 1 ? "solution_surface_short_bar.svg" : "solution_surface.svg");
-    draw_surfaces(picture, mesh);
+    draw_surfaces(picture, mesh, {.most_splits = 8000}); // it crosses itself
   }
 }

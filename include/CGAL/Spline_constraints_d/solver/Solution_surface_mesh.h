@@ -42,7 +42,7 @@ struct Surface_mesh_options
   double edge_length = std::numeric_limits<double>::infinity();
 
   //! whether triangles are made well-shaped: edges are split, collapsed and flipped, and vertices move on the surface.
-  //! Without it vertices are where patches have them, and many angles are small.
+  //! Without it vertices are where patches have them, many angles are small, and only edges keep to the chord error.
   bool is_remeshed = true;
 };
 
