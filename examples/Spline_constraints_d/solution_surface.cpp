@@ -27,11 +27,13 @@ int main()
     std::cout << "first bar " << length << ": " << positions << '\n';
     for (const SC::Solution_surface& surface : positions.surfaces())
       std::cout << "  genus " << surface.genus() << '\n';
+    if (bar == 1)
+      continue;
     const SC::Solution_surface_mesh mesh =
         SC::to_surface_mesh(positions, SC::Vector_expression<3>(bx, by, ay - cy), {.chord_error = 0.1});
     std::cout << "  " << mesh.mesh.number_of_vertices() << " vertices, " << mesh.mesh.number_of_faces()
               << " triangles\n";
-    std::ofstream picture(bar == 1 ? "solution_surface_short_bar.svg" : "solution_surface.svg");
+    std::ofstream picture("solution_surface.svg");
     draw_surfaces(picture, mesh, {.most_splits = 8000}); // it crosses itself
   }
 }
