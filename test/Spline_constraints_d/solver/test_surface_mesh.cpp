@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
 
@@ -248,6 +249,31 @@ TEST(Surface_mesh, image_of_a_surface_in_four_unknowns)
   }
 }
 
+// A rational surface as the map: a quarter of a cylinder. In doubles its splines have a common denominator, so that
+// their scale matters.
+TEST(Surface_mesh, image_under_a_rational_surface)
+{
+  const auto spline = [](std::vector<Rational> points) {
+    for (Rational& point : points)
+      point /= 3;
+    return SC::Bspline_function<Rational>({2, 1}, {{0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}}, std::move(points));
+  };
+  const SC::Spline_map<2, 3> cylinder(
+      {spline({1, 1, 1, 1, 0, 0}), spline({0, 0, 1, 1, 2, 2}), spline({0, 1, 0, 1, 0, 2})}, spline({1, 1, 1, 1, 2, 2}));
+  const auto [u, v, w] = SC::unknowns({0, 1}, {0, 1}, {-1, 1});
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(w == (u - v) / 5);
+  const SC::Solution_surface_mesh result = SC::to_surface_mesh(set, cylinder(u, v), {.chord_error = 0.002});
+  check(result, set, 0.002);
+  EXPECT_NEAR(PMP::area(result.mesh), CGAL_PI / 2, 0.01);
+  for (const auto vertex : result.mesh.vertices()) {
+    const auto& own = result.mesh.point(vertex);
+    EXPECT_NEAR(square(own.x()) + square(own.y()), 1, 1e-13);
+    EXPECT_NEAR(result.unknowns[vertex][1], own.z(), 1e-13);
+    EXPECT_NEAR(std::abs(result.differentials[vertex].mean_curvature()), 0.5, 1e-9);
+    EXPECT_NEAR(result.differentials[vertex].gaussian_curvature(), 0, 1e-9);
+  }
+}
+
 // The circles of a torus in its plane of symmetry and its meridians in another plane, which cross: four circles cut
 // into eight arcs, with exact coordinates on the planes.
 TEST(Surface_mesh, features_are_edges)
@@ -358,6 +384,7 @@ TEST(Surface_mesh, limits_and_bad_input)
   const SC::Solution_surface_mesh stopped = SC::to_surface_mesh(set, {.chord_error = 1e-3}, {.time_limit = 1e-9});
   EXPECT_FALSE(stopped.is_complete());
   EXPECT_FALSE(stopped.undecided().empty());
+  EXPECT_FALSE(stopped.summary().is_complete);
   const SC::Solution_surface_mesh copy = SC::to_surface_mesh(set);
   const SC::Solution_surface_mesh other = copy;
   EXPECT_EQ(other.unknowns[*other.mesh.vertices().begin()], copy.unknowns[*copy.mesh.vertices().begin()]);

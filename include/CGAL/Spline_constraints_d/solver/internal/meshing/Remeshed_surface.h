@@ -143,6 +143,7 @@ protected:
     m_middle.patch = data(vertices[0]).patch;
     for (const Vertex v : vertices)
       m_middle.patch = m_points.surface().nearer(m_middle.patch, data(v).patch, m_middle.unknowns);
+    m_middle.patch = m_points.surface().in_cell(m_middle.patch, m_middle.unknowns);
     double extent = 0;
     for (std::size_t j = 0; j < first.size(); ++j)
       extent = (std::max)(extent, std::abs(first[j] - second[j]));

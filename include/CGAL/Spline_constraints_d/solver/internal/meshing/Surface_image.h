@@ -53,7 +53,7 @@ inline std::pair<Spline_function, Spline_function> quotient_of(const Expression&
   };
   std::pair<Spline_function, Spline_function> result{function(formula.numerator()),
                                                      function(polynomial_of(formula.denominator()))};
-  if (formula.symbols() == nullptr || formula.is_polynomial())
+  if (formula.symbols() == nullptr || formula.is_polynomial() || is_zero_everywhere(result.first))
     return result;
   constexpr int most_points = 64;
   for (int k = 1; k < most_points; ++k) {
@@ -70,7 +70,7 @@ inline std::pair<Spline_function, Spline_function> quotient_of(const Expression&
     result.first *= Exact_rational(formula(place) * below / above);
     return result;
   }
-  return {Spline_function(), Spline_function(Power_polynomial(Exact_rational(1)))}; // it is zero at all of them
+  throw Invalid_input("to_surface_mesh: a coordinate of the map to space is zero, or not defined, at too many points");
 }
 
 inline Image_functions image_functions(const Vector_expression<3>& image, const Exact_ranges& domain)

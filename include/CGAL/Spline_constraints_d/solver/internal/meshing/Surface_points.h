@@ -22,8 +22,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,6 +40,7 @@ class Surface_points
   const Surface_solution_set_d& m_set;
   Local_function_source m_source;
   std::vector<std::unique_ptr<Local_functions>> m_near_patch;
+  std::map<int, std::set<double>> m_breaks; // of unknowns that have some
   Function_jets m_jets;
   std::vector<double> m_step;
   Eigen::MatrixXd m_square;
@@ -49,7 +52,7 @@ public:
 
   explicit Surface_points(const Surface_solution_set_d& set)
     : m_set(set), m_source(set.system().equalities(), dimension()), m_near_patch(set.patches().size()),
-      m_step(dimension())
+      m_breaks(breaks_of(set.system())), m_step(dimension())
   {}
 
   std::size_t dimension() const { return static_cast<std::size_t>(m_set.system().dimension()); }
@@ -63,10 +66,22 @@ public:
     return *own;
   }
 
-  // The one of two patches that a point is nearer to, so that its polynomials are more exact there.
+  // The one of two patches that a point is nearer to, so that its polynomials are more exact there. They have to be
+  // those of the point, too: between the same breaks of splines.
   std::size_t nearer(std::size_t first, std::size_t second, const Point& point)
   {
-    return first == second || distance(first, point) <= distance(second, point) ? first : second;
+    if (first == second || is_in_cell(first, point) != is_in_cell(second, point))
+      return first == second || is_in_cell(first, point) ? first : second;
+    return distance(first, point) <= distance(second, point) ? first : second;
+  }
+
+  // A patch between the same breaks as a point: the one that is given, if it is.
+  std::size_t in_cell(std::size_t patch, const Point& point)
+  {
+    for (std::size_t p = 0; p < m_near_patch.size() && !is_in_cell(patch, point); ++p)
+      if (is_in_cell(p, point))
+        patch = p;
+    return patch;
   }
 
   // Moves a point near a patch onto the surface, by steps of least length that leave these unknowns as they are; false
@@ -132,6 +147,33 @@ public:
   }
 
 private:
+  // Whether a point is between the same breaks of splines as a patch, up to rounding.
+  bool is_in_cell(std::size_t patch, const Point& point)
+  {
+    for (const auto& [unknown, breaks] : m_breaks) {
+      const double x = point[static_cast<std::size_t>(unknown)];
+      const auto& [lower, upper] = m_set.patches()[patch].box[static_cast<std::size_t>(unknown)];
+      const double middle = CGAL::to_double(Exact_rational((lower + upper) / 2));
+      for (const double at : breaks)
+        if (const double slack = 0x1p-40 * (1 + std::abs(at));
+            (x < at - slack && at < middle) || (middle < at && at + slack < x))
+          return false;
+    }
+    return true;
+  }
+
+  // The places where splines of the equalities have breaks, of each unknown that has some.
+  static std::map<int, std::set<double>> breaks_of(const Constraint_system_d& system)
+  {
+    std::map<int, std::set<double>> result;
+    for (const Spline_function& function : system.equalities())
+      for (const Spline_term& term : function.terms())
+        for (std::size_t j = 0; j < term.variables.size(); ++j)
+          for (const Exact_rational& at : term.breaks[j])
+            result[term.variables[j]].insert(CGAL::to_double(at));
+    return result;
+  }
+
   double distance(std::size_t patch, const Point& point)
   {
     const std::vector<double>& place = functions(patch).place();

@@ -50,6 +50,7 @@ class Mesh_of_solutions
   Surface_mesher m_mesher;
   std::vector<Vertex> m_vertex_of; // of points and their copies; null where no triangle is
   Remeshed_vertices m_vertices;
+  std::set<std::size_t> m_apart; // patches with triangles that do not join the others
 
 public:
   Mesh_of_solutions(const Surface_solution_set_d& set, const Image_functions* image,
@@ -152,14 +153,17 @@ private:
     m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
     const std::set<std::size_t> singular(m_set.singular_points().begin(), m_set.singular_points().end());
     const std::vector<std::size_t> copies = separate_fans(triangles, singular, m_points.size());
+    m_apart.clear();
     m_vertex_of.assign(m_points.size() + copies.size(), Mesh::null_vertex());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       std::array<Vertex, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = vertex_at(result, triangles[t][k], copies);
       const auto face = result.mesh.add_face(corners[0], corners[1], corners[2]);
-      CGAL_assertion(face != Mesh::null_face());
-      result.surface[face] = m_set.patches()[patch_of_triangle[t]].surface;
+      if (face == Mesh::null_face())
+        m_apart.insert(patch_of_triangle[t]);
+      else
+        result.surface[face] = m_set.patches()[patch_of_triangle[t]].surface;
     }
     add_features(result, copies);
     return result;
@@ -226,15 +230,26 @@ private:
   void name_undecided(Solution_surface_mesh& result)
   {
     result.undecided_parts = m_set.undecided();
-    for (const std::size_t p : m_mesher.failed()) {
-      Undecided_part part;
-      for (const auto& range : m_set.patches()[p].box)
-        part.place.push_back(to_double_range(range));
-      part.reason = m_control.reason() == Undecided_reason::NONE ? "a patch that was not triangulated"
-                                                                 : in_words(m_control.reason());
-      result.undecided_parts.push_back(std::move(part));
-    }
+    const bool is_stopped = m_control.reason() != Undecided_reason::NONE;
+    for (const std::size_t p : m_mesher.failed())
+      add_undecided(result, p, is_stopped ? in_words(m_control.reason()) : "a patch that was not triangulated");
+    for (const std::size_t p : m_apart)
+      add_undecided(result, p, "triangles that do not join others");
+    constexpr double tolerance = 1.05; // points beside middles are found up to a small part of their distance
+    if (is_stopped && m_mesher.failed().empty())
+      result.undecided_parts.push_back({{}, {}, in_words(m_control.reason())});
+    else if (m_options.is_remeshed && result.error > tolerance * m_options.chord_error)
+      result.undecided_parts.push_back({{}, {}, "triangles with a greater error"});
     result.work = summary_of(m_control, m_points.size(), m_control.reason(), result.undecided_parts.empty());
+  }
+
+  void add_undecided(Solution_surface_mesh& result, std::size_t patch, const std::string& reason) const
+  {
+    Undecided_part part;
+    for (const auto& range : m_set.patches()[patch].box)
+      part.place.push_back(to_double_range(range));
+    part.reason = reason;
+    result.undecided_parts.push_back(std::move(part));
   }
 };
 
