@@ -9,7 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_BERNSTEIN_INTERVAL_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_BERNSTEIN_INTERVAL_H
 
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Integer_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_polynomial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ struct Bernstein_interval
   std::vector<double> values;
   double error = 0;
   long scale = 0;
-  int cuts = 0;   // since the values were computed from the integers
+  int cuts = 0; // since the values were computed from the integers
 
   // Computes the values anew. The largest lies in [1/4, 1]; truncation, a rounded denominator and a division are 3 x
   // 2^-52, and 2^-1000 covers what underflows.

@@ -9,7 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_EXACT_ROOT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_EXACT_ROOT_H
 
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Integer_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_polynomial.h>
 
 #include <algorithm>
 #include <cstddef>

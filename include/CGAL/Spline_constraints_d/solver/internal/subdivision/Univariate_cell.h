@@ -9,8 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_UNIVARIATE_CELL_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_UNIVARIATE_CELL_H
 
+#include <CGAL/Spline_constraints_d/function/internal/Integer_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Integer_polynomial.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,9 +10,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELIMINATION_INTEGER_PIECE_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_polynomial.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Integer_polynomial.h>
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_MODULAR_COMMON_DIVISOR_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_MODULAR_COMMON_DIVISOR_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_MODULAR_COMMON_DIVISOR_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_MODULAR_COMMON_DIVISOR_H
 
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
@@ -223,4 +223,4 @@ inline std::optional<std::vector<Big_integer>> modular_common_divisor(const std:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_MODULAR_COMMON_DIVISOR_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_MODULAR_COMMON_DIVISOR_H

@@ -6,12 +6,12 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_INTEGER_POLYNOMIAL_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_INTEGER_POLYNOMIAL_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_INTEGER_POLYNOMIAL_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_INTEGER_POLYNOMIAL_H
 
+#include <CGAL/Spline_constraints_d/function/internal/modular_common_divisor.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact/modular_common_divisor.h>
 
 #include <CGAL/Polynomial.h>
 #include <CGAL/enum.h>
@@ -269,4 +269,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_EXACT_INTEGER_POLYNOMIAL_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_INTEGER_POLYNOMIAL_H
