@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
+#include <CGAL/Spline_constraints_d/function/internal/integer_factors.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>

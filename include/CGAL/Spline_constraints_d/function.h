@@ -36,6 +36,7 @@
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
+#include <CGAL/Spline_constraints_d/function/rational_factors.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
 

@@ -63,6 +63,8 @@ public:
     return n;
   }
 
+  Number prime() const { return m_prime; }
+
   Number power(Number a, Number exponent) const
   {
     Number result = 1;
@@ -83,22 +85,71 @@ public:
     return trimmed(std::move(result));
   }
 
+  Polynomial product(const Polynomial& a, const Polynomial& b) const
+  {
+    Polynomial result(a.empty() || b.empty() ? 0 : a.size() + b.size() - 1, 0);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t j = 0; j < b.size(); ++j)
+        result[i + j] = (result[i + j] + a[i] * b[j]) % m_prime;
+    return result;
+  }
+
+  // sum += factor a
+  void add_multiple(Polynomial& sum, const Polynomial& a, Number factor) const
+  {
+    sum.resize((std::max)(sum.size(), a.size()), 0);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      sum[i] = (sum[i] + a[i] * factor) % m_prime;
+    sum = trimmed(std::move(sum));
+  }
+
+  // The quotient; what remains takes the place of the dividend. \pre The divisor is not zero.
+  Polynomial divide(Polynomial& a, const Polynomial& divisor) const
+  {
+    const std::size_t size = divisor.size();
+    const Number factor = inverse(divisor.back());
+    Polynomial quotient(a.size() < size ? 0 : a.size() + 1 - size);
+    for (std::size_t k = quotient.size(); k-- > 0;) {
+      quotient[k] = a[k + size - 1] * factor % m_prime;
+      const Number multiple = m_prime - quotient[k];
+      for (std::size_t j = 0; j < size; ++j)
+        a[k + j] = (a[k + j] + divisor[j] * multiple) % m_prime;
+    }
+    a = trimmed(std::move(a));
+    return quotient;
+  }
+
+  Polynomial remainder(Polynomial a, const Polynomial& divisor) const
+  {
+    divide(a, divisor);
+    return a;
+  }
+
+  Polynomial derivative(const Polynomial& f) const
+  {
+    Polynomial result;
+    for (std::size_t k = 1; k < f.size(); ++k)
+      result.push_back(f[k] * k % m_prime);
+    return trimmed(std::move(result));
+  }
+
   // With the leading coefficient one, by Euclid's algorithm. \pre One of them is not zero.
   Polynomial common_divisor(Polynomial a, Polynomial b) const
   {
     while (!b.empty()) {
-      const Number factor = inverse(b.back());
-      for (std::size_t k = a.size(); k-- >= b.size();) {
-        const Number multiple = m_prime - a[k] * factor % m_prime;
-        for (std::size_t j = 0; j < b.size(); ++j)
-          a[k + 1 - b.size() + j] = (a[k + 1 - b.size() + j] + b[j] * multiple) % m_prime;
-      }
-      a = std::exchange(b, trimmed(std::move(a)));
+      divide(a, b);
+      std::swap(a, b);
     }
-    const Number factor = inverse(a.back());
-    for (Number& x : a)
+    return monic(std::move(a));
+  }
+
+  // \pre not zero
+  Polynomial monic(Polynomial f) const
+  {
+    const Number factor = inverse(f.back());
+    for (Number& x : f)
       x = x * factor % m_prime;
-    return a;
+    return f;
   }
 
 private:

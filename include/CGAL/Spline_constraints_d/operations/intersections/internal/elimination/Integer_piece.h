@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELIMINATION_INTEGER_PIECE_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_coefficients.h>
 #include <CGAL/Spline_constraints_d/function/internal/Integer_polynomial.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -24,35 +25,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
-
-// A polynomial by its coefficients in powers, the constant one first. There may be zeros at the end.
-using Integer_coefficients = std::vector<Big_integer>;
-
-// sum += factor a
-inline void add_multiple(Integer_coefficients& sum, const Integer_coefficients& a, const Big_integer& factor)
-{
-  if (factor == 0)
-    return;
-  if (sum.size() < a.size())
-    sum.resize(a.size(), Big_integer(0));
-  for (std::size_t i = 0; i < a.size(); ++i)
-    add_product(sum[i], a[i], factor);
-}
-
-// sum += sign a b
-inline void add_signed_product(Integer_coefficients& sum, const Integer_coefficients& a, const Integer_coefficients& b,
-                               int sign)
-{
-  if (a.empty() || b.empty())
-    return;
-  if (sum.size() < a.size() + b.size() - 1)
-    sum.resize(a.size() + b.size() - 1, Big_integer(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Big_integer factor = sign < 0 ? Big_integer(-a[i]) : a[i];
-    for (std::size_t j = 0; j < b.size(); ++j)
-      add_product(sum[i + j], factor, b[j]);
-  }
-}
 
 /*
 A piece of a curve without breaks, on [0,1]: homogeneous coordinates and, last, the weight, as polynomials with integer
