@@ -6,6 +6,7 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
+#include <CGAL/Spline_constraints_d/function/internal/decompositions.h>
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
 #include <CGAL/Spline_constraints_d/function/internal/integer_factors.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>

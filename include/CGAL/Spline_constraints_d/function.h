@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Monomial.h>
+#include <CGAL/Spline_constraints_d/function/Polynomial_quotient.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Rational_function.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
@@ -36,6 +37,7 @@
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
+#include <CGAL/Spline_constraints_d/function/rational_decomposition.h>
 #include <CGAL/Spline_constraints_d/function/rational_factors.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
