@@ -16,6 +16,7 @@
 // The solvers are only declared from here on: another source has them.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
+#include <CGAL/Spline_constraints_d/geometry/curves/internal/traced_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>

@@ -35,11 +35,13 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Proper_reparametrization.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/conic_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/proper_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/Primitive_kind.h>
