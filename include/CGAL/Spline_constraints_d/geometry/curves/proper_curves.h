@@ -89,12 +89,12 @@ bool have_same_support(const Bspline_curve<First_kernel, d>& first, const Bsplin
 
 /*!
 a curve as proper ones after functions of its parameter, \f$c = \tilde c \circ h\f$, with the parameters at which it
-turns back on itself. All pieces on one algebraic curve are taken together: a circle of four arcs that is run through twice,
-polynomial pieces that go forth and back, an edge that comes again.
+turns back on itself. All pieces on one algebraic curve are taken together: a circle of four arcs that is run through
+twice, polynomial pieces that go forth and back, an edge that comes again.
 
-Each component of the answer is a part of an algebraic curve that the curve covers without gaps, with exact numbers; its
-ends are exact where they are rational, else it is longer by less than \f$2^{-100}\f$ in its parameter. What lies between
-two ends that are not that far apart counts as covered.
+Each component of the answer is a part of an algebraic curve that the curve covers without gaps, with exact numbers.
+Its ends are exact where they are rational, else it is longer by less than \f$2^{-100}\f$ in its parameter. What lies
+between two ends that are not that far apart counts as covered.
 
 \param curve a curve in the plane or in space.
 \param options limits of time and a visitor. When one ends the run, all of the curve is undecided.
