@@ -30,6 +30,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Regular_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/repeated_parts.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/self_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisector_pieces.h>
@@ -79,6 +80,8 @@ template std::vector<Common_point> common_points<2>(const Patch_pair<2>&, Budget
 template std::vector<Common_point> common_points<3>(const Patch_pair<3>&, Budgeted_solver&, const Known_solutions&);
 template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&, Budgeted_solver&);
 template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
+template int times_over_itself<2>(const Spline_patch<2>&);
+template int times_over_itself<3>(const Spline_patch<3>&);
 
 } // namespace Intersections
 namespace Distances {

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -402,6 +403,29 @@ TEST(Self_intersections, OfRandomSplinesAreThoseOfAllPairsOfPieces)
                 1);
   }
   EXPECT_GT(all, 6u);
+}
+
+// Curves that run over themselves are named, where that explains an answer, and not elsewhere.
+TEST(Self_intersections, RemarksOnRepeatedParts)
+{
+  const std::string twice = "traces itself 2 times: use proper_reparametrization()";
+  const std::vector<std::string> of_curve{"the curve " + twice}, of_operands{"operand 0 " + twice};
+  const Curve parabola = polynomial_curve({0, 0, 1}, {0, 0, 0, 0, 1}, R(-1), R(1));
+  EXPECT_EQ(SC::self_intersections(parabola).remarks(), of_curve);
+  EXPECT_EQ(SC::intersections(parabola, polynomial_curve({0, 1}, {0, 0, 1}, R(0), R(1))).remarks(), of_operands);
+  // a segment that crosses it: two common points at one place, and nothing to explain
+  EXPECT_TRUE(SC::intersections(parabola, polynomial_curve({0, 1}, {1, -1}, R(0), R(1))).remarks().empty());
+  // folds at irrational parameters: x is t^3 - 2 t and y its square
+  const auto folded = SC::self_intersections(polynomial_curve({0, -2, 0, 1}, {0, 0, 4, 0, -4, 0, 1}, R(-1), R(1)));
+  EXPECT_EQ(folded.remarks(), of_curve);
+  ASSERT_FALSE(folded.undecided().empty());
+  for (const SC::Undecided_part& part : folded.undecided())
+    EXPECT_TRUE(part.reason.ends_with("; the curve " + twice)) << part;
+  // edges that overlap, and are not one curve twice
+  const Curve edge = polynomial_curve({0, 1}, {0}, R(0), R(2)), longer = polynomial_curve({1, 1}, {0}, R(0), R(2));
+  EXPECT_EQ(SC::intersections(edge, longer).count(Kind::OVERLAP), 1u);
+  EXPECT_TRUE(SC::intersections(edge, longer).remarks().empty());
+  EXPECT_TRUE(SC::self_intersections(nodal_cubic).remarks().empty());
 }
 
 TEST(Self_intersections, BadInput)

@@ -27,6 +27,7 @@
 #include <functional>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -216,12 +217,16 @@ private:
   std::deque<Answer> m_answers;   // in small blocks of memory, which cost less
   Summary m_summary;
   std::function<Undecided_part(const Answer&)> m_undecided_part; // is called where somebody asks
+  std::function<std::vector<std::string>()> m_remarks;           // the same; or empty
 
 public:
-  //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why.
+  //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why; `remarks`, what is said of
+  //! the operands.
   Intersection_set(std::deque<Answer>&& answers, const Summary& work,
-                   std::function<Undecided_part(const Answer&)> undecided_part)
-    : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part))
+                   std::function<Undecided_part(const Answer&)> undecided_part,
+                   std::function<std::vector<std::string>()> remarks = {})
+    : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part)),
+      m_remarks(std::move(remarks))
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
     if (m_summary.is_complete)
@@ -249,13 +254,25 @@ public:
   //! whether there are no others, by proof, and none is undecided.
   bool is_complete() const { return m_summary.is_complete; }
 
-  //! what is undecided, where in space and on the operands, and why: the answers of the kind `UNDECIDED`.
+  /*!
+  sentences that explain answers which are `OVERLAP` or `UNDECIDED`: one for each curve that is proved to run over a
+  part of itself more than once, as by an improper parametrisation, which multiplies its common points. They are found
+  when this function or `undecided()` is called, within a second for each operand, or left out.
+  */
+  std::vector<std::string> remarks() const { return m_remarks ? m_remarks() : std::vector<std::string>(); }
+
+  //! what is undecided, where in space and on the operands, and why, with the remarks: the answers of the kind
+  //! `UNDECIDED`.
   std::vector<Undecided_part> undecided() const
   {
     std::vector<Undecided_part> result;
     for (const Answer& answer : m_answers)
       if (answer.kind() == Intersection_kind::UNDECIDED)
         result.push_back(m_undecided_part(answer));
+    if (!result.empty())
+      for (const std::string& remark : remarks())
+        for (Undecided_part& part : result)
+          part.reason += "; " + remark;
     return result;
   }
 

@@ -36,6 +36,11 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
 template <int d>
 std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budgeted_solver& solve);
 
+// How often a curve runs over the part of itself that it runs over most often; 0 if that is not found within a second,
+// or it is no curve. Defined in repeated_parts.h.
+template <int d>
+int times_over_itself(const Spline_patch<d>& curve);
+
 // Where two surfaces touch; defined in Contact_finder.h.
 std::vector<Common_point> contacts_of_surfaces(const Patch_pair<3>& pair, Budgeted_solver& solve);
 
@@ -46,6 +51,8 @@ extern template std::vector<Common_point> common_points<3>(const Patch_pair<3>&,
                                                            const Known_solutions&);
 extern template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&, Budgeted_solver&);
 extern template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
+extern template int times_over_itself<2>(const Spline_patch<2>&);
+extern template int times_over_itself<3>(const Spline_patch<3>&);
 #endif
 
 } // namespace Intersections

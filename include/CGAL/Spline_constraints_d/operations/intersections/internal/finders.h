@@ -19,6 +19,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Regular_finder.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/repeated_parts.h>
 #endif
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_FINDERS_H

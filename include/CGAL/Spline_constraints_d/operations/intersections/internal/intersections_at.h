@@ -13,12 +13,14 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/reason_of.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,19 @@ Undecided_part undecided_part(const Answer& answer, const Patch_pair<d>& operand
   return result;
 }
 
+// Sentences about the operands that are curves and run over a part of themselves more than once.
+template <int d>
+std::vector<std::string> remarks_on(const Patch_pair<d>& operands, const std::array<std::size_t, 2>& indices)
+{
+  const bool is_one = indices[0] == indices[1];
+  std::vector<std::string> result;
+  for (std::size_t operand = 0; operand < (is_one ? 1u : 2u); ++operand)
+    if (const int times = times_over_itself(operands[operand]); times > 1)
+      result.push_back((is_one ? "the curve" : "operand " + std::to_string(indices[operand])) + " traces itself " +
+                       std::to_string(times) + " times: use proper_reparametrization()");
+  return result;
+}
+
 // The answers of an operation that has found the common points of two operands, with its work.
 template <SplineKernel Kernel, int d>
 Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common_point> points,
@@ -56,17 +71,21 @@ Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common
                                                               const std::array<std::size_t, 2>& indices = {0, 1})
 {
   std::deque<Intersection<Kernel, d>> result;
-  bool is_complete = true;
+  bool is_complete = true, has_continuum = false;
   for (Common_point& point : points) {
     is_complete = is_complete && point.kind != Intersection_kind::UNDECIDED;
+    has_continuum = has_continuum || point.kind == Intersection_kind::OVERLAP;
     result.emplace_back(std::move(point), operands);
   }
   std::function<Undecided_part(const Intersection<Kernel, d>&)> part;
+  std::function<std::vector<std::string>()> remarks;
   if (!is_complete)
     part = [operands, indices](const Intersection<Kernel, d>& answer) {
       return undecided_part(answer, operands, indices);
     };
-  return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, std::move(part));
+  if (!is_complete || has_continuum)
+    remarks = [operands, indices] { return remarks_on(operands, indices); };
+  return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, std::move(part), std::move(remarks));
 }
 
 } // namespace Intersections
