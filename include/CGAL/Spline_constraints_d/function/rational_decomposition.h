@@ -75,7 +75,7 @@ For polynomials by power series (Kozen and Landau, Polynomial decomposition algo
 Other functions by two fibres: one may take \f$h(a) = 0\f$ and \f$h(b) = \infty\f$ for rational numbers with \f$f(a) \ne
 f(b)\f$; then the numerator of \f$h\f$ divides that of \f$f - f(a)\f$, its denominator that of \f$f - f(b)\f$. All of
 these divisors are tried, where \f$a\f$ and \f$b\f$ are chosen so that there are few. Proofs: \ref
-Spline_constraints_d_decomposition_proofs.
+Spline_constraints_d_rational_decomposition_proofs.
 */
 inline std::vector<Decomposition> decompositions(const Polynomial_quotient& f, std::function<void()> check = {})
 {
