@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/prime_field_factors.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -40,6 +41,7 @@ class Zassenhaus_factors
   std::vector<bool> m_degrees; // which ones a factor can have
   std::vector<Integer_coefficients> m_lifted;
   Big_integer m_modulus, m_half;
+  Big_integer m_trace_bound; // of the second coefficients of factors with the leading coefficient of the rest
   std::vector<Integer_coefficients> m_result;
 
 public:
@@ -56,6 +58,7 @@ public:
       m_lifted = lifting(m_rest, factors);
       m_modulus = lifting.modulus();
       m_half = m_modulus / 2;
+      set_trace_bound();
       for (std::size_t count = 1; 2 * count <= m_lifted.size();)
         if (!find_product_of(count))
           ++count;
@@ -78,7 +81,7 @@ private:
       const Polynomial f = field.of(m_rest);
       if (f.size() < m_rest.size() || field.common_divisor(f, field.derivative(f)).size() > 1)
         continue;
-      std::vector<Polynomial> factors = Prime_field_factors(field, m_interruption)(field.monic(f));
+      std::vector<Polynomial> factors = Prime_field_factors(field, field.monic(f), m_interruption)();
       keep_degrees_of(factors);
       if (count == 0 || factors.size() < result.second.size())
         result = {prime, std::move(factors)};
@@ -122,6 +125,7 @@ private:
       if (std::optional<Integer_coefficients> factor = product_if_factor(chosen)) {
         m_rest = *exact_quotient(std::move(m_rest), *factor);
         m_result.push_back(std::move(*factor));
+        set_trace_bound();
         for (std::size_t k = count; k-- > 0;)
           m_lifted.erase(m_lifted.begin() + static_cast<std::ptrdiff_t>(chosen[k]));
         return true;
@@ -147,7 +151,7 @@ private:
     std::size_t degree = 0;
     for (const std::size_t k : chosen)
       degree += m_lifted[k].size() - 1;
-    if (!m_degrees[degree] || !has_possible_constant(chosen))
+    if (!m_degrees[degree] || !has_possible_trace(chosen) || !has_possible_constant(chosen))
       return std::nullopt;
     Integer_coefficients product(1, m_rest.back());
     for (const std::size_t k : chosen) {
@@ -158,6 +162,25 @@ private:
     m_interruption.add_work(product.size() * m_rest.size() * product.size());
     product = primitive_part(std::move(product));
     return exact_quotient(m_rest, product) ? std::optional(std::move(product)) : std::nullopt;
+  }
+
+  // The second coefficient is minus the sum of at most n zeros, which are at most 1 + max |a_i| / |a_n| (Cauchy), times
+  // the leading one.
+  void set_trace_bound()
+  {
+    Big_integer greatest(0);
+    for (const Big_integer& x : m_rest)
+      greatest = (std::max)(greatest, Big_integer(abs(x)));
+    m_trace_bound = (greatest + abs(m_rest.back())) * static_cast<unsigned long>(m_rest.size());
+  }
+
+  // Nearly all products that are no factors have a longer second coefficient (Abbott, Shoup, Zimmermann 2000).
+  bool has_possible_trace(const std::vector<std::size_t>& chosen) const
+  {
+    Big_integer trace(0);
+    for (const std::size_t k : chosen)
+      trace += m_lifted[k][m_lifted[k].size() - 2];
+    return abs(symmetric_residue(Big_integer(trace * m_rest.back()))) <= m_trace_bound;
   }
 
   // Whether the constant coefficient of the product, with the leading coefficient of the rest, divides that of the rest

@@ -88,9 +88,13 @@ public:
   Polynomial product(const Polynomial& a, const Polynomial& b) const
   {
     Polynomial result(a.empty() || b.empty() ? 0 : a.size() + b.size() - 1, 0);
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; j < b.size(); ++j)
-        result[i + j] = (result[i + j] + a[i] * b[j]) % m_prime;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      add_row(result.data() + i, b, a[i]);
+      if (!is_short())
+        reduce(result.data() + i, b.size());
+    }
+    if (is_short())
+      reduce(result.data(), result.size());
     return result;
   }
 
@@ -110,11 +114,13 @@ public:
     const Number factor = inverse(divisor.back());
     Polynomial quotient(a.size() < size ? 0 : a.size() + 1 - size);
     for (std::size_t k = quotient.size(); k-- > 0;) {
-      quotient[k] = a[k + size - 1] * factor % m_prime;
-      const Number multiple = m_prime - quotient[k];
-      for (std::size_t j = 0; j < size; ++j)
-        a[k + j] = (a[k + j] + divisor[j] * multiple) % m_prime;
+      quotient[k] = a[k + size - 1] % m_prime * factor % m_prime;
+      add_row(a.data() + k, divisor, m_prime - quotient[k]);
+      if (!is_short())
+        reduce(a.data() + k, size);
     }
+    if (is_short())
+      reduce(a.data(), a.size());
     a = trimmed(std::move(a));
     return quotient;
   }
@@ -153,6 +159,22 @@ public:
   }
 
 private:
+  // Whether sums of very many products stay below 2^64.
+  bool is_short() const { return m_prime < (Number(1) << 16); }
+
+  // sum += factor a, not reduced
+  static void add_row(Number* sum, const Polynomial& a, Number factor)
+  {
+    for (std::size_t j = 0; j < a.size(); ++j)
+      sum[j] += a[j] * factor;
+  }
+
+  void reduce(Number* numbers, std::size_t size) const
+  {
+    for (std::size_t j = 0; j < size; ++j)
+      numbers[j] %= m_prime;
+  }
+
   static Polynomial trimmed(Polynomial f)
   {
     while (!f.empty() && f.back() == 0)

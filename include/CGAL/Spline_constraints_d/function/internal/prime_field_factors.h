@@ -11,7 +11,6 @@
 
 #include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
 #include <CGAL/Spline_constraints_d/function/internal/modular_common_divisor.h>
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
 #include <cstddef>
 #include <random>
@@ -23,9 +22,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The irreducible factors of a polynomial modulo an odd prime that has no multiple ones, with leading coefficients one:
-first those of each degree together, which divide x^(p^k) - x, then apart, by powers of random polynomials that are 1
-modulo half of them (Cantor and Zassenhaus 1981).
+The irreducible factors of a polynomial modulo an odd prime p that has no multiple ones, with leading coefficients one:
+first those of each degree k together, which divide x^(p^k) - x, then apart, by powers of random polynomials that are 1
+modulo half of them (Cantor and Zassenhaus 1981). The p-th power of a polynomial is a linear map of its coefficients.
 */
 class Prime_field_factors
 {
@@ -33,65 +32,87 @@ class Prime_field_factors
 
   Prime_residues m_field;
   Interruption& m_interruption;
-  std::mt19937 m_random{20230601}; // the same for all, so that answers are
+  Polynomial m_polynomial;
+  std::vector<Polynomial> m_powers; // 1, x^p, x^2p, ... modulo the polynomial
+  std::mt19937 m_random{20230601};  // the same for all, so that answers are
 
 public:
-  Prime_field_factors(const Prime_residues& field, Interruption& interruption)
-    : m_field(field), m_interruption(interruption)
-  {}
+  // \pre The leading coefficient is one, the degree not zero.
+  Prime_field_factors(const Prime_residues& field, Polynomial f, Interruption& interruption)
+    : m_field(field), m_interruption(interruption), m_polynomial(std::move(f)), m_powers(1, Polynomial{1})
+  {
+    const Polynomial power = power_modulo(m_field.remainder({0, 1}, m_polynomial), m_field.prime());
+    while (m_powers.size() + 1 < m_polynomial.size())
+      m_powers.push_back(product_modulo(m_powers.back(), power));
+  }
 
-  // \pre The leading coefficient is one.
-  std::vector<Polynomial> operator()(Polynomial f)
+  std::vector<Polynomial> operator()()
   {
     std::vector<Polynomial> result;
-    const Polynomial x{0, 1};
-    Polynomial power = m_field.remainder(x, f);
-    for (std::size_t degree = 1; 2 * degree < f.size(); ++degree) {
-      power = power_modulo(power, Big_integer(m_field.prime()), f);
+    Polynomial rest = m_polynomial, power = m_field.remainder({0, 1}, m_polynomial);
+    for (std::size_t degree = 1; 2 * degree < rest.size(); ++degree) {
+      power = power_with_prime(power);
       Polynomial difference = power;
-      m_field.add_multiple(difference, x, m_field.prime() - 1);
-      const Polynomial factors = m_field.common_divisor(f, difference);
+      m_field.add_multiple(difference, {0, 1}, m_field.prime() - 1);
+      const Polynomial factors = m_field.common_divisor(rest, difference);
       if (factors.size() > 1) {
         split(factors, degree, result);
-        f = m_field.divide(f, factors);
-        power = m_field.remainder(std::move(power), f);
+        rest = m_field.divide(rest, factors);
       }
     }
-    if (f.size() > 1)
-      result.push_back(std::move(f));
+    if (rest.size() > 1)
+      result.push_back(std::move(rest));
     return result;
   }
 
 private:
-  Polynomial power_modulo(const Polynomial& base, const Big_integer& exponent, const Polynomial& modulus)
+  Polynomial product_modulo(const Polynomial& a, const Polynomial& b)
   {
-    Polynomial result{1};
-    for (auto bit = static_cast<std::size_t>(bit_length(exponent)); bit-- > 0;) {
-      result = m_field.remainder(m_field.product(result, result), modulus);
-      if (mpz_tstbit(exponent.backend().data(), bit))
-        result = m_field.remainder(m_field.product(result, base), modulus);
-      m_interruption.add_work(4 * modulus.size() * modulus.size());
+    m_interruption.add_work(2 * m_polynomial.size() * m_polynomial.size());
+    return m_field.remainder(m_field.product(a, b), m_polynomial);
+  }
+
+  Polynomial power_modulo(const Polynomial& base, Prime_residues::Number exponent)
+  {
+    Polynomial result{1}, square = base;
+    for (; exponent != 0; exponent >>= 1) {
+      if (exponent & 1)
+        result = product_modulo(result, square);
+      if (exponent > 1)
+        square = product_modulo(square, square);
     }
     return result;
   }
 
-  // A product of factors of one degree.
+  // f^p = f(x^p)
+  Polynomial power_with_prime(const Polynomial& f)
+  {
+    m_interruption.add_work(m_polynomial.size() * m_polynomial.size());
+    Polynomial result;
+    for (std::size_t i = 0; i < f.size(); ++i)
+      m_field.add_multiple(result, m_powers[i], f[i]);
+    return result;
+  }
+
+  // A product of factors of one degree k. A random polynomial has the power (p^k - 1) / 2 = (1 + p + ... + p^(k-1))
+  // (p - 1) / 2 that is 1 or -1 modulo each of them.
   void split(const Polynomial& product, std::size_t degree, std::vector<Polynomial>& result)
   {
     if (product.size() == degree + 1) {
       result.push_back(product);
       return;
     }
-    Big_integer exponent(1);
-    for (std::size_t k = 0; k < degree; ++k)
-      exponent *= m_field.prime();
-    exponent /= 2;
     for (;;) {
       Polynomial base(product.size() - 1);
       for (auto& coefficient : base)
         coefficient = m_random() % m_field.prime();
       base.back() = 1;
-      Polynomial power = power_modulo(base, exponent, product);
+      Polynomial norm = base;
+      for (std::size_t k = 1; k < degree; ++k) {
+        base = power_with_prime(base);
+        norm = product_modulo(norm, base);
+      }
+      Polynomial power = power_modulo(norm, m_field.prime() / 2);
       m_field.add_multiple(power, Polynomial{1}, m_field.prime() - 1);
       const Polynomial part = m_field.common_divisor(product, power);
       if (part.size() > 1 && part.size() < product.size()) {
