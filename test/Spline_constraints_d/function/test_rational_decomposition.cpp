@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace rational_decomposition_test {
+
 using namespace CGAL::Spline_constraints;
 
 namespace {
@@ -32,9 +34,9 @@ Polynomial_quotient chebyshev(int n)
 }
 
 // All of them, checked.
-std::vector<Decomposition> checked(const Polynomial_quotient& f)
+std::vector<Functional_decomposition> checked(const Polynomial_quotient& f)
 {
-  const std::vector<Decomposition> result = decompositions(f);
+  const std::vector<Functional_decomposition> result = decompositions(f);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto& [g, h] = result[i];
     EXPECT_EQ(composed(g, h), f);
@@ -47,9 +49,9 @@ std::vector<Decomposition> checked(const Polynomial_quotient& f)
 }
 
 // Whether one of them is equivalent to h.
-bool has_right_component(const std::vector<Decomposition>& found, const Polynomial_quotient& h)
+bool has_right_component(const std::vector<Functional_decomposition>& found, const Polynomial_quotient& h)
 {
-  return std::any_of(found.begin(), found.end(), [&](const Decomposition& one) {
+  return std::any_of(found.begin(), found.end(), [&](const Functional_decomposition& one) {
     return one.h.degree() == h.degree() && left_component(h, one.h).has_value();
   });
 }
@@ -95,8 +97,6 @@ protected:
   }
 };
 
-} // namespace
-
 TEST(Polynomial_quotient, is_in_lowest_terms)
 {
   const Polynomial_quotient f = quotient_of((x - 1) * (x + 2) / 3, (1 - x) * x / 2);
@@ -117,7 +117,7 @@ TEST(Rational_decomposition, of_the_published_example)
   const Polynomial_quotient g = quotient_of(x * x + 1, x * x - 2), h = quotient_of(x * x + 1, x * x + 2),
                             f = composed(g, h);
   EXPECT_EQ(f, quotient_of(-(2 * pow(x, 4) + 6 * x * x + 5), pow(x, 4) + 6 * x * x + 7));
-  const std::vector<Decomposition> found = checked(f);
+  const std::vector<Functional_decomposition> found = checked(f);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].h, polynomial(x * x));
   EXPECT_EQ(left_component(f, h), g);
@@ -147,7 +147,7 @@ TEST(Rational_decomposition, of_powers_and_chebyshev_polynomials)
 // conjugation does not change: x^2, x^3, x^6, x +- 1/x, x^2 + 1/x^2, x^3 +- 1/x^3.
 TEST(Rational_decomposition, of_an_invariant_of_a_dihedral_group)
 {
-  const std::vector<Decomposition> found = checked(quotient_of(pow(x, 12) + 1, pow(x, 6)));
+  const std::vector<Functional_decomposition> found = checked(quotient_of(pow(x, 12) + 1, pow(x, 6)));
   EXPECT_EQ(found.size(), 8u);
   for (const int k : {2, 3, 6})
     EXPECT_TRUE(has_right_component(found, polynomial(pow(x, k))));
@@ -182,7 +182,7 @@ TEST_F(Decomposition_test, none_is_lost_in_longer_chains)
     const Polynomial_quotient first = random_function(number(2, 3)), second = random_function(2),
                               third = random_function(number(2, 3)), inner = composed(second, third),
                               f = composed(first, inner);
-    const std::vector<Decomposition> found = checked(f);
+    const std::vector<Functional_decomposition> found = checked(f);
     EXPECT_TRUE(has_right_component(found, third)) << f;
     EXPECT_TRUE(has_right_component(found, inner)) << f;
     EXPECT_GE(degrees_of_chain(f).size(), 3u);
@@ -212,3 +212,7 @@ TEST(Rational_decomposition, of_bad_input)
   const auto stop = [] { throw std::runtime_error("stop"); };
   EXPECT_THROW(decompositions(quotient_of(pow(x, 40) + x + 3, pow(x, 39) + 7), stop), std::runtime_error);
 }
+
+} // namespace
+
+} // namespace rational_decomposition_test

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace rational_factors_test {
+
 using namespace CGAL::Spline_constraints;
 
 namespace {
@@ -59,8 +61,6 @@ protected:
     return result;
   }
 };
-
-} // namespace
 
 TEST(Rational_factors, of_known_polynomials)
 {
@@ -146,3 +146,7 @@ TEST(Rational_factors, end_when_told_to)
   EXPECT_THROW(rational_factors(pow(x, 105) - 1, check), std::runtime_error);
   EXPECT_EQ(calls, 3);
 }
+
+} // namespace
+
+} // namespace rational_factors_test

@@ -18,15 +18,14 @@
 #include <utility>
 #include <vector>
 
+namespace proper_curves_test {
+
 using namespace CGAL::Spline_constraints;
 
 namespace {
 
-namespace proper_curves {
-
 using Exact = CGAL::Simple_cartesian<Exact_rational>;
 using Curve = Bspline_curve<Exact, 2>;
-using Space_curve = Bspline_curve<Exact, 3>;
 using Range = Curve_stretch::Range;
 
 const Power_polynomial t = Power_polynomial::variable(0);
@@ -126,13 +125,8 @@ Power_polynomial chebyshev(int n)
   return own;
 }
 
-} // namespace proper_curves
-
-} // namespace
-
 TEST(Proper_curves, a_parabola_forth_and_back)
 {
-  using namespace proper_curves;
   const auto proper = checked(curve_of({pow(t, 2), pow(t, 4)}, 1, -1, 1));
   EXPECT_EQ(proper.tracing_index(), 2);
   ASSERT_EQ(proper.components.size(), 1u);
@@ -154,7 +148,6 @@ TEST(Proper_curves, a_parabola_forth_and_back)
 
 TEST(Proper_curves, a_segment_as_a_quadratic_curve)
 {
-  using namespace proper_curves;
   const auto proper = checked(curve_of({t * t, 2 * t * t}, 1, -1, 1));
   EXPECT_EQ(proper.tracing_index(), 2);
   EXPECT_EQ(proper.components[0].curve, curve_of({t, 2 * t}, 1, 0, 1));
@@ -163,7 +156,6 @@ TEST(Proper_curves, a_segment_as_a_quadratic_curve)
 
 TEST(Proper_curves, circles)
 {
-  using namespace proper_curves;
   const Curve circle = circle_after(Polynomial_quotient(t), -1, 1);
   EXPECT_EQ(tracing_index(circle), 1);
   EXPECT_TRUE(is_proper(circle));
@@ -178,7 +170,6 @@ TEST(Proper_curves, circles)
 
 TEST(Proper_curves, corners_of_a_square_that_two_fingers_hold)
 {
-  using namespace proper_curves;
   const Power_polynomial c = 1 - t * t, s = 2 * t, w = 1 + t * t; // cosine and sine of an angle, by its half
   const auto corner = checked(curve_of({c * c, c * s}, w * w, -2, 2));
   EXPECT_EQ(corner.tracing_index(), 2);
@@ -193,7 +184,6 @@ TEST(Proper_curves, corners_of_a_square_that_two_fingers_hold)
 
 TEST(Proper_curves, chebyshev_curves)
 {
-  using namespace proper_curves;
   const auto proper = checked(curve_of({chebyshev(6), chebyshev(4)}, 1, -1, 1));
   EXPECT_EQ(proper.tracing_index(), 2);
   EXPECT_EQ(proper.components[0].degree, 3);
@@ -205,7 +195,6 @@ TEST(Proper_curves, chebyshev_curves)
 // The function takes rational values at irrational folds, and irrational ones.
 TEST(Proper_curves, irrational_folds)
 {
-  using namespace proper_curves;
   const Power_polynomial h = pow(t, 4) - 4 * t * t + t / 5;
   for (const Power_polynomial& inner : {pow(t, 4) - 4 * t * t, h}) {
     const auto proper = checked(curve_of({inner, inner * inner + inner}, 1, -2, 2));
@@ -218,7 +207,6 @@ TEST(Proper_curves, irrational_folds)
 
 TEST(Proper_curves, functions_with_poles)
 {
-  using namespace proper_curves;
   // from -5/2 over -2 and infinity to 2 and 5/2: there is a gap around 0
   const auto gap = checked(circle_after(Polynomial_quotient(t * t + 1, t), -2, 2));
   EXPECT_EQ(gap.tracing_index(), 2);
@@ -236,7 +224,6 @@ TEST(Proper_curves, functions_with_poles)
 
 TEST(Proper_curves, pieces_of_one_curve_are_taken_together)
 {
-  using namespace proper_curves;
   const Curve circle(circle_curve<Exact>(CGAL::Point_2<Exact>(1, 2), Exact_rational(3)));
   ASSERT_GT(circle.breaks().size(), 3u);
   const auto once = checked(circle);
@@ -253,7 +240,6 @@ TEST(Proper_curves, pieces_of_one_curve_are_taken_together)
 
 TEST(Proper_curves, polygons_that_run_over_themselves)
 {
-  using namespace proper_curves;
   using Point = CGAL::Point_2<Exact>;
   const auto proper =
       checked(polyline_curve<Exact>({Point(0, 0), Point(2, 0), Point(1, 0), Point(3, 1), Point(3, 0), Point(4, 0)}));
@@ -270,7 +256,6 @@ TEST(Proper_curves, polygons_that_run_over_themselves)
 
 TEST(Proper_curves, supports)
 {
-  using namespace proper_curves;
   const Curve parabola = curve_of({t, t * t}, 1, 0, 1);
   EXPECT_TRUE(have_same_support(parabola, curve_of({2 * t * t - 1, pow(2 * t * t - 1, 2)}, 1, 3, 4)));
   EXPECT_TRUE(have_same_support(parabola, curve_of({(t - 1) * (t + 5), (t - 1) * (t - 1)}, (t + 5) * (t + 5), 2, 4)));
@@ -281,7 +266,6 @@ TEST(Proper_curves, supports)
 
 TEST(Proper_curves, knots_and_degrees_do_not_matter)
 {
-  using namespace proper_curves;
   const Curve curve = curve_of({pow(t, 2) - t, pow(t * t - t, 2)}, 1 + t * t - t, 0, 2);
   const auto proper = checked(curve);
   EXPECT_EQ(proper.folds(), std::vector<Range>{at(Exact_rational(1) / 2)});
@@ -301,7 +285,6 @@ TEST(Proper_curves, knots_and_degrees_do_not_matter)
 
 TEST(Proper_curves, random_compositions)
 {
-  using namespace proper_curves;
   std::mt19937 random(17);
   const auto number = [&](int least, int greatest) {
     return std::uniform_int_distribution<int>(least, greatest)(random);
@@ -347,7 +330,6 @@ TEST(Proper_curves, random_compositions)
 
 TEST(Proper_curves, bad_input_and_limits)
 {
-  using namespace proper_curves;
   const Curve point = curve_of({2 * (1 + t * t), 3 * (1 + t * t)}, 1 + t * t, 0, 1);
   EXPECT_THROW(tracing_index(point), Invalid_input);
   EXPECT_THROW(is_proper(point), Invalid_input);
@@ -361,3 +343,7 @@ TEST(Proper_curves, bad_input_and_limits)
   EXPECT_EQ(stopped.undecided()[0].parameters[0].ranges[0], (std::pair<double, double>(-1, 1)));
   EXPECT_EQ(stopped.tracing_index(), 0);
 }
+
+} // namespace
+
+} // namespace proper_curves_test

@@ -32,7 +32,7 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDFunctions
 A function \f$f = g \circ h\f$, where \f$g\f$ and \f$h\f$ have degrees above one.
 */
-struct Decomposition
+struct Functional_decomposition
 {
   Polynomial_quotient g; ///< the left component
   Polynomial_quotient h; ///< the right component
@@ -77,12 +77,13 @@ f(b)\f$; then the numerator of \f$h\f$ divides that of \f$f - f(a)\f$, its denom
 these divisors are tried, where \f$a\f$ and \f$b\f$ are chosen so that there are few. Proofs: \ref
 Spline_constraints_d_rational_decomposition_proofs.
 */
-inline std::vector<Decomposition> decompositions(const Polynomial_quotient& f, std::function<void()> check = {})
+inline std::vector<Functional_decomposition> decompositions(const Polynomial_quotient& f,
+                                                            std::function<void()> check = {})
 {
   if (f.degree() == 0)
     throw Invalid_input("decompositions: the function is constant");
   internal::Interruption interruption(std::move(check));
-  std::vector<Decomposition> result;
+  std::vector<Functional_decomposition> result;
   for (internal::Found_decomposition& found : internal::decompositions_of(f, interruption))
     result.push_back({std::move(found.g), std::move(found.h)});
   return result;
@@ -101,7 +102,7 @@ inline std::vector<Polynomial_quotient> decompose(const Polynomial_quotient& f, 
 {
   std::vector<Polynomial_quotient> result;
   for (Polynomial_quotient rest = f;;) {
-    std::vector<Decomposition> found = decompositions(rest, check);
+    std::vector<Functional_decomposition> found = decompositions(rest, check);
     if (found.empty()) {
       result.insert(result.begin(), std::move(rest));
       return result;

@@ -39,7 +39,8 @@ that successive arcs are proved to meet only in their common end. All others are
 their boxes meet, and what is said there of kinds holds here as well. In addition, a common point that is a corner of
 the curve is `TANGENT`, whether the branches cross there or not. An `OVERLAP` is a piece of the curve that another piece
 runs over, in either direction, in parts between cuts, whose ends may be reported once more; or a piece on which the
-curve rests in one point, with this piece as both ranges.
+curve rests in one point, with this piece as both ranges. If the curve runs over itself, `Intersection_set::remarks()`
+says how often, and `proper_reparametrization()` makes one of it that does not.
 
 A cusp \f$C'(t) = 0\f$ is no self-intersection. This is proved for ordinary cusps (\f$C''\f$ and \f$C'''\f$ linearly
 independent) inside of polynomial pieces; others, and a point where the curve turns back, are left as a short piece that
