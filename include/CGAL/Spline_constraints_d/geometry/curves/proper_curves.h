@@ -16,7 +16,6 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-#include <CGAL/Spline_constraints_d/function/internal/decompositions.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/traced_curves.h>
 #endif
 
