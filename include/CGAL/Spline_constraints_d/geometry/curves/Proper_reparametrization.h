@@ -45,18 +45,22 @@ struct Curve_stretch
 /*!
 \ingroup PkgSplineConstraintsDCurveProperness
 
+A part of the range of the parameter of a component, with the number of stretches that run over it.
+*/
+struct Covered_range
+{
+  Curve_stretch::Range begin, end; ///< numbers, or enclosures of irrational ones
+  int times;                       ///< how often
+};
+
+/*!
+\ingroup PkgSplineConstraintsDCurveProperness
+
 A part of the image of a curve, as a curve of its own.
 */
 template <int d>
 struct Proper_component
 {
-  //! A part of the range of its parameter, with the number of stretches that run over it.
-  struct Covered_range
-  {
-    Curve_stretch::Range begin, end; ///< numbers, or enclosures of irrational ones
-    int times;                       ///< how often
-  };
-
   Bspline_curve<internal::Exact_kernel, d> curve; ///< proper, of the lowest degree that is possible
   int degree;                                     ///< that of the map
   bool is_closed;                                 ///< whether it is a whole algebraic curve, and closed
@@ -106,7 +110,7 @@ struct Proper_reparametrization
   {
     int result = 0;
     for (const Proper_component<d>& component : components)
-      for (const auto& range : component.coverage)
+      for (const Covered_range& range : component.coverage)
         result = (std::max)(result, range.times);
     return result;
   }

@@ -14,7 +14,6 @@
 #include <CGAL/Spline_constraints_d/function/Polynomial_quotient.h>
 #include <CGAL/Spline_constraints_d/function/internal/Integer_coefficients.h>
 #include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
-#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Proper_reparametrization.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Monotone_stretches.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/proper_maps.h>
@@ -58,21 +57,26 @@ inline std::vector<Exact_rational> in_global_parameter(const std::vector<Exact_r
   return result;
 }
 
-// The parts between breaks; successive ones with the same map are one. \throws Invalid_input if one is a point.
-template <int d>
-std::vector<Curve_part> parts_of(const Bspline_curve<Exact_kernel, d>& curve)
+// The numerators of a curve, and the weight, if there is one.
+struct Curve_functions
 {
-  const std::vector<Exact_rational> breaks = curve.breaks();
-  const auto& representation = curve.representation();
+  std::vector<Bspline_function<Exact_rational>> functions;
+  bool is_rational;
+};
+
+// The parts between breaks; successive ones with the same map are one. \throws Invalid_input if one is a point.
+inline std::vector<Curve_part> parts_of(const Curve_functions& curve)
+{
+  const std::vector<Exact_rational> breaks = curve.functions.front().breaks(0);
   std::vector<std::vector<Bernstein_tensor<Exact_rational>>> pieces;
-  for (const auto& function : representation.functions())
+  for (const auto& function : curve.functions)
     pieces.push_back(function.bezier_pieces());
   std::vector<Curve_part> result;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     std::vector<std::vector<Exact_rational>> polynomials;
     for (const auto& of_function : pieces)
       polynomials.push_back(in_global_parameter(of_function[k].power_coefficients(), breaks[k], breaks[k + 1]));
-    if (!representation.is_rational())
+    if (!curve.is_rational)
       polynomials.push_back({Exact_rational(1)});
     Curve_map map = in_lowest_terms(with_integers(polynomials));
     if (degree_of(map) == 0)
@@ -91,12 +95,25 @@ std::vector<Curve_part> parts_of(const Bspline_curve<Exact_kernel, d>& curve)
 All parts of a curve on the algebraic curves that they are parts of: each of these has one proper map, and each part a
 function h into its parameter line. A chart makes the range that is covered there one of finite numbers.
 */
-template <int d>
 class Curve_tracer
 {
-  using Curve = Bspline_curve<Exact_kernel, d>;
-  using Function = Bspline_function<Exact_rational>;
+public:
+  // A component, by the numerators and the weight of its curve.
+  struct Component
+  {
+    std::vector<Bspline_function<Exact_rational>> functions;
+    int degree;
+    bool is_closed;
+    std::vector<Covered_range> coverage;
+  };
 
+  struct Result
+  {
+    std::vector<Component> components;
+    std::vector<Curve_stretch> stretches;
+  };
+
+private:
   struct Image
   {
     Curve_map map;
@@ -119,11 +136,11 @@ class Curve_tracer
 
   std::vector<Image> m_images;
   std::vector<Traced_part> m_parts;
-  Proper_reparametrization<d> m_result;
+  Result m_result;
   std::vector<std::size_t> m_image_of_stretch;
 
 public:
-  Proper_reparametrization<d> operator()(const Curve& curve, Interruption& interruption)
+  Result operator()(const Curve_functions& curve, Interruption& interruption)
   {
     for (Curve_part& part : parts_of(curve))
       add(std::move(part), interruption);
@@ -281,21 +298,21 @@ private:
         end = (std::max)(end, upper_of(**last).second);
       for (auto s = first; s != last; ++s)
         (*s)->component = m_result.components.size();
-      m_result.components.push_back({curve_of(m_images[image], {lower_of(**first).first, end}),
+      m_result.components.push_back({functions_on(m_images[image], {lower_of(**first).first, end}),
                                      static_cast<int>(degree_of(m_images[image].map)), m_images[image].seam.has_value(),
                                      coverage_of({first, last})});
       first = last;
     }
   }
 
-  static auto coverage_of(const std::vector<Curve_stretch*>& stretches)
+  static std::vector<Covered_range> coverage_of(const std::vector<Curve_stretch*>& stretches)
   {
     std::vector<Number_range> ends;
     for (const Curve_stretch* s : stretches)
       ends.insert(ends.end(), {s->image_begin, s->image_end});
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    std::vector<typename Proper_component<d>::Covered_range> result;
+    std::vector<Covered_range> result;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const Exact_rational middle = (ends[i].second + ends[i + 1].first) / 2;
       const int times = static_cast<int>(std::count_if(stretches.begin(), stretches.end(), [&](const auto* s) {
@@ -322,14 +339,14 @@ private:
         .coefficients();
   }
 
-  static Curve curve_of(const Image& image, const Number_range& range)
+  static std::vector<Bspline_function<Exact_rational>> functions_on(const Image& image, const Number_range& range)
   {
     const std::size_t n = degree_of(image.map);
     std::vector<Exact_rational> knots(n + 1, range.first);
     if (image.seam)
       knots.insert(knots.end(), n, Exact_rational(1));
     knots.insert(knots.end(), n + 1, range.second);
-    std::vector<Function> functions;
+    std::vector<Bspline_function<Exact_rational>> result;
     for (const Integer_coefficients& f : image.map) {
       std::vector<Exact_rational> coefficients;
       if (!image.seam)
@@ -342,11 +359,10 @@ private:
         const std::vector<Exact_rational> rest = bernstein(reversed, n, Exact_rational(1), Exact_rational(-1));
         coefficients.insert(coefficients.end(), rest.begin() + 1, rest.end());
       }
-      functions.push_back(Function({static_cast<int>(n)}, {knots}, std::move(coefficients)));
+      result.emplace_back(std::vector<int>{static_cast<int>(n)}, std::vector<std::vector<Exact_rational>>{knots},
+                          std::move(coefficients));
     }
-    std::array<Function, d> numerators;
-    std::move(functions.begin(), functions.begin() + d, numerators.begin());
-    return Curve::from_homogeneous_coordinates(numerators, functions.back());
+    return result;
   }
 };
 

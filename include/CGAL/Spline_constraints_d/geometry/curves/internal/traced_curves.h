@@ -21,7 +21,9 @@
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +32,12 @@ namespace internal {
 namespace Proper {
 
 template <int d>
-int tracing_index_of(const Bspline_curve<Exact_kernel, d>& curve)
+Curve_functions functions_of(const Bspline_curve<Exact_kernel, d>& curve)
+{
+  return {curve.representation().functions(), curve.is_rational()};
+}
+
+inline int tracing_index_of(const Curve_functions& curve)
 {
   Interruption none({});
   int result = 0;
@@ -39,8 +46,7 @@ int tracing_index_of(const Bspline_curve<Exact_kernel, d>& curve)
   return result;
 }
 
-template <int d>
-bool are_on_one_curve(const Bspline_curve<Exact_kernel, d>& first, const Bspline_curve<Exact_kernel, d>& second)
+inline bool are_on_one_curve(const Curve_functions& first, const Curve_functions& second)
 {
   Interruption none({});
   std::vector<Curve_part> parts = parts_of(first);
@@ -50,6 +56,15 @@ bool are_on_one_curve(const Bspline_curve<Exact_kernel, d>& first, const Bspline
   return std::all_of(parts.begin() + 1, parts.end(), [&](const Curve_part& part) {
     return map_between(map, proper_map(part.map, none).map, none).has_value();
   });
+}
+
+template <int d>
+Proper_component<d> component_of(Curve_tracer::Component&& component)
+{
+  std::array<Bspline_function<Exact_rational>, d> numerators;
+  std::copy_n(component.functions.begin(), d, numerators.begin());
+  return {Bspline_curve<Exact_kernel, d>::from_homogeneous_coordinates(numerators, component.functions.back()),
+          component.degree, component.is_closed, std::move(component.coverage)};
 }
 
 template <int d>
@@ -63,7 +78,10 @@ Proper_reparametrization<d> proper_reparametrization_of(const Bspline_curve<Exac
   try {
     control.check();
     Interruption interruption([&] { control.check(); });
-    result = Curve_tracer<d>()(curve, interruption);
+    Curve_tracer::Result traced = Curve_tracer()(functions_of(curve), interruption);
+    for (Curve_tracer::Component& component : traced.components)
+      result.components.push_back(component_of<d>(std::move(component)));
+    result.stretches = std::move(traced.stretches);
     result.work = summary_of(control, pieces, Undecided_reason::NONE, true);
   } catch (const Run_stopped& stop) {
     const auto [begin, end] = curve.domain();
@@ -76,24 +94,24 @@ Proper_reparametrization<d> proper_reparametrization_of(const Bspline_curve<Exac
 
 CGAL_SPLINE_CONSTRAINTS_INLINE int tracing_index(const Bspline_curve<Exact_kernel, 2>& curve)
 {
-  return tracing_index_of(curve);
+  return tracing_index_of(functions_of(curve));
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE int tracing_index(const Bspline_curve<Exact_kernel, 3>& curve)
 {
-  return tracing_index_of(curve);
+  return tracing_index_of(functions_of(curve));
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool have_same_support(const Bspline_curve<Exact_kernel, 2>& first,
                                                       const Bspline_curve<Exact_kernel, 2>& second)
 {
-  return are_on_one_curve(first, second);
+  return are_on_one_curve(functions_of(first), functions_of(second));
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool have_same_support(const Bspline_curve<Exact_kernel, 3>& first,
                                                       const Bspline_curve<Exact_kernel, 3>& second)
 {
-  return are_on_one_curve(first, second);
+  return are_on_one_curve(functions_of(first), functions_of(second));
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Proper_reparametrization<2>
