@@ -126,6 +126,26 @@ TEST(Rational_decomposition, of_the_published_example)
   EXPECT_FALSE(left_component(f, polynomial(x * x * x)).has_value());
 }
 
+// Formulas of the same report, as the manual has them.
+TEST(Rational_decomposition, published_identities)
+{
+  const Power_polynomial z = Power_polynomial::variable(1), numerator = -(2 * pow(x, 4) + 6 * x * x + 5),
+                         denominator = pow(x, 4) + 6 * x * x + 7;
+  // (t + 2) z^2 + (6 t + 6) z + 7 t + 5 at the value t of the function
+  EXPECT_EQ((numerator + 2 * denominator) * z * z + 6 * (numerator + denominator) * z + 7 * numerator + 5 * denominator,
+            3 * (z - x * x) * ((2 * x * x + 3) * z + 3 * x * x + 4));
+  for (const int p : {2, 3, 5}) { // Dorey and Whaples, modulo p
+    const Power_polynomial expanded =
+                               pow(x, p * p * (p + 1)) - pow(x, p * p * p + 1) - pow(x, p * p + p) + pow(x, p + 1),
+                           inner = pow(x, p) - x, middle = pow(inner, p) + inner;
+    EXPECT_EQ(composed(polynomial(pow(x, p * p) - pow(x, p * p - p + 1) - pow(x, p) + x), polynomial(pow(x, p + 1))),
+              polynomial(expanded));
+    const Power_polynomial difference = (pow(middle, p + 1) - expanded) / p;
+    for (const auto& [monomial, coefficient] : difference.terms())
+      EXPECT_EQ(internal::denominator_of(coefficient), 1);
+  }
+}
+
 TEST(Rational_decomposition, of_powers_and_chebyshev_polynomials)
 {
   for (const int n : {6, 8, 12, 30}) {
