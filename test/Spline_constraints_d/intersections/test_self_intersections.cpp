@@ -421,6 +421,10 @@ TEST(Self_intersections, RemarksOnRepeatedParts)
   ASSERT_FALSE(folded.undecided().empty());
   for (const SC::Undecided_part& part : folded.undecided())
     EXPECT_TRUE(part.reason.ends_with("; the curve " + twice)) << part;
+  // a run that was ended explains itself
+  const auto stopped = SC::self_intersections(parabola, {.time_limit = 1e-9});
+  EXPECT_FALSE(stopped.is_complete());
+  EXPECT_TRUE(stopped.remarks().empty());
   // edges that overlap, and are not one curve twice
   const Curve edge = polynomial_curve({0, 1}, {0}, R(0), R(2)), longer = polynomial_curve({1, 1}, {0}, R(0), R(2));
   EXPECT_EQ(SC::intersections(edge, longer).count(Kind::OVERLAP), 1u);

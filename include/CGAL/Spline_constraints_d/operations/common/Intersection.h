@@ -257,7 +257,8 @@ public:
   /*!
   sentences that explain answers which are `OVERLAP` or `UNDECIDED`: one for each curve that is proved to run over a
   part of itself more than once, as by an improper parametrisation, which multiplies its common points. They are found
-  when this function or `undecided()` is called, within a second for each operand, or left out.
+  when this function or `undecided()` is called, within 0.3 s for each operand, or left out; none are, where a limit of
+  time or the visitor ended the run.
   */
   std::vector<std::string> remarks() const { return m_remarks ? m_remarks() : std::vector<std::string>(); }
 

@@ -36,8 +36,8 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solv
 template <int d>
 std::vector<Common_point> self_common_points(const Spline_patch<d>& curve, Budgeted_solver& solve);
 
-// How often a curve runs over the part of itself that it runs over most often; 0 if that is not found within a second,
-// or it is no curve. Defined in repeated_parts.h.
+// How often a curve runs over the part of itself that it runs over most often; 0 if that is not found in 0.3 s, or it
+// is no curve. Defined in repeated_parts.h.
 template <int d>
 int times_over_itself(const Spline_patch<d>& curve);
 

@@ -71,8 +71,13 @@ Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common
                                                               const std::array<std::size_t, 2>& indices = {0, 1})
 {
   std::deque<Intersection<Kernel, d>> result;
-  bool is_complete = true, has_continuum = false;
+  // A run that was ended explains itself, and whoever ended it does not wait.
+  const auto is_end = [](Undecided_reason reason) {
+    return reason == Undecided_reason::TIME || reason == Undecided_reason::STOPPED;
+  };
+  bool is_complete = true, has_continuum = false, is_ended = is_end(work.why_not);
   for (Common_point& point : points) {
+    is_ended = is_ended || (point.solution && is_end(point.solution->reason()));
     is_complete = is_complete && point.kind != Intersection_kind::UNDECIDED;
     has_continuum = has_continuum || point.kind == Intersection_kind::OVERLAP;
     result.emplace_back(std::move(point), operands);
@@ -83,7 +88,7 @@ Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common
     part = [operands, indices](const Intersection<Kernel, d>& answer) {
       return undecided_part(answer, operands, indices);
     };
-  if (!is_complete || has_continuum)
+  if (!is_ended && (!is_complete || has_continuum))
     remarks = [operands, indices] { return remarks_on(operands, indices); };
   return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, std::move(part), std::move(remarks));
 }

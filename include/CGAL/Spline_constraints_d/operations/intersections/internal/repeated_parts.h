@@ -17,6 +17,8 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/finder_declarations.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
@@ -25,8 +27,10 @@ namespace Intersections {
 template <int d>
 int times_over_itself(const Spline_patch<d>& curve)
 {
-  constexpr double time_limit = 1; // what this explains is known without it
-  if (curve.number_of_parameters() != 1)
+  // What this explains is known without it.
+  constexpr double time_limit = 0.3;
+  constexpr std::size_t most_breaks = 1000;
+  if (curve.number_of_parameters() != 1 || curve.numerators().front().breaks(0).size() > most_breaks)
     return 0;
   try {
     return proper_reparametrization(
