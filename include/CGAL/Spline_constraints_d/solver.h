@@ -9,7 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_H
 
-// All of the floor of solvers: systems, the solvers of points, of curves and of surfaces, verification.
+// All of the floor of solvers: systems, the solvers of points, of curves and of surfaces, feasibility, verification.
 // For solvers with traits of your own include solver/own_traits.h as well, which has the definitions that the compiled
 // library has for the others.
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
@@ -17,6 +17,8 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Feasibility_d.h>
+#include <CGAL/Spline_constraints_d/solver/Feasibility_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Newton_result.h>

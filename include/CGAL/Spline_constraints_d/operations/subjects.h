@@ -37,8 +37,8 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves cut into arcs, and their graph),
 `disks` (one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest
 empty disks along an oriented boundary element), `offset`, `diagram`. In the same way `solver/internal/` goes from
-`control`, `exact`, `node`, `certification` and `subdivision` to `curves`, `surfaces`, `meshing`, `verification` and
-`decomposition`.
+`control`, `exact`, `node`, `certification` and `subdivision` to `curves`, `surfaces`, `meshing`, `verification`,
+`decomposition` and `feasibility`.
 */
 
 namespace CGAL {
