@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less
-// than unknowns, every curve of solutions, and with two less, every surface.
+// than unknowns, every curve of solutions, and with two less, every surface. With inequalities alone, or still fewer
+// equalities, it tells whether there is a solution: one of them, or that there is none by proof.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE] [--chord-error E]
@@ -18,6 +19,7 @@
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Feasibility_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
@@ -27,6 +29,8 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -91,16 +95,44 @@ int solve_for_surfaces(const Arguments& arguments, const std::vector<std::string
   return surfaces.is_complete() ? 0 : 3;
 }
 
+// Of polynomials as they are: no tensors are made.
+int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& input)
+{
+  if (arguments.json || !arguments.output.empty())
+    throw SC::Invalid_input("the answer whether there is a solution is written neither as JSON nor with --output");
+  SC::Solver_options options = arguments.options;
+  if (!arguments.has_tolerance)
+    options.tolerance = 1e-6;
+  std::vector<std::pair<SC::Power_polynomial, SC::Relation>> constraints;
+  for (const auto& constraint : input.constraints)
+    constraints.emplace_back(constraint.function, constraint.relation);
+  const SC::Feasibility_d answer = SC::Feasibility_solver_d(options)(input.domains, constraints);
+  print_feasibility(input.names, answer);
+  return answer.is_complete() ? 0 : 3;
+}
+
 template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
 int solve(Arguments arguments)
 {
   const auto start = std::chrono::steady_clock::now();
   const SC::Minibex_system input = SC::read_minibex(arguments.file);
+  const auto use_rest_of_time = [&] {
+    if (double& limit = arguments.options.time_limit; limit > 0)   // what reading has left of it
+      limit = (std::max)(limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1e-9);
+  };
+  const auto equalities = std::count_if(input.constraints.begin(), input.constraints.end(), [](const auto& constraint) {
+    return constraint.relation == SC::Relation::EQUAL;
+  });
+  if (equalities == 0 || equalities + 2 < static_cast<long>(input.domains.size())) {
+    if (!std::is_same_v<Number, double> || !tracks_rounding)
+      throw SC::Invalid_input("systems with so few equalities go with --number-type certified");
+    use_rest_of_time();
+    return decide_feasibility(arguments, input);
+  }
   SC::Constraint_system_d system(input.domains);
   for (const auto& constraint : input.constraints)
     system.add(constraint.function, constraint.relation);
-  if (double& limit = arguments.options.time_limit; limit > 0)   // what reading has left of it
-    limit = (std::max)(limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1e-9);
+  use_rest_of_time();
 
   if (static_cast<int>(system.equalities().size()) + 1 == system.dimension()) {
     if constexpr (std::is_same_v<Number, double> && tracks_rounding)

@@ -7,6 +7,7 @@
 
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Feasibility_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 
 #include <unistd.h>
@@ -197,6 +198,37 @@ inline void print_surfaces(const std::vector<std::string>& names,
   }
   std::cout.precision(4);
   std::cout << set << '\n';
+}
+
+inline void print_feasibility(const std::vector<std::string>& names,
+                              const CGAL::Spline_constraints::Feasibility_d& answer)
+{
+  std::cout << std::setprecision(17);
+  const auto print_ranges = [&](const auto& box, const auto& ends) {
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = ends(box[j]);
+      std::cout << ' ' << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    std::cout << '\n';
+  };
+  if (answer.has_point()) {
+    std::cout << "feasible: point (";
+    for (std::size_t j = 0; j < names.size(); ++j)
+      std::cout << (j == 0 ? "" : ", ") << names[j] << " = " << answer.box()[j].first;
+    std::cout << ")\n";
+  } else if (answer.is_feasible()) {
+    std::cout << "feasible: point";
+    print_ranges(answer.box(), [](const auto& range) { return as_doubles(range); });
+  } else if (answer.is_infeasible())
+    std::cout << "infeasible: proved\n";
+  for (const auto& part : answer.undecided()) {
+    std::cout << "undecided (" << part.reason << ')';
+    if (part.place.empty())
+      std::cout << '\n';
+    else
+      print_ranges(part.place, [](const auto& range) { return range; });
+  }
+  std::cout << std::setprecision(4) << answer << '\n';
 }
 
 #endif // SOLVE_SYSTEM_OUTPUT_H

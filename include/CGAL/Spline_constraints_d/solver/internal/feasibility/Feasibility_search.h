@@ -183,7 +183,12 @@ private:
       return end_if_narrow(box, "the points of a box that were tried lie where a function must not be zero");
     if (relax(point, box))
       return Fate::FOUND;
-    const Least_violation least(m_values, rows(0), box, point, m_equalities == 0);
+    Least_violation least(m_values, rows(0), box, point, m_equalities == 0);
+    if (finds_solution(least.point(), "exact signs at a rational point"))
+      return Fate::FOUND;
+    if (m_exclusion.by_combination(box, least.multipliers(), least.point()))
+      return Fate::DROPPED;
+    least.refine();
     if (finds_solution(least.point(), "exact signs at a rational point"))
       return Fate::FOUND;
     Fate fate = combine(least, box);
@@ -281,7 +286,8 @@ private:
     for (const double margin : {1e-2, 1e-4, 1e-7, 0.0}) {
       if (m_active.empty() && margin > 0)
         continue;
-      const Least_violation least(m_values, rows(margin), box, point, false);
+      Least_violation least(m_values, rows(margin), box, point, false);
+      least.refine();
       if (!(least.value() < 1e-9))
         continue;
       if (const auto simple = m_points.simple_near(least.point())) {

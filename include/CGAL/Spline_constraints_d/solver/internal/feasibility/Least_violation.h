@@ -45,6 +45,7 @@ class Least_violation
   std::vector<std::size_t> m_axes; // that are not one number
   std::vector<double> m_point, m_multipliers;
   double m_value = 0;
+  bool m_is_any_enough;
 
   struct Linear_parts
   {
@@ -53,16 +54,29 @@ class Least_violation
   };
 
 public:
-  // Ends early at a point where all functions are negative if `is_any_enough`.
+  // Roughly, as far as it takes to see that the minimum is positive: then `refine()` finds it to the last places. Both
+  // end early at a point where all functions are negative if `is_any_enough`.
   Least_violation(Polynomial_family<double>& family, std::vector<Violation_row> rows, const Double_box& box,
                   std::vector<double> start, bool is_any_enough)
     : m_family(family), m_rows(std::move(rows)), m_box(box), m_point(std::move(start)),
-      m_multipliers(m_rows.size(), 1.0 / static_cast<double>(m_rows.size()))
+      m_multipliers(m_rows.size(), 1.0 / static_cast<double>(m_rows.size())), m_is_any_enough(is_any_enough)
   {
     for (std::size_t j = 0; j < box.size(); ++j)
       if (box.lower[j] < box.upper[j])
         m_axes.push_back(j);
-    minimise(is_any_enough);
+    minimise(true);
+  }
+
+  // The box may have become smaller.
+  void refine()
+  {
+    m_axes.clear();
+    for (std::size_t j = 0; j < m_box.size(); ++j) {
+      m_point[j] = m_box.clamped(j, m_point[j]);
+      if (m_box.lower[j] < m_box.upper[j])
+        m_axes.push_back(j);
+    }
+    minimise(false);
   }
 
   const std::vector<double>& point() const { return m_point; }
@@ -80,7 +94,7 @@ public:
   }
 
 private:
-  void minimise(bool is_any_enough)
+  void minimise(bool is_rough)
   {
     Linear_parts parts = linear_parts(m_point);
     double size = 0;
@@ -89,7 +103,7 @@ private:
     double proximity = 0.1 * size + 1e-300;
     m_value = parts.largest;
     for (int step = 0; step < 60 && m_value < HUGE_VAL; ++step) {
-      if (is_any_enough && m_value < 0)
+      if (m_is_any_enough && m_value < 0)
         return;
       std::vector<double> multipliers = m_multipliers;
       const std::vector<double> move = proximal_step(parts, proximity, multipliers);
@@ -115,7 +129,8 @@ private:
         proximity *= is_good ? 0.1 : 1;
       } else
         proximity = (std::max)(8 * proximity, 1e-3 * size);
-      if (length < 1e-14 || proximity > 1e20 * size)
+      const bool is_clear = is_rough && m_value > 0 && expected > 0.8 * m_value && length < 0.1;
+      if (length < 1e-14 || proximity > 1e20 * size || is_clear)
         return;
     }
   }
@@ -213,6 +228,10 @@ private:
     for (std::size_t y = 0; y < all; ++y)
       for (std::size_t z = 0; z < rows; ++z)
         excess[y] -= gram[y * all + z] * dual[z];
+    double size = 0;
+    for (const double value : parts.values)
+      size = (std::max)(size, std::abs(value));
+    const double accuracy = 1e-24 * size;
     const auto add = [&](std::size_t z, double amount) {
       dual[z] += amount;
       for (std::size_t y = 0; y < all; ++y)
@@ -238,7 +257,7 @@ private:
       const double curvature =
           worst < rows ? gram[best * all + best] + gram[worst * all + worst] - 2 * gram[best * all + worst] : 0;
       const double gain_of_pair = off > 0 && curvature > 0 ? off * off / curvature : off > 0 ? HUGE_VAL : 0;
-      if (!(gain_of_pair > 1e-30 * proximity) && !(gain_of_face > 1e-30 * proximity))
+      if (!(gain_of_pair > accuracy) && !(gain_of_face > accuracy))
         break;
       if (gain_of_pair >= gain_of_face) {
         const double amount = curvature > 0 ? (std::min)(off / curvature, dual[worst]) : dual[worst];

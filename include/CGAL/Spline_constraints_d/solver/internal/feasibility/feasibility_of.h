@@ -137,7 +137,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_of(const Constraint_sys
   Feasibility_outcome outcome{Feasibility::INFEASIBLE, {}, {}, {}};
   const std::vector<Exact_ranges> ranges = ranges_between_breaks(system);
   std::vector<std::size_t> cell(n, 0);
-  const std::size_t all = equalities + system.inequalities().size() + polynomials.size();
   for (bool is_last = false; !is_last && outcome.status != Feasibility::FEASIBLE;) {
     Exact_ranges box;
     for (std::size_t j = 0; j < n; ++j)
@@ -162,7 +161,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_of(const Constraint_sys
     Feasibility_outcome part = Feasibility_search(problem, run, true)();
     for (std::size_t k = excluded_before; k < run.excluded().size(); ++k) {
       std::vector<Exact_rational>& multipliers = run.excluded()[k].multipliers;
-      std::vector<Exact_rational> original(multipliers.empty() ? 0 : all, Exact_rational(0));
+      std::vector<Exact_rational> original(multipliers.empty() ? 0 : conditions.size(), Exact_rational(0));
       for (std::size_t i = 0; i < multipliers.size(); ++i) {
         const auto& [first, second] = fewer.origins[i];
         if (first == second)
