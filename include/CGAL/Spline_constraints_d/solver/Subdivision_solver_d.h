@@ -84,7 +84,9 @@ Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& sy
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) + " unknowns; for curves of solutions see solve_curves()");
+                        std::to_string(n) +
+                        " unknowns; see solve_curves(), with two less solve_surfaces(), and for one solution of any "
+                        "number of constraints find_feasible_point()");
 
   [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);

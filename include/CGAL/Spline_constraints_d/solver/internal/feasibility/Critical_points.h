@@ -25,7 +25,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Decides whether constraints have a common solution in a box whose facets hold none, for sets that touch.
+Decides whether constraints have a common solution in a box whose facets hold none, for sets that touch; there are none
+on the facets even without the inequations.
 
 Let f be the largest of the functions of the inequalities g_i <= 0, g_i < 0. If there is a solution, f is at most zero
 there; f has a least value on the zeros of the equalities h_k in the box; where that is negative, its place satisfies

@@ -25,6 +25,14 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// A positive multiple, the same of all polynomials that are positive multiples of each other.
+inline Power_polynomial with_unit_coefficient(const Power_polynomial& polynomial)
+{
+  if (polynomial.is_zero())
+    return polynomial;
+  return polynomial / Power_polynomial(Exact_rational(CGAL::abs(polynomial.terms().begin()->second)));
+}
+
 /*
 Polynomials compared with zero on a box: by =, <=, < and !=, the others with their signs changed. An unknown whose range
 is one number does not occur in them.
@@ -88,12 +96,37 @@ public:
     return result;
   }
 
-  // The same on another box.
+  // The same on another box. Inequalities that become multiples of each other there are one: as two they would have a
+  // continuum of multipliers.
   Feasibility_problem on(const Exact_ranges& box) const
   {
-    Feasibility_problem result(box);
+    Feasibility_problem all(box), result(box);
     for (const Condition& condition : m_conditions)
-      result.add(condition.function, condition.relation);
+      all.add(condition.function, condition.relation);
+    std::vector<Power_polynomial> normal;
+    for (const Condition& condition : all.m_conditions) {
+      normal.push_back(with_unit_coefficient(condition.function));
+      bool is_known = false;
+      for (std::size_t k = 0; k < result.size() && !is_known; ++k) {
+        Condition& other = result.m_conditions[k];
+        is_known = condition.is_inequality() && other.is_inequality() && normal[k] == normal.back();
+        if (is_known && condition.relation == Relation::LESS)
+          other.relation = Relation::LESS;
+      }
+      if (is_known)
+        normal.pop_back();
+      else
+        result.m_conditions.push_back(condition);
+    }
+    return result;
+  }
+
+  Feasibility_problem without_inequations() const
+  {
+    Feasibility_problem result(m_domain);
+    for (const Condition& condition : m_conditions)
+      if (condition.relation != Relation::NOT_EQUAL)
+        result.m_conditions.push_back(condition);
     return result;
   }
 

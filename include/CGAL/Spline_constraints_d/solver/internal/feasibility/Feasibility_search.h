@@ -102,6 +102,12 @@ public:
     const std::vector<int> unknowns = m_problem.free_unknowns();
     if (unknowns.empty())
       return outcome_of_point();
+    if (std::any_of(m_problem.conditions().begin(), m_problem.conditions().end(), [](const auto& condition) {
+          return condition.relation == Relation::NOT_EQUAL && condition.function.is_zero();
+        })) {
+      m_exclusion.exclude(m_root, std::vector<double>());
+      return {Feasibility::INFEASIBLE, {}, {}, {}};
+    }
     if (m_equalities >= unknowns.size())
       return outcome_of_square_system(unknowns);
     set_scales();
@@ -192,7 +198,10 @@ private:
     if (finds_solution(least.point(), "exact signs at a rational point"))
       return Fate::FOUND;
     Fate fate = combine(least, box);
-    if (fate == Fate::SPLIT && m_equalities > 0 && least.value() < 1e-6 && solves_equalities(least.point(), box))
+    // It costs more than a node.
+    const bool is_tried = m_nodes <= 16 || (m_nodes & (m_nodes - 1)) == 0;
+    if (fate == Fate::SPLIT && m_equalities > 0 && is_tried && least.value() < 1e-6 &&
+        solves_equalities(least.point(), box))
       return Fate::FOUND;
     return fate == Fate::SPLIT ? end_if_narrow(box, "tolerance") : fate;
   }
@@ -351,6 +360,8 @@ private:
         const Feasibility_problem on_facet = local.on(facet);
         if (takes(Feasibility_search(on_facet, m_run, false)(), undecided))
           return Fate::FOUND;
+        if (m_has_inequations && undecided.empty() && !is_without_solutions(on_facet.without_inequations()))
+          undecided.push_back({place_of(facet), {}, "sets may touch where a function must not be zero"});
       }
     if (local.free_unknowns().empty()) {
       const Feasibility_problem point = local.on(place);
@@ -366,6 +377,11 @@ private:
     m_outcome.undecided.push_back({place_of(place), {}, undecided.front().reason});
     m_run.end_at_tolerance();
     return Fate::ENDED;
+  }
+
+  bool is_without_solutions(const Feasibility_problem& problem)
+  {
+    return Feasibility_search(problem, m_run, false)().status == Feasibility::INFEASIBLE;
   }
 
   // Whether an outcome of a part is a solution, else adds what is undecided.

@@ -69,14 +69,6 @@ struct Merged_conditions
   std::vector<std::pair<std::size_t, std::size_t>> origins;
 };
 
-inline Power_polynomial with_leading_one(const Power_polynomial& polynomial)
-{
-  if (polynomial.is_zero())
-    return polynomial;
-  const Exact_rational leading = polynomial.terms().begin()->second;
-  return polynomial / Power_polynomial(CGAL::abs(leading));
-}
-
 inline Merged_conditions merged(const Polynomial_conditions& conditions, std::size_t dimension)
 {
   Merged_conditions result;
@@ -84,7 +76,7 @@ inline Merged_conditions merged(const Polynomial_conditions& conditions, std::si
   std::vector<Power_polynomial> normal;
   for (const auto& [function, relation] : conditions) {
     const bool is_upper = relation == Relation::GREATER || relation == Relation::GREATER_EQUAL;
-    normal.push_back(with_leading_one(is_upper ? -function : function));
+    normal.push_back(with_unit_coefficient(is_upper ? -function : function));
     equalities += relation == Relation::EQUAL;
   }
   const auto is_closed = [&](std::size_t i) {
