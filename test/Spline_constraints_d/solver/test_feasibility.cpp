@@ -55,10 +55,12 @@ SC::Feasibility_d decided(const Domain& domain, const Conditions& conditions)
   EXPECT_TRUE(answer.is_complete()) << answer << (answer.undecided().empty() ? "" : answer.undecided()[0].reason);
   planted_feasibility::Generator generator(1);
   const planted_feasibility::Problem problem{domain, conditions, answer.is_feasible()};
-  if (answer.is_feasible())
-    EXPECT_EQ(answer.has_point() ? planted_feasibility::error_of_solution(problem, answer) : "", "");
-  if (answer.is_infeasible())
+  if (answer.has_point()) {
+    EXPECT_EQ(planted_feasibility::error_of_solution(problem, answer), "");
+  }
+  if (answer.is_infeasible()) {
     EXPECT_EQ(planted_feasibility::error_of_proof(problem, answer, generator), "");
+  }
   return answer;
 }
 
@@ -195,8 +197,9 @@ TEST(Feasibility, splines_with_breaks)
     const SC::Feasibility_d answer = SC::find_feasible_point(system);
     EXPECT_TRUE(answer.is_complete());
     EXPECT_EQ(answer.is_feasible(), expected) << bound;
-    if (expected && bound == 0.5)
+    if (expected && bound == 0.5) {
       EXPECT_EQ(answer.box()[0].first, Rational(Rational(3) / Rational(2)));
+    }
   }
 }
 

@@ -72,6 +72,7 @@ class Feasibility_search
   bool m_has_inequations;
   std::size_t m_equalities, m_nodes = 0;
   std::priority_queue<Node> m_queue;
+  std::vector<std::pair<Double_box, std::vector<std::size_t>>> m_touching; // with what may be violated there
   Feasibility_outcome m_outcome{Feasibility::INFEASIBLE, {}, {}, {}};
 
   // Of the node at hand.
@@ -112,11 +113,7 @@ public:
       return outcome_of_square_system(unknowns);
     set_scales();
     push(m_root);
-    while (!m_queue.empty() && m_outcome.status != Feasibility::FEASIBLE) {
-      if (m_run.must_stop()) {
-        leave_rest();
-        break;
-      }
+    while (!m_queue.empty() && m_outcome.status != Feasibility::FEASIBLE && !m_run.must_stop()) {
       Double_box box = m_queue.top().box;
       m_queue.pop();
       m_run.add_nodes(1);
@@ -124,6 +121,14 @@ public:
       if (look_at(box) == Fate::SPLIT)
         split(box);
     }
+    while (!m_touching.empty() && m_outcome.status != Feasibility::FEASIBLE && !m_run.must_stop()) {
+      m_active = m_touching.back().second;
+      const Double_box box = m_touching.back().first;
+      m_touching.pop_back();
+      decide_touching(box);
+    }
+    if (m_outcome.status != Feasibility::FEASIBLE)
+      leave_rest();
     return std::move(m_outcome);
   }
 
@@ -267,14 +272,19 @@ private:
       m_exclusion.exclude(box, exact);
       return Fate::DROPPED;
     }
+    // Where the equalities can be solved, the multipliers of both of their signs cancel: then they say nothing.
+    double size = 0;
+    for (std::size_t i = 0; i < multipliers.size(); ++i)
+      size += std::abs(multipliers[i]) / m_scales[i];
     const Convex_bound bound(m_enclosures, m_enclosures.combination(multipliers), box, least.point());
-    if (bound.lower() < -touching)
+    if (size < 1e-3 || bound.lower() < -touching)
       return Fate::SPLIT;
     if (m_equalities > 0 && solves_equalities(least.point(), box))
       return Fate::FOUND;
     if (solves_tight_constraints(least.point()))
       return Fate::FOUND;
-    return decide_touching(box);
+    m_touching.emplace_back(box, m_active); // others may hold points that are found at less cost
+    return Fate::ENDED;
   }
 
   void set_weights(const std::vector<double>& multipliers, const Double_box& box)
@@ -345,7 +355,7 @@ private:
   }
 
   // By problems on the facets of the box, and critical points between them.
-  Fate decide_touching(const Double_box& box)
+  void decide_touching(const Double_box& box)
   {
     const Exact_ranges place = exact_box(box);
     Feasibility_problem local(place);
@@ -359,24 +369,23 @@ private:
         facet[j] = {end, end};
         const Feasibility_problem on_facet = local.on(facet);
         if (takes(Feasibility_search(on_facet, m_run, false)(), undecided))
-          return Fate::FOUND;
+          return;
         if (m_has_inequations && undecided.empty() && !is_without_solutions(on_facet.without_inequations()))
           undecided.push_back({place_of(facet), {}, "sets may touch where a function must not be zero"});
       }
     if (local.free_unknowns().empty()) {
       const Feasibility_problem point = local.on(place);
       if (takes(Feasibility_search(point, m_run, false)(), undecided))
-        return Fate::FOUND;
+        return;
     } else if (takes(Critical_points(local, m_points, m_run)(), undecided))
-      return Fate::FOUND;
+      return;
     if (undecided.empty()) {
       m_exclusion.exclude(box, std::vector<double>());
-      return Fate::DROPPED;
+      return;
     }
     m_outcome.status = Feasibility::UNDECIDED;
     m_outcome.undecided.push_back({place_of(place), {}, undecided.front().reason});
     m_run.end_at_tolerance();
-    return Fate::ENDED;
   }
 
   bool is_without_solutions(const Feasibility_problem& problem)
@@ -419,20 +428,25 @@ private:
     m_outcome.undecided.push_back(std::move(part));
   }
 
+  // Where the run has ended early.
   void leave_rest()
   {
     constexpr std::size_t most_told = 1000;
-    for (; !m_queue.empty() && m_outcome.undecided.size() < most_told; m_queue.pop())
-      leave_undecided(m_queue.top().box, in_words(m_run.reason()));
-    if (m_queue.empty())
-      return;
-    Double_box rest = m_queue.top().box;
+    std::vector<Double_box> rest;
     for (; !m_queue.empty(); m_queue.pop())
-      for (std::size_t j = 0; j < rest.size(); ++j) {
-        rest.lower[j] = (std::min)(rest.lower[j], m_queue.top().box.lower[j]);
-        rest.upper[j] = (std::max)(rest.upper[j], m_queue.top().box.upper[j]);
+      rest.push_back(m_queue.top().box);
+    for (const auto& [box, active] : m_touching)
+      rest.push_back(box);
+    while (rest.size() > most_told) { // the last ones in one box
+      Double_box &last = rest[rest.size() - 1], &before = rest[rest.size() - 2];
+      for (std::size_t j = 0; j < last.size(); ++j) {
+        before.lower[j] = (std::min)(before.lower[j], last.lower[j]);
+        before.upper[j] = (std::max)(before.upper[j], last.upper[j]);
       }
-    leave_undecided(rest, in_words(m_run.reason()));
+      rest.pop_back();
+    }
+    for (const Double_box& box : rest)
+      leave_undecided(box, in_words(m_run.reason()));
   }
 
   // Among the unknowns whose ranges are nearly the widest, compared with the domain, the one whose curvature costs the
