@@ -139,6 +139,9 @@ TEST(Feasibility, thin_annulus)
   ASSERT_TRUE(circle.is_feasible()); // one unknown is chosen
   EXPECT_TRUE(circle.box()[0].first == circle.box()[0].second || circle.box()[1].first == circle.box()[1].second);
   EXPECT_FALSE(is_feasible(square, {{radius - 1, at_least}, {radius - 1, less}}));
+  // an equality in two parts, the first of which alone violates the half-plane
+  EXPECT_FALSE(is_feasible(square, {{3 * radius - 6, at_least}, {5 * radius - 10, at_most}, {x + y - 3, at_least}}));
+  EXPECT_FALSE(is_feasible(square, {{10 - 5 * radius, at_least}, {6 - 3 * radius, at_most}, {x + y - 3, at_least}}));
 }
 
 TEST(Feasibility, equalities_fewer_than_unknowns)

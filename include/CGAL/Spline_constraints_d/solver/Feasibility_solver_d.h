@@ -78,7 +78,8 @@ public:
     return internal::feasibility_of(system, {}, m_options);
   }
 
-  //! the same, watched by this visitor and not by that of the options.
+  //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
+  //! goes on.
   template <SolverVisitor Visitor>
   Feasibility_d operator()(const Constraint_system_d& system, Visitor& visitor) const
   {

@@ -46,6 +46,11 @@ public:
     for (std::size_t i = 0; i < m_problem.size(); ++i) {
       if (m_problem[i].relation == Relation::NOT_EQUAL)
         continue;
+      if (m_run.must_stop()) { // what was not looked at may be violated
+        if (m_problem[i].is_inequality())
+          active.push_back(i);
+        continue;
+      }
       const std::vector<Interval>& coefficients = m_enclosures.coefficients(i);
       std::vector<Interval> ranges;
       for (std::size_t j = 0; j < box.size(); ++j)

@@ -67,6 +67,12 @@ public:
   void add_nodes(std::size_t nodes) { m_nodes += nodes; }
 
   bool must_stop() { return has_reached_node_limit() || m_control.must_stop(true); }
+  // Throws Run_stopped, for work without an answer before it has ended.
+  void check()
+  {
+    if (must_stop())
+      throw Run_stopped{reason()};
+  }
   Undecided_reason reason() const
   {
     return m_control.reason() == Undecided_reason::NONE && has_reached_node_limit() ? Undecided_reason::NODES

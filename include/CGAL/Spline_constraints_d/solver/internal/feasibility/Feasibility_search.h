@@ -82,8 +82,9 @@ class Feasibility_search
 
 public:
   Feasibility_search(const Feasibility_problem& problem, Feasibility_run& run, bool is_main)
-    : m_problem(problem), m_run(run), m_is_main(is_main), m_enclosures(problem.functions(), problem.dimension()),
-      m_values(problem.functions(), problem.dimension()), m_points(problem, m_enclosures),
+    : m_problem(problem), m_run(run), m_is_main(is_main),
+      m_enclosures(problem.functions(), problem.dimension(), [&run] { run.check(); }),
+      m_values(problem.functions(), problem.dimension(), [&run] { run.check(); }), m_points(problem, m_enclosures),
       m_exclusion(problem, m_enclosures, run, is_main),
       m_has_inequations(std::any_of(problem.conditions().begin(), problem.conditions().end(),
                                     [](const auto& c) { return c.relation == Relation::NOT_EQUAL; })),
@@ -160,6 +161,7 @@ private:
   {
     m_values.set_point(m_root.middle());
     for (std::size_t i = 0; i < m_problem.size(); ++i) {
+      m_run.check();
       const std::vector<double> gradient = m_values.gradient(m_values.coefficients(i)),
                                 hessian = m_values.hessian(m_values.coefficients(i));
       double size = 0;
@@ -194,7 +196,8 @@ private:
       return end_if_narrow(box, "the points of a box that were tried lie where a function must not be zero");
     if (relax(point, box))
       return Fate::FOUND;
-    Least_violation least(m_values, rows(0), box, point, m_equalities == 0);
+    const auto must_stop = [this] { return m_run.must_stop(); };
+    Least_violation least(m_values, rows(0), box, point, m_equalities == 0, must_stop);
     if (finds_solution(least.point(), "exact signs at a rational point"))
       return Fate::FOUND;
     if (m_exclusion.by_combination(box, least.multipliers(), least.point()))
@@ -305,7 +308,7 @@ private:
     for (const double margin : {1e-2, 1e-4, 1e-7, 0.0}) {
       if (m_active.empty() && margin > 0)
         continue;
-      Least_violation least(m_values, rows(margin), box, point, false);
+      Least_violation least(m_values, rows(margin), box, point, false, [this] { return m_run.must_stop(); });
       least.refine();
       if (!(least.value() < 1e-9))
         continue;

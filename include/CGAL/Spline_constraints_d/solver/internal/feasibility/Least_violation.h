@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,7 @@ class Least_violation
   std::vector<double> m_point, m_multipliers;
   double m_value = 0;
   bool m_is_any_enough;
+  std::function<bool()> m_must_stop;
 
   struct Linear_parts
   {
@@ -57,9 +59,10 @@ public:
   // Roughly, as far as it takes to see that the minimum is positive: then `refine()` finds it to the last places. Both
   // end early at a point where all functions are negative if `is_any_enough`.
   Least_violation(Polynomial_family<double>& family, std::vector<Violation_row> rows, const Double_box& box,
-                  std::vector<double> start, bool is_any_enough)
+                  std::vector<double> start, bool is_any_enough, std::function<bool()> must_stop)
     : m_family(family), m_rows(std::move(rows)), m_box(box), m_point(std::move(start)),
-      m_multipliers(m_rows.size(), 1.0 / static_cast<double>(m_rows.size())), m_is_any_enough(is_any_enough)
+      m_multipliers(m_rows.size(), 1.0 / static_cast<double>(m_rows.size())), m_is_any_enough(is_any_enough),
+      m_must_stop(std::move(must_stop))
   {
     for (std::size_t j = 0; j < box.size(); ++j)
       if (box.lower[j] < box.upper[j])
@@ -102,7 +105,7 @@ private:
       size = (std::max)(size, std::abs(slope));
     double proximity = 0.1 * size + 1e-300;
     m_value = parts.largest;
-    for (int step = 0; step < 60 && m_value < HUGE_VAL; ++step) {
+    for (int step = 0; step < 60 && m_value < HUGE_VAL && !m_must_stop(); ++step) {
       if (m_is_any_enough && m_value < 0)
         return;
       std::vector<double> multipliers = m_multipliers;

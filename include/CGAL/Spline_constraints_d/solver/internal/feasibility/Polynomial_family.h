@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <span>
 #include <type_traits>
@@ -61,13 +62,17 @@ class Polynomial_family
   std::vector<NT> m_values, m_derivatives;     // of monomials; of these by their factors
 
 public:
-  Polynomial_family(const std::vector<Power_polynomial>& polynomials, int dimension)
+  // `check()` may end the work by an exception.
+  Polynomial_family(
+      const std::vector<Power_polynomial>& polynomials, int dimension, const std::function<void()>& check = [] {})
     : m_dimension(dimension), m_degrees(dimension, 0), m_powers(dimension)
   {
     std::map<Monomial, std::size_t> index;
-    for (const Power_polynomial& polynomial : polynomials)
+    for (const Power_polynomial& polynomial : polynomials) {
+      check();
       for (const auto& [monomial, coefficient] : polynomial.terms())
         index.emplace(monomial, 0);
+    }
     for (auto& [monomial, place] : index) {
       place = m_first.size();
       m_first.push_back(m_factors.size());
@@ -78,6 +83,7 @@ public:
     }
     m_first.push_back(m_factors.size());
     for (const Power_polynomial& polynomial : polynomials) {
+      check();
       std::vector<NT>& row = m_coefficients.emplace_back(index.size(), NT(0));
       for (const auto& [monomial, coefficient] : polynomial.terms())
         row[index[monomial]] = rounded_to<NT>(coefficient);

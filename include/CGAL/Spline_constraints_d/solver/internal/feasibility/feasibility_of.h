@@ -61,20 +61,36 @@ inline std::vector<Exact_ranges> ranges_between_breaks(const Constraint_system_d
   return result;
 }
 
-// f <= 0 and -c f <= 0 with c > 0 are together f = 0. Of each condition that is left: the two that it stands for, by
-// their indices.
+// Where a condition comes from: an index, and what its multipliers are to be multiplied by; or two, for those that are
+// positive and negative.
+struct Condition_origin
+{
+  std::size_t first, second;
+  Exact_rational first_factor{1}, second_factor{1};
+};
+
 struct Merged_conditions
 {
   Polynomial_conditions conditions;
-  std::vector<std::pair<std::size_t, std::size_t>> origins;
+  std::vector<Condition_origin> origins;
 };
 
-inline Merged_conditions merged(const Polynomial_conditions& conditions, std::size_t dimension)
+inline bool are_opposite(const Power_polynomial& a, const Power_polynomial& b)
+{
+  return !a.is_zero() && a.terms().size() == b.terms().size() &&
+      std::equal(a.terms().begin(), a.terms().end(), b.terms().begin(), [](const auto& own, const auto& other) {
+        return own.first == other.first && own.second == -other.second;
+      });
+}
+
+// f <= 0 and -c f <= 0 with c > 0 are together f = 0, as long as there are fewer equalities than unknowns.
+inline Merged_conditions merged(const Polynomial_conditions& conditions, std::size_t dimension, Feasibility_run& run)
 {
   Merged_conditions result;
   std::size_t equalities = 0;
   std::vector<Power_polynomial> normal;
   for (const auto& [function, relation] : conditions) {
+    run.check();
     const bool is_upper = relation == Relation::GREATER || relation == Relation::GREATER_EQUAL;
     normal.push_back(with_unit_coefficient(is_upper ? -function : function));
     equalities += relation == Relation::EQUAL;
@@ -82,99 +98,135 @@ inline Merged_conditions merged(const Polynomial_conditions& conditions, std::si
   const auto is_closed = [&](std::size_t i) {
     return conditions[i].second == Relation::LESS_EQUAL || conditions[i].second == Relation::GREATER_EQUAL;
   };
+  const auto factor = [&](std::size_t i) {
+    return Exact_rational(Exact_rational(1) / CGAL::abs(conditions[i].first.terms().begin()->second));
+  };
   std::vector<bool> is_done(conditions.size(), false);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (is_done[i])
       continue;
     std::size_t opposite = i;
     for (std::size_t k = i + 1; k < conditions.size() && opposite == i && equalities + 1 < dimension; ++k)
-      if (is_closed(i) && is_closed(k) && !is_done[k] && !normal[i].is_zero() && normal[k] == -normal[i])
+      if (is_closed(i) && is_closed(k) && !is_done[k] && are_opposite(normal[i], normal[k]))
         opposite = k;
-    result.conditions.push_back(conditions[i]);
-    result.origins.emplace_back(i, opposite);
-    if (opposite != i) {
-      is_done[opposite] = true;
-      result.conditions.back() = {normal[i], Relation::EQUAL};
-      ++equalities;
+    if (opposite == i) {
+      result.conditions.push_back(conditions[i]);
+      result.origins.push_back({i, i});
+      continue;
     }
+    is_done[opposite] = true;
+    result.conditions.emplace_back(normal[i], Relation::EQUAL);
+    result.origins.push_back({i, opposite, factor(i), factor(opposite)});
+    ++equalities;
   }
   return result;
 }
 
-/*
-Whether the constraints of a system and polynomials compared with zero can be satisfied, a cell of the splines at a
-time.
-*/
-CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_of(const Constraint_system_d& system,
-                                                            const Polynomial_conditions& polynomials,
-                                                            const Solver_options& options)
+inline std::vector<Exact_rational> multipliers_of_origins(const std::vector<Exact_rational>& multipliers,
+                                                          const Merged_conditions& merged, std::size_t conditions)
 {
-  const std::size_t n = static_cast<std::size_t>(system.dimension());
-  std::size_t equalities = system.equalities().size();
+  std::vector<Exact_rational> result(multipliers.empty() ? 0 : conditions, Exact_rational(0));
+  for (std::size_t i = 0; i < multipliers.size(); ++i) {
+    const Condition_origin& origin = merged.origins[i];
+    if (origin.first == origin.second)
+      result[origin.first] = multipliers[i];
+    else if (CGAL::is_positive(multipliers[i]))
+      result[origin.first] = multipliers[i] * origin.first_factor;
+    else
+      result[origin.second] = -multipliers[i] * origin.second_factor;
+  }
+  return result;
+}
+
+// The constraints on a box within one cell of the splines as polynomials: equalities, inequalities, polynomials.
+inline Polynomial_conditions conditions_on_cell(const Constraint_system_d& system,
+                                                const Polynomial_conditions& polynomials, const Exact_ranges& box)
+{
+  const std::size_t n = box.size();
+  Polynomial_conditions result;
+  const Constraint_system_d cell = on_cell(system, box);
+  for (const Spline_function& function : cell.equalities())
+    result.emplace_back(*restricted(function, Partial_point(n)), Relation::EQUAL);
+  for (const auto& [function, relation] : cell.inequalities())
+    result.emplace_back(*restricted(function, Partial_point(n)), relation);
+  result.insert(result.end(), polynomials.begin(), polynomials.end());
+  return result;
+}
+
+inline Feasibility_outcome outcome_on_cell(const Constraint_system_d& system, const Polynomial_conditions& polynomials,
+                                           const Exact_ranges& box, Feasibility_run& run)
+try {
+  run.check();
+  const Polynomial_conditions conditions = conditions_on_cell(system, polynomials, box);
+  const Merged_conditions fewer = merged(conditions, box.size(), run);
+  Feasibility_problem problem(box);
+  for (const auto& [function, relation] : fewer.conditions)
+    problem.add(function, relation);
+  const std::size_t excluded_before = run.excluded().size();
+  Feasibility_outcome result = Feasibility_search(problem, run, true)();
+  for (std::size_t k = excluded_before; k < run.excluded().size(); ++k)
+    run.excluded()[k].multipliers = multipliers_of_origins(run.excluded()[k].multipliers, fewer, conditions.size());
+  return result;
+} catch (const Run_stopped& stopped) {
+  return {Feasibility::UNDECIDED, {}, {}, {{place_of(box), {}, in_words(stopped.reason)}}};
+}
+
+inline void check_constraints(const Constraint_system_d& system, const Polynomial_conditions& polynomials)
+{
+  const int n = system.dimension();
+  int equalities = static_cast<int>(system.equalities().size());
   for (const auto& [function, relation] : polynomials) {
     for (const int v : function.variables())
-      if (v >= system.dimension())
+      if (v >= n)
         throw Invalid_input("Feasibility_solver_d: unknown " + std::to_string(v) + " of a constraint has no range");
     equalities += relation == Relation::EQUAL;
   }
   if (equalities >= n)
     throw Invalid_input("Feasibility_solver_d: " + std::to_string(equalities) + " equalities for " + std::to_string(n) +
                         " unknowns; for all solutions see solve()");
-  if (equalities + system.inequalities().size() + polynomials.size() == 0)
+  if (equalities == 0 && system.inequalities().empty() && polynomials.empty())
     throw Invalid_input("Feasibility_solver_d: no constraint");
+}
 
+// The next choice of one range for each unknown; false after the last one.
+inline bool advance(std::vector<std::size_t>& cell, const std::vector<Exact_ranges>& ranges)
+{
+  for (std::size_t j = cell.size(); j-- > 0; cell[j] = 0)
+    if (++cell[j] < ranges[j].size())
+      return true;
+  return false;
+}
+
+/*
+Whether the constraints of a system and polynomials compared with zero can be satisfied, a cell of the splines at a
+time. Where the run ends, the cells that are left are one box.
+*/
+CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_of(const Constraint_system_d& system,
+                                                            const Polynomial_conditions& polynomials,
+                                                            const Solver_options& options)
+{
+  check_constraints(system, polynomials);
   const Upward_rounding_guard guard;
   Run_control control(options);
   Feasibility_run run(options, control);
   Feasibility_outcome outcome{Feasibility::INFEASIBLE, {}, {}, {}};
   const std::vector<Exact_ranges> ranges = ranges_between_breaks(system);
-  std::vector<std::size_t> cell(n, 0);
-  for (bool is_last = false; !is_last && outcome.status != Feasibility::FEASIBLE;) {
-    Exact_ranges box;
-    for (std::size_t j = 0; j < n; ++j)
-      box.push_back(ranges[j][cell[j]]);
-    if (run.must_stop()) {
-      outcome.status = Feasibility::UNDECIDED;
-      outcome.undecided.push_back({place_of(domain_of(system)), {}, in_words(run.reason())});
-      break;
-    }
-    Polynomial_conditions conditions;
-    const Constraint_system_d on_this_cell = on_cell(system, box);
-    for (const Spline_function& function : on_this_cell.equalities())
-      conditions.emplace_back(*restricted(function, Partial_point(n)), Relation::EQUAL);
-    for (const auto& [function, relation] : on_this_cell.inequalities())
-      conditions.emplace_back(*restricted(function, Partial_point(n)), relation);
-    conditions.insert(conditions.end(), polynomials.begin(), polynomials.end());
-    const Merged_conditions fewer = merged(conditions, n);
-    Feasibility_problem problem(box);
-    for (const auto& [function, relation] : fewer.conditions)
-      problem.add(function, relation);
-    const std::size_t excluded_before = run.excluded().size();
-    Feasibility_outcome part = Feasibility_search(problem, run, true)();
-    for (std::size_t k = excluded_before; k < run.excluded().size(); ++k) {
-      std::vector<Exact_rational>& multipliers = run.excluded()[k].multipliers;
-      std::vector<Exact_rational> original(multipliers.empty() ? 0 : conditions.size(), Exact_rational(0));
-      for (std::size_t i = 0; i < multipliers.size(); ++i) {
-        const auto& [first, second] = fewer.origins[i];
-        if (first == second)
-          original[first] = multipliers[i];
-        else
-          original[CGAL::is_positive(multipliers[i]) ? first : second] = CGAL::abs(multipliers[i]);
-      }
-      multipliers = std::move(original);
-    }
+  std::vector<std::size_t> cell(ranges.size(), 0);
+  do {
+    Exact_ranges box = domain_of(system);
+    const bool is_stopped = run.must_stop();
+    for (std::size_t j = 0; j < ranges.size() && !is_stopped; ++j)
+      box[j] = ranges[j][cell[j]];
+    Feasibility_outcome part = outcome_on_cell(system, polynomials, box, run);
     if (part.status == Feasibility::FEASIBLE)
       outcome = std::move(part);
     else if (part.status == Feasibility::UNDECIDED) {
       outcome.status = Feasibility::UNDECIDED;
       outcome.undecided.insert(outcome.undecided.end(), part.undecided.begin(), part.undecided.end());
     }
-    is_last = true;
-    for (std::size_t j = n; is_last && j-- > 0;) {
-      is_last = cell[j] + 1 == ranges[j].size();
-      cell[j] = is_last ? 0 : cell[j] + 1;
-    }
-  }
+    if (is_stopped)
+      break;
+  } while (outcome.status != Feasibility::FEASIBLE && advance(cell, ranges));
   const bool is_complete = outcome.status != Feasibility::UNDECIDED;
   return {outcome.status,
           std::move(outcome.box),
