@@ -176,6 +176,24 @@ TEST(Feasibility, critical_points_decide_touching_sets)
   EXPECT_TRUE(between(less).is_infeasible());
 }
 
+// Functions that are nowhere negative: Motzkin's, which is no sum of squares and zero at (+-1, +-1), and one with
+// irrational zeros.
+TEST(Feasibility, least_values_that_are_zero)
+{
+  const Domain domain{{-3, 3}, {-3, 3}};
+  const Power_polynomial motzkin = x * x * y * y * (x * x + y * y - 3) + 1;
+  EXPECT_FALSE(is_feasible(domain, {{motzkin, less}}));
+  const SC::Feasibility_d corner = decided(domain, {{motzkin, at_most}});
+  ASSERT_TRUE(corner.has_point());
+  EXPECT_EQ(corner.point()[0] * corner.point()[0], Rational(1));
+  const Power_polynomial squares = (x * x - 2) * (x * x - 2) + (y * y * y - 2) * (y * y * y - 2);
+  const SC::Feasibility_d zero = decided(domain, {{squares, at_most}});
+  ASSERT_TRUE(zero.is_feasible());
+  EXPECT_TRUE(holds(zero.box(), 1, std::cbrt(2.)));
+  EXPECT_FALSE(is_feasible(domain, {{squares, less}}));
+  EXPECT_FALSE(is_feasible(domain, {{squares + fraction(1, 1000000000), at_most}}));
+}
+
 TEST(Feasibility, inequations)
 {
   const Domain domain{{-1, 1}, {-1, 1}};
