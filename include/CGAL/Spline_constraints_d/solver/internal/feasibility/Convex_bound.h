@@ -135,17 +135,16 @@ private:
     const std::size_t n = m_box.size();
     std::vector<double> middle(n * n), width(n, 0.0);
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t j = 0; j <= i; ++j) {
         const Interval entry = hessian[i * n + j] * Interval(m_box.radius(i)) * Interval(m_box.radius(j));
         if (!(std::abs(entry.inf()) < HUGE_VAL) || !(std::abs(entry.sup()) < HUGE_VAL))
           return std::nullopt;
-        middle[i * n + j] = 0.5 * (entry.inf() + entry.sup());
+        middle[i * n + j] = middle[j * n + i] = 0.5 * (entry.inf() + entry.sup());
         const Interval rest = entry - Interval(middle[i * n + j]);
         width[i] += (std::max)(-rest.inf(), rest.sup()); // rounded upward
+        if (i != j)
+          width[j] += (std::max)(-rest.inf(), rest.sup());
       }
-    for (std::size_t i = 0; i < n; ++i) // of one size on both sides of the diagonal
-      for (std::size_t j = 0; j < i; ++j)
-        middle[i * n + j] = middle[j * n + i];
     const std::vector<double> none(n, 0.0);
     const double shift = semidefinite_shift(middle, none);
     if (!(shift < HUGE_VAL))

@@ -77,7 +77,6 @@ class Feasibility_search
 
   // Of the node at hand.
   std::vector<std::size_t> m_active; // inequalities that may be violated
-  std::vector<double> m_multipliers; // of the combination that was tried last
   std::vector<double> m_weights;     // per unknown: how much of the bound is lost in its direction
 
 public:

@@ -38,7 +38,9 @@ inline bool is_certainly_semidefinite(const std::vector<double>& matrix, const s
     trace += std::abs(matrix[i * all + i]) + std::abs(diagonal[i]);
   }
   const std::size_t n = rows.size();
-  const double slack = 4 * (static_cast<double>(n) + 4) * 0x1p-52 * trace;
+  if (n == 0)
+    return true;
+  const double slack = 4 * (static_cast<double>(n) + 4) * 0x1p-52 * trace + 0x1p-960; // the second part: of underflow
   if (!(slack < HUGE_VAL))
     return false;
   std::vector<double> factor(n * n, 0.0);
