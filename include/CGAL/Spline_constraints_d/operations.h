@@ -35,6 +35,9 @@
 #include <CGAL/Spline_constraints_d/operations/distances/implicit_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/near_coincidences.h>
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection_point.h>

@@ -26,6 +26,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
+- `envelope_surfaces`: surfaces that solutions of constraints give: envelopes of moving surfaces, offsets, bisectors.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
 - `joints`: ends of curves that nearly meet, joined exactly.
 - `convex_hull`: convex hulls of curves.
@@ -80,6 +81,11 @@ using namespace Intersections;
 using namespace Surface_curves;
 using namespace Surface_regions;
 using namespace Distances;
+}
+namespace Envelope_surfaces {
+using namespace Common;
+using namespace Intersections;
+using namespace Surface_curves;
 }
 namespace Curve_features {
 using namespace Common;

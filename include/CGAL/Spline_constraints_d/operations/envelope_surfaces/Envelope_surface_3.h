@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_ENVELOPE_SURFACE_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_ENVELOPE_SURFACE_3_H
+
+#include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_surface_mesh.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <ostream>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDEnvelopeSurfaces
+
+A part of an envelope surface: the solutions of one system, and the map that takes them to space.
+*/
+struct Envelope_part_3
+{
+  //! surfaces of solutions; the unknowns are those of the operation.
+  Surface_solution_set_d solutions;
+
+  //! the point of space that a solution stands for.
+  Vector_expression<3> image;
+
+  //! the unknowns whose first and last value stand for the same points, with the same equations: the surface goes on
+  //! there.
+  std::vector<int> closed_unknowns;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDEnvelopeSurfaces
+
+A surface in space that is the image of surfaces of solutions, with a proved topology: the envelope of a moving surface,
+an offset, a bisector. It is not trimmed: it may cross itself, and have cuspidal edges.
+
+The domain of the unknowns is cut into parts where an equation jumps, as along creases of operands.
+*/
+class Envelope_surface_3
+{
+  std::vector<Envelope_part_3> m_parts;
+  std::vector<Undecided_part> m_undecided;
+  Summary m_summary;
+
+public:
+  //! exact numbers.
+  using Kernel = CGAL::Simple_cartesian<Exact_rational>;
+
+  //! what an operation has found.
+  Envelope_surface_3(std::vector<Envelope_part_3> parts, std::vector<Undecided_part> undecided, const Summary& summary)
+    : m_parts(std::move(parts)), m_undecided(std::move(undecided)), m_summary(summary)
+  {
+    for (const Envelope_part_3& part : m_parts)
+      for (Undecided_part& place : part.solutions.undecided())
+        m_undecided.push_back(std::move(place));
+  }
+
+  //! the parts.
+  const std::vector<Envelope_part_3>& parts() const { return m_parts; }
+
+  //! the point of space of unknowns of a part, exactly.
+  //! \throws Invalid_input when they are outside of the domain, or the point is at infinity.
+  Kernel::Point_3 point(std::size_t part, std::span<const Exact_rational> unknowns) const
+  {
+    const auto [x, y, z] = m_parts[part].image(unknowns);
+    return {x, y, z};
+  }
+
+  //! vertices less arcs plus patches, where those on both sides of a seam count as one. Edges that are one point in
+  //! space, poles, count as edges.
+  int euler_characteristic() const;
+
+  //! whether all of the surface is there, by proof: nothing is undecided.
+  bool is_complete() const { return m_undecided.empty() && m_summary.is_complete; }
+
+  //! what is undecided; places are ranges of the unknowns.
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+  //! the work.
+  const Summary& summary() const { return m_summary; }
+
+  /*!
+  triangles, see `to_surface_mesh()`: vertices have all unknowns, the normal and the curvatures as properties. Edges on
+  boundaries and cuspidal edges are features.
+  \param options how fine the triangles are, in space.
+  \param run the limit of time, and a visitor. What was not done in time is undecided.
+  \throws Invalid_input when a bound is not positive.
+  */
+  Solution_surface_mesh mesh(const Surface_mesh_options& options = {}, const Solver_options& run = {}) const;
+};
+
+//! writes one line with the counts.
+//! \relates Envelope_surface_3
+std::ostream& operator<<(std::ostream& out, const Envelope_surface_3& surface);
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_ENVELOPE_SURFACE_3_H

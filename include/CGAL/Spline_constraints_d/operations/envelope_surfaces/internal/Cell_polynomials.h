@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_CELL_POLYNOMIALS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_CELL_POLYNOMIALS_H
+
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Envelope_surfaces {
+
+// The breaks of each unknown, both ends of its range included.
+using Cell_breaks = std::vector<std::vector<Exact_rational>>;
+
+/*
+A polynomial of some unknowns on each cell of a grid, in Bernstein form. Sums and products are those of the cells, so
+nothing is assumed about what happens between them.
+*/
+class Cell_polynomials
+{
+  using Tensor = Bernstein_tensor<Exact_rational>;
+
+  std::shared_ptr<const Cell_breaks> m_breaks;
+  std::vector<Tensor> m_cells; // row-major
+
+public:
+  // A spline of the unknowns with the indices `axes`; its breaks are among those of the grid.
+  Cell_polynomials(std::shared_ptr<const Cell_breaks> breaks, const Exact_function& f, const std::vector<int>& axes)
+    : m_breaks(std::move(breaks))
+  {
+    std::map<std::vector<int>, Tensor> known; // by the indices along the axes of the spline
+    visit_cells([&](const std::vector<int>& cell) {
+      std::vector<int> own;
+      for (const int axis : axes)
+        own.push_back(cell[static_cast<std::size_t>(axis)]);
+      const auto [entry, is_new] = known.try_emplace(own);
+      if (is_new) {
+        Exact_function part = f;
+        for (std::size_t j = 0; j < axes.size(); ++j) {
+          const std::vector<Exact_rational>& ends = (*m_breaks)[static_cast<std::size_t>(axes[j])];
+          part = part_of(part, static_cast<int>(j),
+                         {ends[static_cast<std::size_t>(own[j])], ends[static_cast<std::size_t>(own[j]) + 1]});
+        }
+        entry->second = part.bezier_pieces().front().embedded(static_cast<int>(m_breaks->size()), axes);
+      }
+      m_cells.push_back(entry->second);
+    });
+  }
+
+  // Polynomials of one unknown, one for each range between its neighbouring breaks.
+  Cell_polynomials(std::shared_ptr<const Cell_breaks> breaks, const std::vector<Tensor>& pieces, int axis)
+    : m_breaks(std::move(breaks))
+  {
+    visit_cells([&](const std::vector<int>& cell) {
+      m_cells.push_back(pieces[static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)])].embedded(
+          static_cast<int>(m_breaks->size()), {axis}));
+    });
+  }
+
+  const Cell_breaks& breaks() const { return *m_breaks; }
+  const std::vector<Tensor>& cells() const { return m_cells; }
+
+  friend Cell_polynomials operator+(Cell_polynomials a, const Cell_polynomials& b)
+  {
+    return combined(std::move(a), b, [](Tensor& x, const Tensor& y) { x += y; });
+  }
+  friend Cell_polynomials operator-(Cell_polynomials a, const Cell_polynomials& b)
+  {
+    return combined(std::move(a), b, [](Tensor& x, const Tensor& y) { x -= y; });
+  }
+  friend Cell_polynomials operator*(Cell_polynomials a, const Cell_polynomials& b)
+  {
+    return combined(std::move(a), b, [](Tensor& x, const Tensor& y) { x *= y; });
+  }
+
+  // By an unknown.
+  Cell_polynomials derivative(int axis) const
+  {
+    Cell_polynomials result(*this);
+    const std::vector<Exact_rational>& ends = (*m_breaks)[static_cast<std::size_t>(axis)];
+    std::size_t c = 0;
+    visit_cells([&](const std::vector<int>& cell) {
+      const auto i = static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)]);
+      result.m_cells[c] = m_cells[c].derivative(axis) * Exact_rational(1 / Exact_rational(ends[i + 1] - ends[i]));
+      ++c;
+    });
+    return result;
+  }
+
+  bool is_zero() const
+  {
+    return std::all_of(m_cells.begin(), m_cells.end(), [](const Tensor& cell) { return is_zero(cell); });
+  }
+
+  // Number of the last break of an unknown.
+  std::size_t last_break(int axis) const { return (*m_breaks)[static_cast<std::size_t>(axis)].size() - 1; }
+
+  // Whether it is zero on the plane where an unknown has the value of a break, in all cells on both sides.
+  bool is_zero_on(int axis, std::size_t place) const
+  {
+    bool result = true;
+    visit_sides(axis, place, [&](std::size_t c, int side) { result = result && is_zero(m_cells[c].face(axis, side)); });
+    return result;
+  }
+
+  // Whether it is the same on both sides of a break.
+  bool is_continuous_at(int axis, std::size_t place) const
+  {
+    std::vector<Tensor> before, after;
+    visit_sides(axis, place,
+                [&](std::size_t c, int side) { (side == 1 ? before : after).push_back(m_cells[c].face(axis, side)); });
+    return before.empty() || after.empty() || before == after;
+  }
+
+  // Divided by a factor that is zero on the plane of a break, linear up to the next ones, and constant beyond. It has
+  // two signs where there are cells on both sides. \pre the function is zero there
+  Cell_polynomials divided_at(int axis, std::size_t place) const
+  {
+    Cell_polynomials result(*this);
+    visit_sides(axis, place, [&](std::size_t c, int side) { result.m_cells[c] = divided(m_cells[c], axis, side); });
+    if (place == 0 || place == last_break(axis))
+      return result;
+    const std::vector<Exact_rational>& ends = (*m_breaks)[static_cast<std::size_t>(axis)];
+    const Exact_rational ratio = (ends[place] - ends[place + 1]) / Exact_rational(ends[place] - ends[place - 1]);
+    std::size_t c = 0;
+    visit_cells([&](const std::vector<int>& cell) {
+      if (static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)]) < place)
+        result.m_cells[c] *= ratio;
+      ++c;
+    });
+    return result;
+  }
+
+  // Of three unknowns, the first two on a line where one of them has its first or last value, and the third one at a
+  // place of its first range that runs from 0 to 1: polynomials of the other one between its breaks.
+  std::vector<Tensor> on_line(int axis, std::size_t end, const Exact_rational& place) const
+  {
+    std::vector<Tensor> result;
+    std::vector<std::vector<int>> cells;
+    visit_cells([&](const std::vector<int>& cell) { cells.push_back(cell); });
+    visit_sides(axis, end, [&](std::size_t c, int side) {
+      if (cells[c][2] == 0)
+        result.push_back(m_cells[c].split(2, place).first.face(2, 1).face(axis, side));
+    });
+    return result;
+  }
+
+  Spline_function function() const
+  {
+    std::vector<int> unknowns(m_breaks->size());
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    return Spline_function::from_bezier_pieces(std::move(unknowns), *m_breaks, m_cells);
+  }
+
+private:
+  template <class Visit>
+  void visit_cells(const Visit& visit) const
+  {
+    std::vector<int> last;
+    for (const std::vector<Exact_rational>& ends : *m_breaks)
+      last.push_back(static_cast<int>(ends.size()) - 2);
+    for_each_index(last, visit);
+  }
+
+  // Calls `visit(index, side)` for the cells at a break, with the side of the cell that this is.
+  template <class Visit>
+  void visit_sides(int axis, std::size_t place, const Visit& visit) const
+  {
+    std::size_t c = 0;
+    visit_cells([&](const std::vector<int>& cell) {
+      const auto own = static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)]);
+      if (own == place || own + 1 == place)
+        visit(c, own == place ? 0 : 1);
+      ++c;
+    });
+  }
+
+  template <class Combine>
+  static Cell_polynomials combined(Cell_polynomials a, const Cell_polynomials& b, const Combine& combine)
+  {
+    for (std::size_t c = 0; c < a.m_cells.size(); ++c)
+      combine(a.m_cells[c], b.m_cells[c]);
+    return a;
+  }
+
+  static bool is_zero(const Tensor& f)
+  {
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(),
+                       [](const Exact_rational& x) { return x == 0; });
+  }
+
+  // t B_{i-1}^{n-1}(t) = (i/n) B_i^n(t).
+  static Tensor divided(const Tensor& f, int axis, int side)
+  {
+    if (is_zero(f))
+      return f;
+    std::vector<int> degrees = f.degrees();
+    const auto place = static_cast<std::size_t>(axis);
+    const int n = degrees[place]--;
+    std::size_t stride = 1;
+    for (std::size_t j = place + 1; j < degrees.size(); ++j)
+      stride *= static_cast<std::size_t>(degrees[j]) + 1;
+    std::vector<Exact_rational> coefficients;
+    for (std::size_t k = 0; k < f.coefficients().size(); ++k) {
+      const int index = static_cast<int>(k / stride % (static_cast<std::size_t>(n) + 1)),
+                factor = side == 0 ? index : n - index;
+      if (factor > 0)
+        coefficients.push_back(Exact_rational(f.coefficients()[k] * n / factor));
+    }
+    return Tensor(std::move(degrees), std::move(coefficients));
+  }
+};
+
+} // namespace Envelope_surfaces
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_CELL_POLYNOMIALS_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_COLLECTOR_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_COLLECTOR_H
+
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Envelope_surfaces {
+
+// Gathers what an operation finds, system by system.
+class Envelope_collector
+{
+  Operation_budget m_budget;
+  std::vector<Envelope_part_3> m_parts;
+  std::vector<Undecided_part> m_undecided;
+
+public:
+  explicit Envelope_collector(const Solver_options& options) : m_budget(options) {}
+
+  Operation_budget& budget() { return m_budget; }
+
+  void add_undecided(const Curve_vertex::Exact_box& box, const std::string& reason)
+  {
+    m_undecided.push_back({double_ranges(box), {}, reason});
+  }
+
+  // The surfaces of a system, cut along the zeros of a function, if it has some there: without one, surfaces are found
+  // in fewer unknowns. It is made only where there are surfaces.
+  void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
+           const Vector_expression<3>& image, std::vector<int> closed_unknowns)
+  {
+    if (m_budget.must_stop()) {
+      add_undecided(domain_of(system), in_words(m_budget.reason()));
+      return;
+    }
+    Surface_solution_set_d found = solve_surfaces(system, m_budget.remaining());
+    m_budget.add(found.summary());
+    if (feature && !found.patches().empty())
+      if (const Spline_function cut = feature(); !is_zero_everywhere(cut) && may_have_zeros(cut, system)) {
+        found = solve_surfaces(system, {cut}, m_budget.remaining());
+        m_budget.add(found.summary());
+      }
+    m_parts.push_back({std::move(found), image, std::move(closed_unknowns)});
+  }
+
+  Envelope_surface_3 result() &&
+  {
+    Summary work = m_budget.total();
+    work.seconds = m_budget.seconds();
+    work.is_complete = work.is_complete && m_undecided.empty();
+    return {std::move(m_parts), std::move(m_undecided), work};
+  }
+
+private:
+  // Whether a function may have zeros among the solutions.
+  bool may_have_zeros(const Spline_function& feature, const Constraint_system_d& system)
+  {
+    Constraint_system_d zeros(system);
+    zeros.add(feature, Relation::EQUAL);
+    Operation_budget own(m_budget);
+    const Curve_solution_set_d found = curves_within_budget(zeros, own, {});
+    Summary work = found.summary();
+    work.is_complete = true; // what is undecided is looked at again
+    m_budget.add(work);
+    return !found.is_complete() || !found.vertices().empty();
+  }
+};
+
+} // namespace Envelope_surfaces
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_COLLECTOR_H

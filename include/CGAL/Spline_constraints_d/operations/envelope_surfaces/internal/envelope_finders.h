@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_FINDERS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_FINDERS_H
+
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operand_map.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Envelope_surfaces {
+
+// Defined in sweep_envelopes.h; the compiled library has it.
+Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface, const Rational_motion_3& motion,
+                                     const Solver_options& options);
+
+} // namespace Envelope_surfaces
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_SURFACES_INTERNAL_ENVELOPE_FINDERS_H
