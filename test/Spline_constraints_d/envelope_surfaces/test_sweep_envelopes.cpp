@@ -8,6 +8,9 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,6 +21,7 @@
 namespace sweep_envelope_test {
 
 namespace SC = CGAL::Spline_constraints;
+namespace PMP = CGAL::Polygon_mesh_processing;
 using Rational = SC::Exact_rational;
 using K = CGAL::Simple_cartesian<Rational>;
 using Point = K::Point_3;
@@ -44,7 +48,10 @@ SC::Solution_surface_mesh checked_mesh(const SC::Envelope_surface_3& envelope, c
 {
   EXPECT_TRUE(envelope.is_complete()) << envelope;
   SC::Solution_surface_mesh result = envelope.mesh({.chord_error = 0.02});
+  EXPECT_TRUE(result.is_complete());
+  EXPECT_LE(result.error, 1.05 * 0.02);
   EXPECT_GT(result.mesh.number_of_faces(), 20u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(result.mesh));
   for (const auto v : result.mesh.vertices()) {
     const auto& p = result.mesh.point(v);
     EXPECT_NEAR(distance(p.x(), p.y(), p.z()), 0, 1e-12);
@@ -66,7 +73,11 @@ TEST(Sweep_envelope, ball_on_circle)
   const Distance distance = [](double x, double y, double z) { return std::hypot(std::hypot(x, y) - 1, z) - 0.5; };
   const Surface ball = SC::sphere_surface<K>(Point(0, 0, 0), Rational(1) / 2);
   const SC::Envelope_surface_3 translated = SC::sweep_envelope(ball, Motion::along(circle()));
-  for (const auto& mesh = checked_mesh(translated, distance); const auto v : mesh.mesh.vertices()) {
+  const SC::Solution_surface_mesh torus = checked_mesh(translated, distance);
+  EXPECT_EQ(translated.euler_characteristic(), 0);
+  EXPECT_TRUE(CGAL::is_closed(torus.mesh)); // joined across the seams of the ball and the circle, and at both poles
+  EXPECT_NEAR(PMP::volume(torus.mesh), CGAL_PI * CGAL_PI / 2, 0.15);
+  for (const auto& mesh = torus; const auto v : mesh.mesh.vertices()) {
     const auto& p = mesh.mesh.point(v);
     const double cosine = (std::hypot(p.x(), p.y()) - 1) / 0.5;
     EXPECT_NEAR(mesh.differentials[v].gaussian_curvature(), cosine / (0.5 * (1 + 0.5 * cosine)), 1e-7);
@@ -74,7 +85,10 @@ TEST(Sweep_envelope, ball_on_circle)
   // turned about the axis of the torus the ball touches it along one circle all the time
   const Surface beside = SC::sphere_surface<K>(Point(1, 0, 0), Rational(1) / 2);
   const SC::Envelope_surface_3 turned = SC::sweep_envelope(beside, Motion::full_turn(Point(0, 0, 0), Vector(0, 0, 1)));
-  checked_mesh(turned, distance);
+  EXPECT_EQ(turned.euler_characteristic(), 0);
+  const SC::Solution_surface_mesh halves = checked_mesh(turned, distance);
+  EXPECT_TRUE(CGAL::is_closed(halves.mesh));
+  EXPECT_NEAR(PMP::volume(halves.mesh), CGAL_PI * CGAL_PI / 2, 0.15);
   EXPECT_EQ(turned.parts().size(), 3u); // nothing, and what the two half circles sweep
 }
 
@@ -106,8 +120,10 @@ TEST(Sweep_envelope, ellipsoid)
                      (r - along * c) * (r - along * c)) -
         1;
   });
+  EXPECT_EQ(straight.euler_characteristic(), 0);
+  EXPECT_EQ(CGAL::num_vertices(mesh.mesh) + CGAL::num_faces(mesh.mesh), CGAL::num_edges(mesh.mesh)); // one tube
   for (const auto v : mesh.mesh.vertices())
-    EXPECT_NEAR(mesh.differentials[v].gaussian_curvature(), 0, 1e-9); // a cylinder
+    EXPECT_NEAR(mesh.differentials[v].gaussian_curvature(), 0, 1e-9);
 
   // radial half axis 1/2, vertical one 1/4: a ring whose section is an ellipse
   const Surface small = SC::sphere_surface<K>(Point(0, 0, 0), Rational(1))

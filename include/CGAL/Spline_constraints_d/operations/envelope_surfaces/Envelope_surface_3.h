@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -27,6 +29,21 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDEnvelopeSurfaces
+
+A face of the domain of the unknowns where an operand has a pole: an edge that is one point, with one tangent plane.
+*/
+struct Envelope_pole
+{
+  int unknown;          ///< the unknown that is constant
+  Exact_rational value; ///< its value
+
+  //! whether each connected curve of solutions there stands for one point of space; if not, each stands for the same
+  //! curve as another one, and the surface goes on from one to the other.
+  bool is_one_point;
+};
 
 /*!
 \ingroup PkgSplineConstraintsDEnvelopeSurfaces
@@ -44,6 +61,13 @@ struct Envelope_part_3
   //! the unknowns whose first and last value stand for the same points, with the same equations: the surface goes on
   //! there.
   std::vector<int> closed_unknowns;
+
+  //! where operands have poles.
+  std::vector<Envelope_pole> poles = {};
+
+  //! the curves of solutions whose images are cuspidal edges, or points, where that is looked for; nothing if it is
+  //! not. They are those of the same unknowns.
+  std::optional<Curve_solution_set_d> cusps = std::nullopt;
 };
 
 /*!
@@ -68,9 +92,15 @@ public:
   Envelope_surface_3(std::vector<Envelope_part_3> parts, std::vector<Undecided_part> undecided, const Summary& summary)
     : m_parts(std::move(parts)), m_undecided(std::move(undecided)), m_summary(summary)
   {
-    for (const Envelope_part_3& part : m_parts)
+    for (const Envelope_part_3& part : m_parts) {
       for (Undecided_part& place : part.solutions.undecided())
         m_undecided.push_back(std::move(place));
+      if (part.cusps)
+        for (Undecided_part& place : part.cusps->undecided()) {
+          place.reason += ", a cuspidal edge";
+          m_undecided.push_back(std::move(place));
+        }
+    }
   }
 
   //! the parts.
@@ -84,8 +114,8 @@ public:
     return {x, y, z};
   }
 
-  //! vertices less arcs plus patches, where those on both sides of a seam count as one. Edges that are one point in
-  //! space, poles, count as edges.
+  //! vertices less arcs plus patches, where those on both sides of a seam or at a pole are one. Parts with a common
+  //! boundary are not joined.
   int euler_characteristic() const;
 
   //! whether all of the surface is there, by proof: nothing is undecided.
@@ -99,7 +129,8 @@ public:
 
   /*!
   triangles, see `to_surface_mesh()`: vertices have all unknowns, the normal and the curvatures as properties. Edges on
-  boundaries and cuspidal edges are features.
+  boundaries and breaks of splines are features. Triangles are joined across seams and poles; vertices there have the
+  first value of an unknown that has two.
   \param options how fine the triangles are, in space.
   \param run the limit of time, and a visitor. What was not done in time is undecided.
   \throws Invalid_input when a bound is not positive.

@@ -11,7 +11,9 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -20,6 +22,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -150,6 +153,37 @@ public:
     return result;
   }
 
+  // Divided by another one as often as that is a factor on all cells. \pre that one has no zeros
+  Cell_polynomials without_factor(const Cell_polynomials& factor) const
+  {
+    Cell_polynomials result(*this);
+    while (!result.is_zero()) {
+      std::vector<Tensor> quotients;
+      for (std::size_t c = 0; c < m_cells.size(); ++c)
+        if (auto own = quotient(result.m_cells[c], factor.m_cells[c]))
+          quotients.push_back(std::move(*own));
+        else
+          return result;
+      result.m_cells = std::move(quotients);
+    }
+    return result;
+  }
+
+  // The sign on a cell of the plane of a break where it has one by its coefficients; 1 if there is no such cell.
+  int sign_on(int axis, const Exact_rational& value) const
+  {
+    const std::vector<Exact_rational>& ends = (*m_breaks)[static_cast<std::size_t>(axis)];
+    const auto place = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), value) - ends.begin());
+    int result = 0;
+    visit_sides(axis, place, [&](std::size_t c, int side) {
+      const Tensor face = m_cells[c].face(axis, side);
+      for (const Exact_rational& x : face.coefficients())
+        if (result == 0 && is_one_sided(face))
+          result = x > 0 ? 1 : x < 0 ? -1 : 0;
+    });
+    return result == 0 ? 1 : result;
+  }
+
   // Of three unknowns, the first two on a line where one of them has its first or last value, and the third one at a
   // place of its first range that runs from 0 to 1: polynomials of the other one between its breaks.
   std::vector<Tensor> on_line(int axis, std::size_t end, const Exact_rational& place) const
@@ -206,6 +240,45 @@ private:
   {
     return std::all_of(f.coefficients().begin(), f.coefficients().end(),
                        [](const Exact_rational& x) { return x == 0; });
+  }
+
+  // If the divisor is not a constant and divides a polynomial.
+  static std::optional<Tensor> quotient(const Tensor& f, const Tensor& divisor)
+  {
+    if (is_zero(f))
+      return f;
+    std::vector<Power_polynomial> pair{polynomial_of(f), polynomial_of(divisor)};
+    while (!pair[1].is_constant()) {
+      auto common = common_factor(pair);
+      if (!common)
+        return std::nullopt;
+      pair = std::move(common->cofactors);
+    }
+    if (divisor.bounds().first == divisor.bounds().second)
+      return std::nullopt;
+    pair[0] /= pair[1];
+    std::vector<int> degrees;
+    std::size_t size = 1;
+    for (int j = 0; j < f.dimension(); ++j) {
+      degrees.push_back(pair[0].degree(j));
+      size *= static_cast<std::size_t>(degrees.back()) + 1;
+    }
+    std::vector<Exact_rational> coefficients(size, Exact_rational(0));
+    for (const auto& [monomial, coefficient] : pair[0].terms()) {
+      std::size_t index = 0;
+      for (int j = 0; j < f.dimension(); ++j)
+        index = index * (static_cast<std::size_t>(degrees[static_cast<std::size_t>(j)]) + 1) +
+            static_cast<std::size_t>(monomial.exponent(j));
+      coefficients[index] = coefficient;
+    }
+    return Tensor::from_power(std::move(degrees), std::move(coefficients));
+  }
+
+  // Whether no two coefficients have different signs.
+  static bool is_one_sided(const Tensor& f)
+  {
+    const auto [least, most] = f.bounds();
+    return !(least < 0 && most > 0);
   }
 
   // t B_{i-1}^{n-1}(t) = (i/n) B_i^n(t).

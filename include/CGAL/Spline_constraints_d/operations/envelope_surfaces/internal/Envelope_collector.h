@@ -45,10 +45,10 @@ public:
     m_undecided.push_back({double_ranges(box), {}, reason});
   }
 
-  // The surfaces of a system, cut along the zeros of a function, if it has some there: without one, surfaces are found
-  // in fewer unknowns. It is made only where there are surfaces.
+  // The surfaces of a system, and the curves on them where a function is zero, which is made only where there are
+  // surfaces.
   void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
-           const Vector_expression<3>& image, std::vector<int> closed_unknowns)
+           const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles)
   {
     if (m_budget.must_stop()) {
       add_undecided(domain_of(system), in_words(m_budget.reason()));
@@ -56,12 +56,14 @@ public:
     }
     Surface_solution_set_d found = solve_surfaces(system, m_budget.remaining());
     m_budget.add(found.summary());
-    if (feature && !found.patches().empty())
-      if (const Spline_function cut = feature(); !is_zero_everywhere(cut) && may_have_zeros(cut, system)) {
-        found = solve_surfaces(system, {cut}, m_budget.remaining());
-        m_budget.add(found.summary());
-      }
-    m_parts.push_back({std::move(found), image, std::move(closed_unknowns)});
+    m_parts.push_back({std::move(found), image, std::move(closed_unknowns), std::move(poles)});
+    if (!feature || m_parts.back().solutions.patches().empty())
+      return;
+    if (const Spline_function cusps = feature(); !is_zero_everywhere(cusps)) {
+      Constraint_system_d zeros(system);
+      zeros.add(cusps, Relation::EQUAL);
+      m_parts.back().cusps = curves_within_budget(zeros, m_budget, {});
+    }
   }
 
   Envelope_surface_3 result() &&
@@ -70,20 +72,6 @@ public:
     work.seconds = m_budget.seconds();
     work.is_complete = work.is_complete && m_undecided.empty();
     return {std::move(m_parts), std::move(m_undecided), work};
-  }
-
-private:
-  // Whether a function may have zeros among the solutions.
-  bool may_have_zeros(const Spline_function& feature, const Constraint_system_d& system)
-  {
-    Constraint_system_d zeros(system);
-    zeros.add(feature, Relation::EQUAL);
-    Operation_budget own(m_budget);
-    const Curve_solution_set_d found = curves_within_budget(zeros, own, {});
-    Summary work = found.summary();
-    work.is_complete = true; // what is undecided is looked at again
-    m_budget.add(work);
-    return !found.is_complete() || !found.vertices().empty();
   }
 };
 

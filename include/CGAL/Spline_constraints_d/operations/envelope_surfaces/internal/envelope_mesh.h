@@ -12,13 +12,16 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Mesh_joints.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <ostream>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -27,35 +30,128 @@ namespace Spline_constraints {
 namespace internal {
 namespace Envelope_surfaces {
 
-// Number of closed unknowns that are at an end of their range in a whole box.
-inline int seams_at(const Envelope_part_3& part, const Curve_vertex::Exact_box& box)
+// Euler's formula for a part, with copies joined: a cell with k copies counts as 1/k, and at a pole curves are points.
+class Joined_cells
 {
-  int result = 0;
-  for (const int j : part.closed_unknowns) {
-    const auto& own = box[static_cast<std::size_t>(j)];
-    const auto& range = part.solutions.system().domain(j);
-    if (own.first == own.second && (own.first == range.first || own.first == range.second))
-      ++result;
+  const Envelope_part_3& m_part;
+  std::vector<bool> m_is_used;     // vertices
+  std::vector<std::size_t> m_same; // by vertex, one that is connected with it at a pole
+
+public:
+  explicit Joined_cells(const Envelope_part_3& part)
+    : m_part(part), m_is_used(part.solutions.vertices().size(), false), m_same(part.solutions.vertices().size())
+  {
+    std::iota(m_same.begin(), m_same.end(), 0);
   }
-  return result;
+
+  int characteristic()
+  {
+    double result = static_cast<double>(m_part.solutions.patches().size());
+    for (const Surface_arc& arc : m_part.solutions.arcs()) {
+      if (arc.patches == 0)
+        continue;
+      result -= weight_of(arc.box);
+      for (const std::size_t v : arc.ends)
+        m_is_used[v] = true;
+      if (is_at_point(arc.box))
+        m_same[representative(arc.ends[0])] = representative(arc.ends[1]);
+    }
+    for (std::size_t v = 0; v < m_is_used.size(); ++v)
+      if (m_is_used[v]) {
+        const Curve_vertex::Exact_box& box = m_part.solutions.vertices()[v].box;
+        result += is_at_point(box) ? (representative(v) == v ? 1.0 : 0.0) : weight_of(box);
+      }
+    return static_cast<int>(std::lround(result));
+  }
+
+private:
+  std::size_t representative(std::size_t v) const
+  {
+    while (m_same[v] != v)
+      v = m_same[v];
+    return v;
+  }
+
+  static bool is_at(const Curve_vertex::Exact_box& box, int unknown, const Exact_rational& value)
+  {
+    const auto& own = box[static_cast<std::size_t>(unknown)];
+    return own.first == value && own.second == value;
+  }
+
+  bool is_at_point(const Curve_vertex::Exact_box& box) const
+  {
+    return std::any_of(m_part.poles.begin(), m_part.poles.end(), [&](const Envelope_pole& pole) {
+      return pole.is_one_point && is_at(box, pole.unknown, pole.value);
+    });
+  }
+
+  double weight_of(const Curve_vertex::Exact_box& box) const
+  {
+    if (is_at_point(box))
+      return 0;
+    double result = 1;
+    for (const int j : m_part.closed_unknowns) {
+      const auto& range = m_part.solutions.system().domain(j);
+      if (is_at(box, j, range.first) || is_at(box, j, range.second))
+        result /= 2;
+    }
+    for (const Envelope_pole& pole : m_part.poles)
+      if (is_at(box, pole.unknown, pole.value))
+        result /= 2;
+    return result;
+  }
+};
+
+// Joins the triangles of a part across its seams and poles.
+inline void join(Solution_surface_mesh& mesh, const Envelope_part_3& part)
+{
+  Mesh_joints joints(mesh);
+  bool is_joined = true;
+  for (const int j : part.closed_unknowns) {
+    const auto& range = part.solutions.system().domain(j);
+    is_joined = joints.join(joints.chains_on(j, CGAL::to_double(range.first)),
+                            joints.chains_on(j, CGAL::to_double(range.second))) &&
+        is_joined;
+  }
+  for (const Envelope_pole& pole : part.poles)
+    if (pole.is_one_point)
+      joints.contract(joints.chains_on(pole.unknown, CGAL::to_double(pole.value)));
+  if (!is_joined)
+    mesh.undecided_parts.push_back({{}, {}, "a seam along which triangles were not joined"});
 }
 
-// Twice as many cells on each seam as there are.
-inline int characteristic_without_copies(const Envelope_part_3& part)
+// Joins the triangles of all parts where surfaces go on across a pole.
+inline void join_at_poles(Solution_surface_mesh& mesh, const std::vector<Envelope_part_3>& parts)
 {
-  double result = static_cast<double>(part.solutions.patches().size());
-  std::vector<bool> is_used(part.solutions.vertices().size(), false);
-  for (const Surface_arc& arc : part.solutions.arcs()) {
-    if (arc.patches == 0)
-      continue;
-    result -= std::pow(0.5, seams_at(part, arc.box));
-    for (const std::size_t v : arc.ends)
-      is_used[v] = true;
+  std::set<std::pair<int, Exact_rational>> known;
+  for (const Envelope_part_3& part : parts)
+    for (const Envelope_pole& pole : part.poles)
+      if (!pole.is_one_point && known.emplace(pole.unknown, pole.value).second) {
+        Mesh_joints joints(mesh);
+        if (!joints.join_pairs(joints.chains_on(pole.unknown, CGAL::to_double(pole.value))))
+          mesh.undecided_parts.push_back({{}, {}, "a pole at which triangles were not joined"});
+      }
+}
+
+// The triangles of a part, a bit finer where the first ones are not within the error.
+inline Solution_surface_mesh mesh_of(const Envelope_part_3& part, const Surface_mesh_options& options,
+                                     Operation_budget& budget)
+{
+  constexpr int most_rounds = 3;
+  constexpr double tolerance = 1.05; // as errors are measured
+  Surface_mesh_options finer = options;
+  for (int round = 1;; ++round) {
+    Solution_surface_mesh result = to_surface_mesh(part.solutions, part.image, finer, budget.remaining());
+    budget.add(result.summary());
+    const bool is_within = result.error <= tolerance * options.chord_error;
+    if (is_within || round == most_rounds || result.error > 2 * options.chord_error || budget.must_stop()) {
+      if (is_within)
+        std::erase_if(result.undecided_parts,
+                      [](const Undecided_part& own) { return own.reason == "triangles with a greater error"; });
+      return result;
+    }
+    finer.chord_error *= 0.9 * options.chord_error / result.error;
   }
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v])
-      result += std::pow(0.5, seams_at(part, part.solutions.vertices()[v].box));
-  return static_cast<int>(std::lround(result));
 }
 
 // Adds triangles with all that is known of their vertices and edges. Surfaces are numbered on.
@@ -96,7 +192,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Envelope_surface_3::euler_characteristic() co
 {
   int result = 0;
   for (const Envelope_part_3& part : m_parts)
-    result += internal::Envelope_surfaces::characteristic_without_copies(part);
+    result += internal::Envelope_surfaces::Joined_cells(part).characteristic();
   return result;
 }
 
@@ -106,16 +202,16 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh Envelope_surface_3::mesh(co
   internal::Common::Operation_budget budget(run);
   Solution_surface_mesh result;
   for (const Envelope_part_3& part : m_parts) {
-    const Solution_surface_mesh own = to_surface_mesh(part.solutions, part.image, options, budget.remaining());
-    budget.add(own.summary());
+    Solution_surface_mesh own = internal::Envelope_surfaces::mesh_of(part, options, budget);
+    internal::Envelope_surfaces::join(own, part);
     internal::Envelope_surfaces::append(result, own);
   }
-  const std::size_t own_undecided = m_undecided.size();
-  std::size_t of_parts = 0;
+  internal::Envelope_surfaces::join_at_poles(result, m_parts);
+  std::size_t of_parts = 0; // which their meshes have, too
   for (const Envelope_part_3& part : m_parts)
-    of_parts += part.solutions.undecided_regions().size();
-  result.undecided_parts.insert(result.undecided_parts.end(), m_undecided.begin(),
-                                m_undecided.begin() + static_cast<std::ptrdiff_t>(own_undecided - of_parts));
+    of_parts += part.solutions.undecided().size();
+  if (m_undecided.size() > of_parts)
+    result.undecided_parts.insert(result.undecided_parts.end(), m_undecided.begin(), m_undecided.end());
   result.work.is_complete = result.undecided_parts.empty();
   return result;
 }

@@ -61,30 +61,38 @@ public:
     return {m_patch.domain(0), m_patch.domain(1), {m_field.times.front(), m_field.times.back()}};
   }
 
-  // F, and the lines of constant u or v that are divided out of it, since it is zero on them at all times: those that
-  // are one point, and those whose points touch the envelope all the time.
+  // F, of the sign that makes the envelope of a ball on a long path face outwards. It is divided by what is zero at all
+  // times on a line of constant u or v: on an edge that is one point, or a line whose points always touch the envelope.
   struct Contact
   {
     Cell_polynomials function;
     std::vector<Constant_parameter> touching_lines;
+    std::vector<Envelope_pole> poles; // those with one tangent plane
   };
   Contact contact() const
   {
-    Contact result{velocity(0) * normal(0) + velocity(1) * normal(1) + velocity(2) * normal(2), {}};
+    const Cell_vector n = normal(), v = velocity();
+    const Cell_polynomials product = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+    Contact result{product - product - product, {}, {}};
     if (result.function.is_zero())
       return result;
     std::vector<Constant_parameter>& lines = result.touching_lines;
     for (const int axis : {0, 1})
       for (std::size_t k = 0; k <= result.function.last_break(axis); ++k) {
         const Constant_parameter line{axis, (*m_breaks)[static_cast<std::size_t>(axis)][k]};
+        const bool is_pole = m_patch.pole(axis, line.value).has_value();
+        bool is_divided = false;
         while (result.function.is_zero_on(axis, k)) {
           Cell_polynomials rest = result.function.divided_at(axis, k);
           if (!rest.is_continuous_at(axis, k))
             break;
           result.function = std::move(rest);
-          if (!m_patch.pole(axis, line.value) && (lines.empty() || lines.back() != line))
-            lines.push_back(line);
+          is_divided = true;
         }
+        if (is_divided && !is_pole)
+          lines.push_back(line);
+        if (is_pole && has_one_normal(line))
+          result.poles.push_back({axis, line.value, !is_divided});
       }
     std::erase_if(lines, [&](const Constant_parameter& line) { return is_copy_on_seam(line); });
     return result;
@@ -97,20 +105,22 @@ public:
   }
 
   // What a line of constant u or v sweeps, as all solutions of one equation: that its parameter has this value. The
-  // range of that goes beyond the value on both sides, so that the line is not on the boundary.
+  // range of that goes beyond the value on both sides, so that the line is not on the boundary. It is oriented as F is
+  // with the factor that vanishes there.
   struct Swept_line
   {
     Constraint_system_d system;
     Vector_expression<3> image;
   };
-  Swept_line swept(const Constant_parameter& line) const
+  Swept_line swept(const Constant_parameter& line, const Contact& contact) const
   {
     const auto axis = static_cast<std::size_t>(line.axis);
     Curve_vertex::Exact_box box = domain();
     Cell_breaks breaks = *m_breaks;
     box[axis] = {Exact_rational(line.value - 1), Exact_rational(line.value + 1)};
     breaks[axis] = {box[axis].first, box[axis].second};
-    const Bernstein_tensor<Exact_rational> distance({1}, {Exact_rational(-1), Exact_rational(1)});
+    const int side = contact.function.sign_on(line.axis, line.value) * sign_of_factors(line, contact.touching_lines);
+    const Bernstein_tensor<Exact_rational> distance({1}, {Exact_rational(-side), Exact_rational(side)});
     const std::size_t cells = (breaks[0].size() - 1) * (breaks[1].size() - 1) * (breaks[2].size() - 1);
     Constraint_system_d system(box);
     system.add(
@@ -133,14 +143,14 @@ public:
   */
   Cell_polynomials cusps(const Cell_polynomials& contact) const
   {
-    const std::array<Cell_polynomials, 3> n{normal(0), normal(1), normal(2)}, v{velocity(0), velocity(1), velocity(2)},
-        a = tangent(0), b = tangent(1);
+    const Cell_vector n = normal(), v = velocity(), a = tangent(0), b = tangent(1);
     const Cell_polynomials weight = of_surface(m_patch.weight()), speed(m_breaks, m_field.speed, 2),
                            scale(m_breaks, m_field.scale, 2);
     const Cell_polynomials factor = speed * (m_field.is_translation() ? weight * weight : weight);
     const std::array<Cell_polynomials, 2> along{factor * determinant(v, b, n), factor * determinant(a, v, n)};
     Cell_polynomials result = scale * times_lengths(determinant(a, b, n) * contact.derivative(2)) -
         along[0] * contact.derivative(0) - along[1] * contact.derivative(1);
+    result = result.without_factor(weight).without_factor(of_time(m_motion.weight()));
     for (const int axis : {0, 1})
       for (const std::size_t end : {std::size_t(0), contact.last_break(axis)})
         if (m_patch.pole(axis, (*m_breaks)[static_cast<std::size_t>(axis)][end])) {
@@ -149,7 +159,7 @@ public:
           while (!result.is_zero() && result.is_zero_on(axis, end))
             result = result.divided_at(axis, end);
         }
-    return result;
+    return result.without_factor(weight);
   }
 
   // The unknowns at both ends of which points and normals, or positions and velocities, are the same.
@@ -217,13 +227,14 @@ private:
 
   Cell_polynomials of_surface(const Exact_function& f) const { return {m_breaks, f, {0, 1}}; }
   Cell_polynomials of_time(const Exact_function& f) const { return {m_breaks, f, {2}}; }
-  Cell_polynomials normal(std::size_t i) const { return of_surface(m_normal[i]); }
+  Cell_vector normal() const { return {of_surface(m_normal[0]), of_surface(m_normal[1]), of_surface(m_normal[2])}; }
   Cell_polynomials field(std::size_t row, std::size_t column) const
   {
     return of_time(m_field.entries[column < 3 ? 3 * row + column : 9 + row]);
   }
 
-  // A coordinate of B X + b s; of b where B is zero.
+  // B X + b s, or b where B is zero.
+  Cell_vector velocity() const { return {velocity(0), velocity(1), velocity(2)}; }
   Cell_polynomials velocity(std::size_t row) const
   {
     if (m_field.is_translation())
@@ -243,6 +254,32 @@ private:
       return Spline_map<1, 3>(functions, part_of(m_motion.weight(), 0, domain()[2]))(t);
     };
     return column(0) * x[0] + column(1) * x[1] + column(2) * x[2] + column(3);
+  }
+
+  // Of the derivative across a line of the product of all factors that vanish on such lines. Those of the ends of the
+  // domain are positive inside.
+  int sign_of_factors(const Constant_parameter& line, const std::vector<Constant_parameter>& lines) const
+  {
+    const auto [begin, end] = m_patch.domain(line.axis);
+    int result = line.value == end ? -1 : 1;
+    for (const Constant_parameter& other : lines)
+      if (other.axis == line.axis && begin < other.value && other.value < end && line.value < other.value)
+        result = -result;
+    return result;
+  }
+
+  // Whether the direction of the normal is the same along a line.
+  bool has_one_normal(const Constant_parameter& line) const
+  {
+    const Vector_of_functions<3> n = part_of<3>(m_normal, line.axis, {line.value, line.value});
+    const std::array<Exact_rational, 1> begin{n[0].domain(0).first};
+    const std::array<Exact_rational, 3> own{n[0](begin), n[1](begin), n[2](begin)};
+    const auto is_zero = [](const Exact_function& f) {
+      return std::all_of(f.coefficients().begin(), f.coefficients().end(),
+                         [](const Exact_rational& x) { return x == 0; });
+    };
+    return is_zero(n[0] * own[1] - n[1] * own[0]) && is_zero(n[1] * own[2] - n[2] * own[1]) &&
+        is_zero(n[2] * own[0] - n[0] * own[2]) && (own[0] != 0 || own[1] != 0 || own[2] != 0);
   }
 
   bool is_copy_on_seam(const Constant_parameter& line) const
@@ -268,6 +305,13 @@ private:
   }
 };
 
+// Those that a line of constant u or v ends at.
+inline std::vector<Envelope_pole> poles_beside(const Constant_parameter& line, std::vector<Envelope_pole> poles)
+{
+  std::erase_if(poles, [&](const Envelope_pole& pole) { return pole.unknown == line.axis || pole.is_one_point; });
+  return poles;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface,
                                                                     const Rational_motion_3& motion,
                                                                     const Solver_options& options)
@@ -289,12 +333,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
         system.add(contact.function.function(), Relation::EQUAL);
         const std::vector<int> closed = moving.closed_unknowns(part.functions);
         result.add(
-            system, [&] { return moving.cusps(contact.function).function(); }, moving.image(), closed);
+            system, [&] { return moving.cusps(contact.function).function(); }, moving.image(), closed, contact.poles);
         for (const Constant_parameter& line : contact.touching_lines) {
-          const Moving_patch::Swept_line swept = moving.swept(line);
+          const Moving_patch::Swept_line swept = moving.swept(line, contact);
           std::vector<int> closed_of_line = closed;
           std::erase(closed_of_line, line.axis);
-          result.add(swept.system, {}, swept.image, closed_of_line);
+          result.add(swept.system, {}, swept.image, closed_of_line, poles_beside(line, contact.poles));
         }
       }
   } catch (const Run_stopped& stop) {
