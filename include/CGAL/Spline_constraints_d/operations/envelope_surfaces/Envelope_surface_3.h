@@ -52,7 +52,8 @@ A part of an envelope surface: the solutions of one system, and the map that tak
 */
 struct Envelope_part_3
 {
-  //! surfaces of solutions; the unknowns are those of the operation.
+  //! surfaces of solutions; the unknowns are those of the operation. Where they are cut along `cusps`, the solver has
+  //! one more, which is zero there.
   Surface_solution_set_d solutions;
 
   //! the point of space that a solution stands for.

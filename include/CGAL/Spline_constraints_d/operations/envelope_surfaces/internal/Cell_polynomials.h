@@ -11,9 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
-#include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -153,17 +151,33 @@ public:
     return result;
   }
 
-  // Divided by another one as often as that is a factor on all cells. \pre that one has no zeros
-  Cell_polynomials without_factor(const Cell_polynomials& factor) const
+  // Divided by a function of one unknown as often as that is a factor on all cells. \pre it has no zeros
+  Cell_polynomials without_factor(const Exact_function& factor, int axis) const
   {
+    const std::vector<Exact_rational>& ends = (*m_breaks)[static_cast<std::size_t>(axis)];
+    std::vector<std::vector<Exact_rational>> divisors; // in powers
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      divisors.push_back(part_of(factor, 0, {ends[i - 1], ends[i]}).bezier_pieces().front().power_coefficients());
+      while (divisors.back().size() > 1 && divisors.back().back() == 0)
+        divisors.back().pop_back();
+    }
+    if (std::all_of(divisors.begin(), divisors.end(), [](const auto& divisor) { return divisor.size() == 1; }))
+      return *this;
     Cell_polynomials result(*this);
     while (!result.is_zero()) {
       std::vector<Tensor> quotients;
-      for (std::size_t c = 0; c < m_cells.size(); ++c)
-        if (auto own = quotient(result.m_cells[c], factor.m_cells[c]))
+      bool is_factor = true;
+      visit_cells([&](const std::vector<int>& cell) {
+        if (!is_factor)
+          return;
+        auto own = quotient(result.m_cells[quotients.size()], axis,
+                            divisors[static_cast<std::size_t>(cell[static_cast<std::size_t>(axis)])]);
+        is_factor = own.has_value();
+        if (own)
           quotients.push_back(std::move(*own));
-        else
-          return result;
+      });
+      if (!is_factor)
+        break;
       result.m_cells = std::move(quotients);
     }
     return result;
@@ -242,36 +256,33 @@ private:
                        [](const Exact_rational& x) { return x == 0; });
   }
 
-  // If the divisor is not a constant and divides a polynomial.
-  static std::optional<Tensor> quotient(const Tensor& f, const Tensor& divisor)
+  // By a polynomial of one unknown in powers, the last one not zero, if there is no remainder.
+  static std::optional<Tensor> quotient(const Tensor& f, int axis, const std::vector<Exact_rational>& divisor)
   {
-    if (is_zero(f))
-      return f;
-    std::vector<Power_polynomial> pair{polynomial_of(f), polynomial_of(divisor)};
-    while (!pair[1].is_constant()) {
-      auto common = common_factor(pair);
-      if (!common)
-        return std::nullopt;
-      pair = std::move(common->cofactors);
+    const auto place = static_cast<std::size_t>(axis);
+    std::vector<int> degrees = f.degrees();
+    const std::size_t length = static_cast<std::size_t>(degrees[place]) + 1, order = divisor.size() - 1;
+    std::size_t stride = 1;
+    for (std::size_t j = place + 1; j < degrees.size(); ++j)
+      stride *= static_cast<std::size_t>(degrees[j]) + 1;
+    std::vector<Exact_rational> powers = f.power_coefficients();
+    const std::size_t kept = length > order ? length - order : 1;
+    std::vector<Exact_rational> result(powers.size() / length * kept, Exact_rational(0));
+    for (std::size_t row = 0; row < powers.size() / length; ++row) {
+      const std::size_t outer = row / stride, inner = row % stride;
+      const auto own = [&](std::size_t k) -> Exact_rational& { return powers[(outer * length + k) * stride + inner]; };
+      for (std::size_t k = length; k-- > order;) {
+        const Exact_rational factor = own(k) / divisor.back();
+        for (std::size_t m = 0; m <= order && factor != 0; ++m)
+          own(k - order + m) -= factor * divisor[m];
+        result[(outer * kept + (k - order)) * stride + inner] = factor;
+      }
+      for (std::size_t k = 0; k < (std::min)(order, length); ++k)
+        if (own(k) != 0)
+          return std::nullopt;
     }
-    if (divisor.bounds().first == divisor.bounds().second)
-      return std::nullopt;
-    pair[0] /= pair[1];
-    std::vector<int> degrees;
-    std::size_t size = 1;
-    for (int j = 0; j < f.dimension(); ++j) {
-      degrees.push_back(pair[0].degree(j));
-      size *= static_cast<std::size_t>(degrees.back()) + 1;
-    }
-    std::vector<Exact_rational> coefficients(size, Exact_rational(0));
-    for (const auto& [monomial, coefficient] : pair[0].terms()) {
-      std::size_t index = 0;
-      for (int j = 0; j < f.dimension(); ++j)
-        index = index * (static_cast<std::size_t>(degrees[static_cast<std::size_t>(j)]) + 1) +
-            static_cast<std::size_t>(monomial.exponent(j));
-      coefficients[index] = coefficient;
-    }
-    return Tensor::from_power(std::move(degrees), std::move(coefficients));
+    degrees[place] = static_cast<int>(kept) - 1;
+    return Tensor::from_power(std::move(degrees), std::move(result));
   }
 
   // Whether no two coefficients have different signs.

@@ -46,7 +46,7 @@ public:
   }
 
   // The surfaces of a system, and the curves on them where a function is zero, which is made only where there are
-  // surfaces.
+  // surfaces. If there are such curves, surfaces are cut along them; if that leaves something undecided, they are not.
   void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
            const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles)
   {
@@ -62,7 +62,16 @@ public:
     if (const Spline_function cusps = feature(); !is_zero_everywhere(cusps)) {
       Constraint_system_d zeros(system);
       zeros.add(cusps, Relation::EQUAL);
-      m_parts.back().cusps = curves_within_budget(zeros, m_budget, {});
+      Envelope_part_3& part = m_parts.back();
+      part.cusps = curves_within_budget(zeros, m_budget, {});
+      if (part.cusps->vertices().empty() || m_budget.must_stop())
+        return;
+      Surface_solution_set_d cut = solve_surfaces(system, {cusps}, m_budget.remaining());
+      Summary work = cut.summary();
+      work.is_complete = true;
+      m_budget.add(work);
+      if (cut.is_complete())
+        part.solutions = std::move(cut);
     }
   }
 

@@ -16,8 +16,8 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Cell_polynomials.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Envelope_collector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Motion_field.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Smooth_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelope_finders.h>
-#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/smooth_normals.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -42,18 +42,18 @@ from the moving space, the surface touches its envelope where
 */
 class Moving_patch
 {
-  Spline_patch<3> m_patch;
-  Vector_of_functions<3> m_normal;
+  const Smooth_surface& m_surface;
+  const Spline_patch<3>& m_patch;
+  const Vector_of_functions<3>& m_normal;
   const Rational_motion_3& m_motion;
   const Motion_part& m_field;
   std::shared_ptr<const Cell_breaks> m_breaks;
 
 public:
-  Moving_patch(const Spline_patch<3>& surface, const Cell_functions<3>& normals, const Rational_motion_3& motion,
-               const Motion_part& field)
-    : m_patch(surface.part({normals.domain(0), normals.domain(1)})), m_normal(normals.splines()), m_motion(motion),
-      m_field(field),
-      m_breaks(std::make_shared<Cell_breaks>(Cell_breaks{normals.breaks(0), normals.breaks(1), field.times}))
+  //! \pre All arguments live longer.
+  Moving_patch(const Smooth_surface& surface, const Rational_motion_3& motion, const Motion_part& field)
+    : m_surface(surface), m_patch(surface.patch), m_normal(surface.normal), m_motion(motion), m_field(field),
+      m_breaks(std::make_shared<Cell_breaks>(Cell_breaks{surface.breaks[0], surface.breaks[1], field.times}))
   {}
 
   Curve_vertex::Exact_box domain() const
@@ -91,7 +91,7 @@ public:
         }
         if (is_divided && !is_pole)
           lines.push_back(line);
-        if (is_pole && has_one_normal(line))
+        if (is_pole && m_surface.has_one_normal(line))
           result.poles.push_back({axis, line.value, !is_divided});
       }
     std::erase_if(lines, [&](const Constant_parameter& line) { return is_copy_on_seam(line); });
@@ -150,7 +150,7 @@ public:
     const std::array<Cell_polynomials, 2> along{factor * determinant(v, b, n), factor * determinant(a, v, n)};
     Cell_polynomials result = scale * times_lengths(determinant(a, b, n) * contact.derivative(2)) -
         along[0] * contact.derivative(0) - along[1] * contact.derivative(1);
-    result = result.without_factor(weight).without_factor(of_time(m_motion.weight()));
+    result = without_weights(result);
     for (const int axis : {0, 1})
       for (const std::size_t end : {std::size_t(0), contact.last_break(axis)})
         if (m_patch.pole(axis, (*m_breaks)[static_cast<std::size_t>(axis)][end])) {
@@ -159,18 +159,13 @@ public:
           while (!result.is_zero() && result.is_zero_on(axis, end))
             result = result.divided_at(axis, end);
         }
-    return result.without_factor(weight);
+    return without_weights(result);
   }
 
   // The unknowns at both ends of which points and normals, or positions and velocities, are the same.
-  std::vector<int> closed_unknowns(const Cell_functions<3>& normals) const
+  std::vector<int> closed_unknowns() const
   {
-    std::vector<int> result;
-    for (const int axis : {0, 1}) {
-      const auto ratio = normals.ratio(axis, normals.size(axis) - 1, 0);
-      if (m_patch.is_closed(axis) && ratio && *ratio > 0)
-        result.push_back(axis);
-    }
+    std::vector<int> result = m_surface.closed_axes();
     if (is_motion_closed())
       result.push_back(2);
     return result;
@@ -193,6 +188,19 @@ private:
       return m_patch.is_rational() ? x.derivative(axis) * s - x * s.derivative(axis) : x.derivative(axis);
     };
     return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+
+  // Without factors of the weights of the surface, if that is a product of functions of one parameter, and the motion.
+  Cell_polynomials without_weights(const Cell_polynomials& f) const
+  {
+    Cell_polynomials result = f.without_factor(part_of(m_motion.weight(), 0, domain()[2]), 2);
+    const Exact_function& weight = m_patch.weight();
+    const std::array<Exact_function, 2> sides{weight.face(1, 0), weight.face(0, 0)};
+    const Exact_rational corner = weight(m_patch.first_corner());
+    const std::vector<std::pair<Exact_rational, Exact_rational>> square{m_patch.domain(0), m_patch.domain(1)};
+    if (!m_patch.is_rational() || !(sides[0].embedded(square, {0}) * sides[1].embedded(square, {1}) == weight * corner))
+      return result;
+    return result.without_factor(sides[0], 0).without_factor(sides[1], 1);
   }
 
   // On each cell times its length in time: the field is that of a time that runs from 0 to 1 there.
@@ -268,20 +276,6 @@ private:
     return result;
   }
 
-  // Whether the direction of the normal is the same along a line.
-  bool has_one_normal(const Constant_parameter& line) const
-  {
-    const Vector_of_functions<3> n = part_of<3>(m_normal, line.axis, {line.value, line.value});
-    const std::array<Exact_rational, 1> begin{n[0].domain(0).first};
-    const std::array<Exact_rational, 3> own{n[0](begin), n[1](begin), n[2](begin)};
-    const auto is_zero = [](const Exact_function& f) {
-      return std::all_of(f.coefficients().begin(), f.coefficients().end(),
-                         [](const Exact_rational& x) { return x == 0; });
-    };
-    return is_zero(n[0] * own[1] - n[1] * own[0]) && is_zero(n[1] * own[2] - n[2] * own[1]) &&
-        is_zero(n[2] * own[0] - n[0] * own[2]) && (own[0] != 0 || own[1] != 0 || own[2] != 0);
-  }
-
   bool is_copy_on_seam(const Constant_parameter& line) const
   {
     return m_patch.is_closed(line.axis) && line.value == m_patch.domain(line.axis).second;
@@ -319,11 +313,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
   Envelope_collector result(options);
   const Spline_patch<3> patch(surface);
   try {
-    const std::vector<Continuous_part<3>> smooth = smooth_normals(patch, [&] { result.budget().check(); });
+    const std::vector<Smooth_surface> smooth = smooth_surfaces(patch, [&] { result.budget().check(); });
     for (const Motion_part& field : motion_parts(motion))
-      for (const Continuous_part<3>& part : smooth) {
+      for (const Smooth_surface& part : smooth) {
         result.budget().check();
-        const Moving_patch moving(patch, part.functions, motion, field);
+        const Moving_patch moving(part, motion, field);
         const Moving_patch::Contact contact = moving.contact();
         if (contact.function.is_zero()) {
           result.add_undecided(moving.domain(), "the surface moves along itself");
@@ -331,7 +325,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
         }
         Constraint_system_d system(moving.domain());
         system.add(contact.function.function(), Relation::EQUAL);
-        const std::vector<int> closed = moving.closed_unknowns(part.functions);
+        const std::vector<int> closed = moving.closed_unknowns();
         result.add(
             system, [&] { return moving.cusps(contact.function).function(); }, moving.image(), closed, contact.poles);
         for (const Constant_parameter& line : contact.touching_lines) {
