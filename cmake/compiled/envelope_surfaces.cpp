@@ -5,4 +5,6 @@
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelope_mesh.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelopes_of_two_surfaces.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/offset_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/sweep_envelopes.h>

@@ -37,6 +37,8 @@
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/envelope_surface.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>

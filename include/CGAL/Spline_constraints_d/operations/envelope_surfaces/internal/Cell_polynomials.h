@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -183,6 +184,19 @@ public:
     return result;
   }
 
+  // Without factors of the weight of a surface in the first two unknowns, if it is a product of functions of one.
+  Cell_polynomials without_weights(const Spline_patch<3>& surface) const
+  {
+    const Exact_function& weight = surface.weight();
+    if (!surface.is_rational())
+      return *this;
+    const std::array<Exact_function, 2> sides{weight.face(1, 0), weight.face(0, 0)};
+    const std::vector<Parameter_range> square{surface.domain(0), surface.domain(1)};
+    if (!(sides[0].embedded(square, {0}) * sides[1].embedded(square, {1}) == weight * weight(surface.first_corner())))
+      return *this;
+    return without_factor(sides[0], 0).without_factor(sides[1], 1);
+  }
+
   // The sign on a cell of the plane of a break where it has one by its coefficients; 1 if there is no such cell.
   int sign_on(int axis, const Exact_rational& value) const
   {
@@ -209,6 +223,20 @@ public:
       if (cells[c][2] == 0)
         result.push_back(m_cells[c].split(2, place).first.face(2, 1).face(axis, side));
     });
+    return result;
+  }
+
+  // Times a positive number, so that the greatest coefficient is one.
+  Cell_polynomials normalized() const
+  {
+    Exact_rational most(0);
+    for (const Tensor& cell : m_cells)
+      for (const Exact_rational& x : cell.coefficients())
+        most = (std::max)(most, Exact_rational(abs(x)));
+    Cell_polynomials result(*this);
+    for (Tensor& cell : result.m_cells)
+      if (most > 0)
+        cell *= Exact_rational(1 / most);
     return result;
   }
 
@@ -313,6 +341,38 @@ private:
     return Tensor(std::move(degrees), std::move(coefficients));
   }
 };
+
+using Cell_vector = std::array<Cell_polynomials, 3>;
+
+inline Cell_polynomials determinant(const Cell_vector& a, const Cell_vector& b, const Cell_vector& c)
+{
+  const auto minor = [&](std::size_t i, std::size_t k) { return a[i] * b[k] - a[k] * b[i]; };
+  return minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2];
+}
+
+// Three functions of the first two unknowns.
+inline Cell_vector cell_vector(const Vector_of_functions<3>& x, const std::shared_ptr<const Cell_breaks>& breaks)
+{
+  const auto coordinate = [&](std::size_t i) { return Cell_polynomials(breaks, x[i], {0, 1}); };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+inline Cell_vector derivative(const Cell_vector& x, int axis)
+{
+  return {x[0].derivative(axis), x[1].derivative(axis), x[2].derivative(axis)};
+}
+
+// The derivative of a surface X / s, whose parameters are the first two unknowns, times s^2.
+inline Cell_vector scaled_tangent(const Spline_patch<3>& surface, const std::shared_ptr<const Cell_breaks>& breaks,
+                                  int axis)
+{
+  const Cell_vector x = cell_vector(surface.numerators(), breaks);
+  if (!surface.is_rational())
+    return derivative(x, axis);
+  const Cell_polynomials s(breaks, surface.weight(), {0, 1}), slope = s.derivative(axis);
+  const auto coordinate = [&](std::size_t i) { return x[i].derivative(axis) * s - x[i] * slope; };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
 
 } // namespace Envelope_surfaces
 } // namespace internal

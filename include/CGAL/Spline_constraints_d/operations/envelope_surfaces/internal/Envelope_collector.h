@@ -45,10 +45,12 @@ public:
     m_undecided.push_back({double_ranges(box), {}, reason});
   }
 
-  // The surfaces of a system, and the curves on them where a function is zero, which is made only where there are
-  // surfaces. If there are such curves, surfaces are cut along them; if that leaves something undecided, they are not.
+  // The surfaces of a system, perhaps only some of them, and the curves on them where a function is zero, which is made
+  // only where there are surfaces. If there are such curves, surfaces are cut along them; if that leaves something
+  // undecided, they are not.
   void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
-           const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles)
+           const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles,
+           const std::function<Surface_solution_set_d(const Surface_solution_set_d&)>& part_of_interest = {})
   {
     if (m_budget.must_stop()) {
       add_undecided(domain_of(system), in_words(m_budget.reason()));
@@ -56,6 +58,8 @@ public:
     }
     Surface_solution_set_d found = solve_surfaces(system, m_budget.remaining());
     m_budget.add(found.summary());
+    if (part_of_interest)
+      found = part_of_interest(found);
     m_parts.push_back({std::move(found), image, std::move(closed_unknowns), std::move(poles)});
     if (!feature || m_parts.back().solutions.patches().empty())
       return;

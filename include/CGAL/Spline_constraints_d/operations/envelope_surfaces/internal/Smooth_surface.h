@@ -53,6 +53,14 @@ struct Smooth_surface
   std::array<std::vector<Exact_rational>, 2> breaks;
   std::array<bool, 2> is_closed; // both ends of an axis: the same points with the same normals
 
+  bool is_degenerate() const
+  {
+    return std::all_of(normal.begin(), normal.end(), [](const Exact_function& f) {
+      return std::all_of(f.coefficients().begin(), f.coefficients().end(),
+                         [](const Exact_rational& x) { return x == 0; });
+    });
+  }
+
   std::vector<int> closed_axes() const
   {
     std::vector<int> result;

@@ -133,24 +133,43 @@ inline void join_at_poles(Solution_surface_mesh& mesh, const std::vector<Envelop
       }
 }
 
-// The triangles of a part, a bit finer where the first ones are not within the error.
+// Whether the image has points without a tangent plane, or a curve of solutions is one point: triangles are not made
+// well-shaped there.
+inline bool is_image_singular(const Envelope_part_3& part)
+{
+  const auto is_at_point = [&](const Surface_arc& arc) {
+    return std::any_of(part.poles.begin(), part.poles.end(), [&](const Envelope_pole& pole) {
+      return pole.is_one_point && arc.plane == pole.unknown &&
+          arc.box[static_cast<std::size_t>(arc.plane)].first == pole.value;
+    });
+  };
+  const std::vector<Surface_arc>& arcs = part.solutions.arcs();
+  return (part.cusps && !part.cusps->vertices().empty()) || std::any_of(arcs.begin(), arcs.end(), is_at_point);
+}
+
+// The triangles of a part; where the first ones are not within the error, edges may turn more, and then all is finer.
 inline Solution_surface_mesh mesh_of(const Envelope_part_3& part, const Surface_mesh_options& options,
                                      Operation_budget& budget)
 {
-  constexpr int most_rounds = 3;
-  constexpr double tolerance = 1.05; // as errors are measured
-  Surface_mesh_options finer = options;
+  constexpr double tolerance = 1.05, any_angle = 10; // errors are measured up to a small part
+  Surface_mesh_options own = options;
+  const bool is_singular = is_image_singular(part);
+  own.is_remeshed = options.is_remeshed && !is_singular;
+  const int most_rounds = part.cusps && !part.cusps->vertices().empty() ? 3 : 6;
   for (int round = 1;; ++round) {
-    Solution_surface_mesh result = to_surface_mesh(part.solutions, part.image, finer, budget.remaining());
+    Solution_surface_mesh result = to_surface_mesh(part.solutions, part.image, own, budget.remaining());
     budget.add(result.summary());
     const bool is_within = result.error <= tolerance * options.chord_error;
-    if (is_within || round == most_rounds || result.error > 2 * options.chord_error || budget.must_stop()) {
-      if (is_within)
-        std::erase_if(result.undecided_parts,
-                      [](const Undecided_part& own) { return own.reason == "triangles with a greater error"; });
+    if (is_within || round == most_rounds || budget.must_stop()) {
+      std::erase_if(result.undecided_parts,
+                    [](const Undecided_part& place) { return place.reason == "triangles with a greater error"; });
+      if (!is_within)
+        result.undecided_parts.push_back({{}, {}, "triangles with a greater error"});
       return result;
     }
-    finer.chord_error *= 0.9 * options.chord_error / result.error;
+    if (round > 1)
+      own.chord_error *= (std::max)(0.25, 0.9 * options.chord_error / result.error);
+    own.angle = any_angle;
   }
 }
 

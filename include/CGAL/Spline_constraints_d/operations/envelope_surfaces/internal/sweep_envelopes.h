@@ -143,7 +143,8 @@ public:
   */
   Cell_polynomials cusps(const Cell_polynomials& contact) const
   {
-    const Cell_vector n = normal(), v = velocity(), a = tangent(0), b = tangent(1);
+    const Cell_vector n = normal(), v = velocity(), a = scaled_tangent(m_patch, m_breaks, 0),
+                      b = scaled_tangent(m_patch, m_breaks, 1);
     const Cell_polynomials weight = of_surface(m_patch.weight()), speed(m_breaks, m_field.speed, 2),
                            scale(m_breaks, m_field.scale, 2);
     const Cell_polynomials factor = speed * (m_field.is_translation() ? weight * weight : weight);
@@ -172,35 +173,10 @@ public:
   }
 
 private:
-  using Cell_vector = std::array<Cell_polynomials, 3>;
-
-  static Cell_polynomials determinant(const Cell_vector& a, const Cell_vector& b, const Cell_vector& c)
-  {
-    const auto minor = [&](std::size_t i, std::size_t k) { return a[i] * b[k] - a[k] * b[i]; };
-    return minor(1, 2) * c[0] + minor(2, 0) * c[1] + minor(0, 1) * c[2];
-  }
-
-  // The derivative of X / s by u or v, times s^2.
-  Cell_vector tangent(int axis) const
-  {
-    const auto coordinate = [&](std::size_t i) {
-      const Cell_polynomials x = of_surface(m_patch.numerators()[i]), s = of_surface(m_patch.weight());
-      return m_patch.is_rational() ? x.derivative(axis) * s - x * s.derivative(axis) : x.derivative(axis);
-    };
-    return {coordinate(0), coordinate(1), coordinate(2)};
-  }
-
-  // Without factors of the weights of the surface, if that is a product of functions of one parameter, and the motion.
+  // Without factors of the weights of surface and motion.
   Cell_polynomials without_weights(const Cell_polynomials& f) const
   {
-    Cell_polynomials result = f.without_factor(part_of(m_motion.weight(), 0, domain()[2]), 2);
-    const Exact_function& weight = m_patch.weight();
-    const std::array<Exact_function, 2> sides{weight.face(1, 0), weight.face(0, 0)};
-    const Exact_rational corner = weight(m_patch.first_corner());
-    const std::vector<std::pair<Exact_rational, Exact_rational>> square{m_patch.domain(0), m_patch.domain(1)};
-    if (!m_patch.is_rational() || !(sides[0].embedded(square, {0}) * sides[1].embedded(square, {1}) == weight * corner))
-      return result;
-    return result.without_factor(sides[0], 0).without_factor(sides[1], 1);
+    return f.without_factor(part_of(m_motion.weight(), 0, domain()[2]), 2).without_weights(m_patch);
   }
 
   // On each cell times its length in time: the field is that of a time that runs from 0 to 1 there.
@@ -327,7 +303,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
         system.add(contact.function.function(), Relation::EQUAL);
         const std::vector<int> closed = moving.closed_unknowns();
         result.add(
-            system, [&] { return moving.cusps(contact.function).function(); }, moving.image(), closed, contact.poles);
+            system, [&] { return moving.cusps(contact.function).normalized().function(); }, moving.image(), closed,
+            contact.poles);
         for (const Constant_parameter& line : contact.touching_lines) {
           const Moving_patch::Swept_line swept = moving.swept(line, contact);
           std::vector<int> closed_of_line = closed;
