@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the programs for envelope surfaces have in common: operands from files, the counts as the last line, a picture
+// with the surface, its cuspidal edges and the operands, or a file of triangles.
+#ifndef ENVELOPE_OUTPUT_H
+#define ENVELOPE_OUTPUT_H
+
+#include <CGAL/Spline_constraints_d/IO/Scene_3.h>
+#include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
+#include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+
+#include <CGAL/IO/Color.h>
+
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using Kernel_of_operands = CGAL::Simple_cartesian<double>;
+using Surface_operand = CGAL::Spline_constraints::Bspline_surface_3<Kernel_of_operands>;
+using Curve_operand = CGAL::Spline_constraints::Bspline_curve_3<Kernel_of_operands>;
+
+inline auto operands_in(const std::string& path)
+{
+  namespace IO = CGAL::Spline_constraints::IO;
+  return path.ends_with(".g2") ? IO::read_g2<Kernel_of_operands>(path) : IO::read_IRIT<Kernel_of_operands>(path);
+}
+
+inline Surface_operand surface_in(const std::string& path)
+{
+  const auto file = operands_in(path);
+  if (file.surfaces_3.empty())
+    throw CGAL::Spline_constraints::Invalid_input(path + ": no surface");
+  return file.surfaces_3.front().object;
+}
+
+inline Curve_operand curve_in(const std::string& path)
+{
+  const auto file = operands_in(path);
+  if (file.curves_3.empty())
+    throw CGAL::Spline_constraints::Invalid_input(path + ": no curve in space");
+  return file.curves_3.front().object;
+}
+
+// Of an operand, for pictures.
+inline CGAL::Surface_mesh<Kernel_of_operands::Point_3> grid_on(const Surface_operand& surface, int steps = 24)
+{
+  CGAL::Surface_mesh<Kernel_of_operands::Point_3> result;
+  const auto parameter = [&](int axis, int i) {
+    const auto [begin, end] = surface.domain(axis);
+    return i == steps ? end : begin + (end - begin) * i / steps;
+  };
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j)
+      result.add_vertex(surface(parameter(0, i), parameter(1, j)));
+  using Vertex = CGAL::Surface_mesh<Kernel_of_operands::Point_3>::Vertex_index;
+  const auto at = [&](int i, int j) { return Vertex(static_cast<unsigned>(i * (steps + 1) + j)); };
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      result.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      result.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return result;
+}
+
+// The surface in blue, of which the other side is orange, with boundaries, and cuspidal edges in red.
+inline void add_envelope(CGAL::Spline_constraints::Scene_3& scene,
+                         const CGAL::Spline_constraints::Solution_surface_mesh& mesh)
+{
+  scene.add(mesh.mesh,
+            {.color = CGAL::IO::Color(150, 195, 235), .back = CGAL::IO::Color(240, 190, 120), .has_edges = false});
+  for (const auto e : mesh.mesh.edges()) {
+    const auto h = mesh.mesh.halfedge(e);
+    const auto p = mesh.mesh.source(h), q = mesh.mesh.target(h);
+    const auto is_cusp = [&](const auto v) { return mesh.unknowns[v].size() > 3 && mesh.unknowns[v].back() == 0; };
+    const std::vector line{mesh.mesh.point(p), mesh.mesh.point(q)};
+    if (mesh.is_feature[e] && is_cusp(p) && is_cusp(q))
+      scene.add_polyline(line, {.color = "#c00020", .width = 3, .nearer = 0.02});
+    else if (mesh.mesh.is_border(e))
+      scene.add_polyline(line, {.color = "#335", .width = 1.5});
+  }
+}
+
+// Prints the counts, and what is undecided. Exit status: 0 when nothing is, 3 when something is.
+inline int print_envelope(const CGAL::Spline_constraints::Envelope_surface_3& surface)
+{
+  for (const auto& part : surface.undecided())
+    std::cout << part << '\n';
+  std::cout << surface << '\n';
+  return surface.is_complete() ? 0 : 3;
+}
+
+// Triangles alone into .off, .ply and .stl, with all unknowns, normals and curvatures into .vtp.
+inline void write_envelope(const std::string& path, const CGAL::Spline_constraints::Solution_surface_mesh& mesh)
+{
+  std::ofstream out(path);
+  out.precision(17);
+  if (path.ends_with(".off"))
+    CGAL::IO::write_OFF(out, mesh.mesh);
+  else if (path.ends_with(".ply"))
+    CGAL::IO::write_PLY(out, mesh.mesh);
+  else if (path.ends_with(".stl"))
+    CGAL::IO::write_STL(out, mesh.mesh);
+  else if (path.ends_with(".vtp"))
+    CGAL::Spline_constraints::IO::write_VTP(out, mesh);
+  else
+    throw CGAL::Spline_constraints::Invalid_input("--output: " + path + " ends neither with .off, .ply, .stl nor .vtp");
+  if (!out.flush())
+    throw CGAL::Spline_constraints::Invalid_input("--output: " + path + " cannot be written");
+}
+
+#endif // ENVELOPE_OUTPUT_H
