@@ -21,13 +21,15 @@ namespace Spline_constraints {
 namespace internal {
 namespace Envelope_surfaces {
 
-// Defined in sweep_envelopes.h, offset_surfaces.h and envelopes_of_two_surfaces.h; the compiled library has them.
+// Defined in the header of each operation in this folder; the compiled library has them.
 Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface, const Rational_motion_3& motion,
                                      const Solver_options& options);
 Envelope_surface_3 offset_surface_of(const Exact_map<3>& surface, const Exact_rational& distance,
                                      const Solver_options& options);
 Envelope_surface_3 envelope_surface_of(const Exact_map<3>& first, const Exact_map<3>& second,
                                        const Solver_options& options);
+Envelope_surface_3 curve_surface_bisector_of(const Exact_map<3>& curve, const Exact_map<3>& surface,
+                                             const Exact_rational& radius, const Solver_options& options);
 
 } // namespace Envelope_surfaces
 } // namespace internal
