@@ -79,7 +79,7 @@ inline void add_envelope(CGAL::Spline_constraints::Scene_3& scene,
     const auto p = mesh.mesh.source(h), q = mesh.mesh.target(h);
     const auto is_cusp = [&](const auto v) { return mesh.unknowns[v].size() > 3 && mesh.unknowns[v].back() == 0; };
     const std::vector line{mesh.mesh.point(p), mesh.mesh.point(q)};
-    if (mesh.is_feature[e] && is_cusp(p) && is_cusp(q))
+    if (mesh.is_feature[e] && !mesh.mesh.is_border(e) && is_cusp(p) && is_cusp(q))
       scene.add_polyline(line, {.color = "#c00020", .width = 3, .nearer = 0.02});
     else if (mesh.mesh.is_border(e))
       scene.add_polyline(line, {.color = "#335", .width = 1.5});
