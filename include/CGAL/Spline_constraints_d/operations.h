@@ -102,6 +102,8 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/visible_regions.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/Swept_volume_3.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Kernel_edge_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Region_kernel_2.h>
 #include <CGAL/Spline_constraints_d/operations/visibility/Visible_edge_2.h>

@@ -27,6 +27,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
 - `envelope_surfaces`: surfaces that solutions of constraints give: envelopes of moving surfaces, offsets, bisectors.
+- `swept_volumes`: the boundary of what a moving solid sweeps, as a closed mesh.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
 - `joints`: ends of curves that nearly meet, joined exactly.
 - `convex_hull`: convex hulls of curves.
@@ -86,6 +87,11 @@ namespace Envelope_surfaces {
 using namespace Common;
 using namespace Intersections;
 using namespace Surface_curves;
+}
+namespace Swept_volumes {
+using namespace Common;
+using namespace Surface_curves;
+using namespace Envelope_surfaces;
 }
 namespace Curve_features {
 using namespace Common;

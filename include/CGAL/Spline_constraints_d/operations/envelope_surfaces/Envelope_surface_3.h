@@ -69,6 +69,10 @@ struct Envelope_part_3
   //! the curves of solutions whose images are cuspidal edges, or points, where that is looked for; nothing if it is
   //! not. They are those of the same unknowns.
   std::optional<Curve_solution_set_d> cusps = std::nullopt;
+
+  //! the unknown that has one value on all of the part, with this value: a line of a surface touches its envelope all
+  //! the time.
+  std::optional<std::pair<int, Exact_rational>> constant_unknown = std::nullopt;
 };
 
 /*!

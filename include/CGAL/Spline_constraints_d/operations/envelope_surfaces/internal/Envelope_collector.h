@@ -50,7 +50,8 @@ public:
   // undecided, they are not.
   void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
            const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles,
-           const std::function<Surface_solution_set_d(const Surface_solution_set_d&)>& part_of_interest = {})
+           const std::function<Surface_solution_set_d(const Surface_solution_set_d&)>& part_of_interest = {},
+           const std::optional<std::pair<int, Exact_rational>>& constant_unknown = std::nullopt)
   {
     if (m_budget.must_stop()) {
       add_undecided(domain_of(system), in_words(m_budget.reason()));
@@ -61,6 +62,7 @@ public:
     if (part_of_interest)
       found = part_of_interest(found);
     m_parts.push_back({std::move(found), image, std::move(closed_unknowns), std::move(poles)});
+    m_parts.back().constant_unknown = constant_unknown;
     if (!feature || m_parts.back().solutions.patches().empty())
       return;
     if (const Spline_function cusps = feature(); !is_zero_everywhere(cusps)) {

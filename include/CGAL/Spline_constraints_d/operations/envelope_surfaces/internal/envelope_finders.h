@@ -21,9 +21,12 @@ namespace Spline_constraints {
 namespace internal {
 namespace Envelope_surfaces {
 
+// Why there is no envelope of a part of a surface.
+inline constexpr const char* moves_along_itself = "the surface moves along itself";
+
 // Defined in the header of each operation in this folder; the compiled library has them.
 Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface, const Rational_motion_3& motion,
-                                     const Solver_options& options);
+                                     const Solver_options& options, bool finds_cusps = true);
 Envelope_surface_3 offset_surface_of(const Exact_map<3>& surface, const Exact_rational& distance,
                                      const Solver_options& options);
 Envelope_surface_3 envelope_surface_of(const Exact_map<3>& first, const Exact_map<3>& second,

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -284,7 +285,7 @@ inline std::vector<Envelope_pole> poles_beside(const Constant_parameter& line, s
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface,
                                                                     const Rational_motion_3& motion,
-                                                                    const Solver_options& options)
+                                                                    const Solver_options& options, bool finds_cusps)
 {
   Envelope_collector result(options);
   const Spline_patch<3> patch(surface);
@@ -296,20 +297,21 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
         const Moving_patch moving(part, motion, field);
         const Moving_patch::Contact contact = moving.contact();
         if (contact.function.is_zero()) {
-          result.add_undecided(moving.domain(), "the surface moves along itself");
+          result.add_undecided(moving.domain(), moves_along_itself);
           continue;
         }
         Constraint_system_d system(moving.domain());
         system.add(contact.function.function(), Relation::EQUAL);
         const std::vector<int> closed = moving.closed_unknowns();
-        result.add(
-            system, [&] { return moving.cusps(contact.function).normalized().function(); }, moving.image(), closed,
-            contact.poles);
+        const auto cusps = [&] { return moving.cusps(contact.function).normalized().function(); };
+        result.add(system, finds_cusps ? cusps : std::function<Spline_function()>(), moving.image(), closed,
+                   contact.poles);
         for (const Constant_parameter& line : contact.touching_lines) {
           const Moving_patch::Swept_line swept = moving.swept(line, contact);
           std::vector<int> closed_of_line = closed;
           std::erase(closed_of_line, line.axis);
-          result.add(swept.system, {}, swept.image, closed_of_line, poles_beside(line, contact.poles));
+          result.add(swept.system, {}, swept.image, closed_of_line, poles_beside(line, contact.poles), {},
+                     std::pair(line.axis, line.value));
         }
       }
   } catch (const Run_stopped& stop) {

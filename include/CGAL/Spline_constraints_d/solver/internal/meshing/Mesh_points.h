@@ -42,6 +42,7 @@ class Mesh_points
   Surface_points m_surface;
   Surface_image m_image;
   std::vector<Mesh_point> m_points;
+  double m_extent = 0; // the greatest coordinate of an image
   std::vector<Surface_points::Double_ranges> m_around_arc, m_around_patch; // their boxes, where they were needed
   std::vector<std::map<std::pair<std::size_t, std::size_t>, std::optional<std::size_t>>> m_inside; // see add_inside()
 
@@ -69,9 +70,14 @@ public:
   std::size_t add(std::size_t patch, std::vector<double> unknowns, std::vector<int> fixed = {})
   {
     const Surface_image::Point image = m_image(patch, unknowns);
+    for (int k = 0; k < 3; ++k)
+      m_extent = (std::max)(m_extent, std::abs(image[k]));
     m_points.push_back({std::move(unknowns), image, patch, std::move(fixed)});
     return m_points.size() - 1;
   }
+
+  // Keeps a place free that no triangle needs.
+  void add_unused() { m_points.push_back({{}, Surface_image::Point(0, 0, 0), 0, {}}); }
 
   // Adds the point of an arc whose parameter is in the middle between those of two others; none if they are too near.
   std::optional<std::size_t> add_between(std::size_t arc, std::size_t patch, std::size_t a, std::size_t b)
@@ -114,20 +120,22 @@ public:
   }
 
   // Whether the chord between two points is near enough to a point of the surface between them, and short enough. Where
-  // the surface turns in a point or a short curve, angles do not matter in the end.
+  // the surface turns in a point or a short curve, angles do not matter in the end; nor do they where the image of an
+  // arc is one point, but for rounding.
   bool is_fine(std::size_t a, std::size_t middle, std::size_t b) const
   {
     return is_fine(m_points[a].image, m_points[middle].image, m_points[b].image);
   }
   bool is_fine(const Surface_image::Point& p, const Surface_image::Point& middle, const Surface_image::Point& q) const
   {
-    constexpr double share = 1.0 / 16;
+    constexpr double share = 1.0 / 16, rounding = 0x1p-44;
     const double length = std::sqrt(CGAL::squared_distance(p, q)), distance = distance_from_chord(p, middle, q);
     const bool is_flat =
         8 * distance <= m_options.angle * length; // a circle turns by 8 times its sagitta over the chord
     const bool is_tiny = std::isfinite(m_options.chord_error) &&
         (distance <= share * m_options.chord_error || length <= m_options.chord_error);
-    return distance <= m_options.chord_error && length <= m_options.edge_length && (is_flat || is_tiny);
+    const bool is_rounding = distance <= rounding * m_extent;
+    return distance <= m_options.chord_error && length <= m_options.edge_length && (is_flat || is_tiny || is_rounding);
   }
 
   static double distance_from_chord(const Surface_image::Point& p, const Surface_image::Point& middle,

@@ -81,23 +81,28 @@ private:
   void add_vertices()
   {
     std::vector<std::set<int>> planes(m_set.vertices().size());
-    std::vector<std::size_t> patch(m_set.vertices().size());
+    std::vector<std::optional<std::size_t>> patch(m_set.vertices().size());
     for (std::size_t a = m_set.arcs().size(); a-- > 0;)
       for (const std::size_t end : m_set.arcs()[a].ends) {
         planes[end].insert(m_set.arcs()[a].plane);
-        patch[end] = m_patches_of_arc[a].front();
+        if (!m_patches_of_arc[a].empty())
+          patch[end] = m_patches_of_arc[a].front();
       }
     for (std::size_t p = 0; p < m_set.patches().size(); ++p)
       if (const std::optional<std::size_t> apex = m_set.patches()[p].apex)
         patch[*apex] = p;
     for (std::size_t i = 0; i < m_set.vertices().size(); ++i) {
+      if (!patch[i]) {   // of a curve or a point in which a surface touches the domain
+        m_points.add_unused();
+        continue;
+      }
       std::vector<int> fixed(planes[i].begin(), planes[i].end());
       std::vector<double> point = m_set.vertices()[i].point();
       std::vector<double> moved = point;
-      if (fixed.size() == 2 && m_points.surface().move_to_surface(patch[i], fixed, moved) &&
+      if (fixed.size() == 2 && m_points.surface().move_to_surface(*patch[i], fixed, moved) &&
           Surface_points::is_in(Surface_points::around(m_set.vertices()[i].box), moved))
         point = std::move(moved);
-      m_points.add(patch[i], std::move(point), std::move(fixed));
+      m_points.add(*patch[i], std::move(point), std::move(fixed));
     }
   }
 
@@ -113,7 +118,7 @@ private:
   {
     constexpr int most_depth = 24;
     const Surface_arc& arc = m_set.arcs()[a];
-    if (arc.parameter >= 0 && depth < most_depth)
+    if (arc.parameter >= 0 && !m_patches_of_arc[a].empty() && depth < most_depth && !m_control.must_stop(false))
       if (const std::optional<std::size_t> middle = m_points.add_between(a, m_patches_of_arc[a].front(), from, to);
           middle && (depth == 0 || !m_points.is_fine(from, *middle, to))) {
         append(a, from, *middle, depth + 1);

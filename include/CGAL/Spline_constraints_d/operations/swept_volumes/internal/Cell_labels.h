@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_CELL_LABELS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_CELL_LABELS_H
+
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/Swept_volume_3.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/Sweep_membership.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Boundary_of_cells.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Shell_samples.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/number_of_components.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Swept_volumes {
+
+// Which cells of triangles are swept: by a certified test of their deepest points. Cells that are no deeper than the
+// chord error are taken as their neighbours are.
+class Cell_labels
+{
+  const Triangle_complex& m_complex;
+  const Triangle_shells& m_shells;
+  std::vector<std::optional<Shell_sample>> m_samples;
+  std::vector<bool> m_is_inside;
+  std::vector<std::size_t> m_thin; // shells
+  std::vector<Thin_cell> m_thin_cells;
+  std::vector<Undecided_part> m_undecided;
+  double m_rounding = 0; // of points
+
+public:
+  Cell_labels(const Triangle_complex& complex, const Triangle_shells& shells, double chord_error,
+              Sweep_membership is_swept)
+    : m_complex(complex), m_shells(shells), m_samples(Shell_samples(complex, shells)()),
+      m_is_inside(shells.number_of_shells(), false)
+  {
+    for (std::size_t shell = 0; shell < m_samples.size(); ++shell)
+      if (const auto& sample = m_samples[shell]; !sample || sample->depth <= chord_error)
+        m_thin.push_back(shell);
+      else if (const std::optional<bool> answer = is_swept(exact(sample->point)))
+        m_is_inside[shell] = *answer;
+      else {
+        m_thin.push_back(shell);
+        add_undecided(sample->point, "whether this point is swept, and the cell around it");
+      }
+    join_thin_cells();
+    check_thin_cells(is_swept);
+  }
+
+  const std::vector<bool>& is_inside() const { return m_is_inside; }
+  const std::vector<Thin_cell>& thin_cells() const { return m_thin_cells; }
+  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
+
+private:
+  static constexpr std::size_t m_most_checked = 64;
+
+  static std::array<Exact_rational, 3> exact(const Double_kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+  void add_undecided(const Double_kernel::Point_3& p, const std::string& reason)
+  {
+    m_undecided.push_back({{{p.x(), p.x()}, {p.y(), p.y()}, {p.z(), p.z()}}, {}, reason});
+  }
+
+  // Each one is as the neighbours are that it has the largest area in common with, those that are known first.
+  void join_thin_cells()
+  {
+    std::vector<bool> is_known(m_is_inside.size(), true);
+    for (std::size_t shell : m_thin)
+      is_known[shell] = false;
+    std::vector<std::map<std::size_t, double>> area(m_is_inside.size());
+    for (std::size_t i = 0; i < m_complex.triangles.size(); ++i) {
+      const std::size_t one = m_shells.shell_of(i, 0), other = m_shells.shell_of(i, 1);
+      if (one == other || (is_known[one] && is_known[other]))
+        continue;
+      area[one][other] += area_of(i);
+      area[other][one] += area_of(i);
+    }
+    for (bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for (std::size_t shell : m_thin) {
+        if (is_known[shell])
+          continue;
+        double inside = 0, outside = 0;
+        for (const auto& [next, common] : area[shell])
+          if (is_known[next])
+            (m_is_inside[next] ? inside : outside) += common;
+        if (inside == 0 && outside == 0)
+          continue;
+        m_is_inside[shell] = inside > outside;
+        is_known[shell] = has_changed = true;
+      }
+    }
+  }
+
+  double area_of(std::size_t triangle) const
+  {
+    const auto corner = [&](std::size_t k) {
+      const auto& p = m_complex.points[m_complex.triangles[triangle][k]];
+      return Double_kernel::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    };
+    return std::sqrt(Double_kernel::Triangle_3(corner(0), corner(1), corner(2)).squared_area());
+  }
+
+  // The number of connected parts, and the Euler characteristic.
+  std::pair<std::size_t, int> topology_of_boundary() const
+  {
+    const auto mesh = Boundary_of_cells(m_complex, m_shells, m_is_inside)();
+    return {number_of_components(mesh),
+            static_cast<int>(mesh.number_of_vertices() + mesh.number_of_faces()) -
+                static_cast<int>(mesh.number_of_edges())};
+  }
+
+  // A thin cell is as its neighbours are, where that is proved of a point of it. Otherwise it is asked whether the
+  // boundary would have another topology with the cell the other way; but for cells that are thinner than points are
+  // rounded.
+  void check_thin_cells(Sweep_membership& is_swept)
+  {
+    const std::vector<Double_kernel::Point_3> places = places_of_shells();
+    const std::pair<std::size_t, int> topology = topology_of_boundary();
+    std::size_t checked = 0;
+    for (const std::size_t shell : m_thin) {
+      const auto& sample = m_samples[shell];
+      const auto& p = sample ? sample->point : places[shell];
+      m_thin_cells.push_back({{p.x(), p.y(), p.z()}, sample ? sample->depth : 0});
+      if (m_thin_cells.back().depth <= m_rounding || is_swept(exact(p)) == m_is_inside[shell])
+        continue;
+      if (++checked > m_most_checked) {
+        add_undecided(p, "a thin cell, one of more than are looked at");
+        continue;
+      }
+      m_is_inside[shell] = !m_is_inside[shell];
+      if (topology_of_boundary() != topology)
+        add_undecided(p, "the boundary may have another topology at a thin cell");
+      m_is_inside[shell] = !m_is_inside[shell];
+    }
+  }
+
+  // A corner of each.
+  std::vector<Double_kernel::Point_3> places_of_shells()
+  {
+    std::vector<Double_kernel::Point_3> result(m_shells.number_of_shells());
+    double extent = 0;
+    for (std::size_t i = 0; i < m_complex.triangles.size(); ++i) {
+      const auto& p = m_complex.points[m_complex.triangles[i][0]];
+      const Double_kernel::Point_3 rounded(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      for (int side : {0, 1})
+        result[m_shells.shell_of(i, side)] = rounded;
+      extent = (std::max)({extent, std::abs(rounded.x()), std::abs(rounded.y()), std::abs(rounded.z())});
+    }
+    m_rounding = 0x1p-40 * extent;
+    return result;
+  }
+};
+
+} // namespace Swept_volumes
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_CELL_LABELS_H

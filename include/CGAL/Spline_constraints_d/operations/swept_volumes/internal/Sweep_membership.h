@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SWEEP_MEMBERSHIP_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SWEEP_MEMBERSHIP_H
+
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Swept_volumes {
+
+// Tells, with proof, when a point lies in a moving solid: its path, seen from the solid, enters and leaves through the
+// boundary, where T(u, v, t) is the point.
+class Sweep_membership
+{
+  using Point = std::array<Exact_rational, 3>;
+  using Times = std::vector<std::pair<Exact_rational, Exact_rational>>;
+
+  const Common::Spline_patch<3>& m_boundary;
+  const Rational_motion_3& m_motion;
+  Common::Operation_budget& m_budget;
+
+public:
+  Sweep_membership(const Common::Spline_patch<3>& boundary, const Rational_motion_3& motion,
+                   Common::Operation_budget& budget)
+    : m_boundary(boundary), m_motion(motion), m_budget(budget)
+  {}
+
+  // Whether it does so at any time; nothing, where that was not decided.
+  std::optional<bool> operator()(const Point& point)
+  {
+    const std::optional<Times> times = times_on_boundary(point);
+    if (!times)
+      return std::nullopt;
+    return times->empty() ? is_inside_at(m_motion.domain().first, point) : true;
+  }
+
+  // The intervals of time at which it does, by enclosures of their ends; nothing, where they were not decided.
+  std::optional<Times> intervals(const Point& point)
+  {
+    const std::optional<Times> times = times_on_boundary(point);
+    if (!times)
+      return std::nullopt;
+    const auto [begin, end] = m_motion.domain();
+    const std::optional<bool> is_inside = is_inside_at(begin, point);
+    if (!is_inside)
+      return std::nullopt;
+    Times result;
+    std::vector<Exact_rational> ends;
+    if (*is_inside)
+      ends.push_back(begin);
+    for (const auto& time : *times)
+      ends.push_back(Exact_rational((time.first + time.second) / 2));
+    if (ends.size() % 2 == 1)
+      ends.push_back(end);
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+      result.emplace_back(ends[i], ends[i + 1]);
+    return result;
+  }
+
+private:
+  // When the boundary passes the point, one time after the other; nothing, unless it surely goes through each time.
+  std::optional<Times> times_on_boundary(const Point& point)
+  {
+    Exact_ranges box{m_boundary.domain(0), m_boundary.domain(1), m_motion.domain()};
+    Constraint_system_d system(box);
+    const std::vector<Unknown> x = unknowns_in(box);
+    const Vector_expression<3> moved = image(x);
+    for (std::size_t i = 0; i < 3; ++i)
+      system.add(moved[i] == point[i]);
+    return certified_ranges(system, 2);
+  }
+
+  // By a ray from the point, as it lies in the solid at this time.
+  std::optional<bool> is_inside_at(const Exact_rational& time, const Point& point)
+  {
+    const auto map = m_motion.inverse(time);
+    const auto own = map.transform(Rational_motion_3::Kernel::Point_3(point[0], point[1], point[2]));
+    Exact_rational length = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Common::Rational_interval range = m_boundary.values()[i];
+      length += Exact_rational(range.upper - range.lower);
+    }
+    for (const std::array<int, 3>& direction : {std::array{3, 5, 7}, std::array{-5, 7, 3}, std::array{7, -3, 5}}) {
+      Exact_ranges box{m_boundary.domain(0), m_boundary.domain(1), {Exact_rational(0), length}};
+      Constraint_system_d system(box);
+      const std::vector<Unknown> x = unknowns_in(box);
+      const Vector_expression<3> surface = Common::Parametric_vector<3>(m_boundary)(std::span(x).first(2));
+      for (int i = 0; i < 3; ++i)
+        system.add(surface[static_cast<std::size_t>(i)] - x[2] * direction[static_cast<std::size_t>(i)] == own[i]);
+      if (const std::optional<Times> hits = certified_ranges(system, 2))
+        return hits->size() % 2 == 1;
+    }
+    return std::nullopt;
+  }
+
+  // The ranges of one unknown in all solutions, in order; nothing, unless all are regular and told apart.
+  std::optional<Times> certified_ranges(const Constraint_system_d& system, int unknown)
+  {
+    if (m_budget.must_stop())
+      return std::nullopt;
+    const auto solutions = Subdivision_solver_d<>(m_budget.remaining())(system);
+    m_budget.add(solutions.summary());
+    if (!solutions.is_complete())
+      return std::nullopt;
+    Times result;
+    for (const auto& solution : solutions) {
+      if (solution.kind() != Solution_kind::CERTIFIED)
+        return std::nullopt;
+      result.emplace_back(solution[unknown].first, solution[unknown].second);
+    }
+    std::sort(result.begin(), result.end());
+    for (std::size_t i = 1; i < result.size(); ++i)
+      if (result[i].first <= result[i - 1].second)
+        return std::nullopt;
+    return result;
+  }
+
+  Vector_expression<3> image(const std::vector<Unknown>& x) const
+  {
+    const Vector_expression<3> point = Common::Parametric_vector<3>(m_boundary)(std::span(x).first(2));
+    const auto column = [&](std::size_t k) { return Spline_map<1, 3>(m_motion.columns()[k], m_motion.weight())(x[2]); };
+    return column(0) * point[0] + column(1) * point[1] + column(2) * point[2] + column(3);
+  }
+};
+
+} // namespace Swept_volumes
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SWEEP_MEMBERSHIP_H

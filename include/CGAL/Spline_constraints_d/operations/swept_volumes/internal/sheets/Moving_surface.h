@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SHEETS_MOVING_SURFACE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SHEETS_MOVING_SURFACE_H
+
+#include <CGAL/Spline_constraints_d/function/internal/Values_at_point.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Triangle_complex.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Swept_volumes {
+
+// Two parameters of a surface, and a time.
+using Place = std::array<double, 3>;
+
+// A moving surface in doubles.
+class Moving_surface
+{
+  using Function = Bspline_function<double>;
+  using Vector = Double_kernel::Vector_3;
+  using Point = Double_kernel::Point_3;
+
+  std::array<Function, 3> m_numerators;
+  Function m_weight;
+  std::array<std::array<Function, 3>, 4> m_columns;
+  Function m_motion_weight;
+  double m_sign = 1;
+  mutable double m_time = std::numeric_limits<double>::quiet_NaN(); // of the map that is known
+  mutable std::array<std::array<double, 3>, 4> m_map;
+
+public:
+  Moving_surface(const Common::Spline_patch<3>& surface, const Rational_motion_3& motion)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      m_numerators[i] = in_doubles(surface.numerators()[i]);
+    m_weight = in_doubles(surface.weight());
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < 3; ++i)
+        m_columns[k][i] = in_doubles(motion.columns()[k][i]);
+    m_motion_weight = in_doubles(motion.weight());
+  }
+
+  Point operator()(const Place& place) const
+  {
+    const Values_at_point<double> value(m_weight, std::span<const double>(place.data(), 2));
+    const double s = value(m_weight);
+    const std::array<double, 3> x{value(m_numerators[0]) / s, value(m_numerators[1]) / s, value(m_numerators[2]) / s};
+    if (!(place[2] == m_time))
+      set_time(place[2]);
+    const auto coordinate = [&](std::size_t i) {
+      return m_map[0][i] * x[0] + m_map[1][i] * x[1] + m_map[2][i] * x[2] + m_map[3][i];
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+
+  // The normal is -T_u x T_v, or T_u x T_v.
+  void set_turned(bool is_turned) { m_sign = is_turned ? -1 : 1; }
+
+  // The velocity times the normal, which points outwards.
+  double speed_along_normal(const Place& place) const
+  {
+    const std::span<const double> parameters(place.data(), 2), time(place.data() + 2, 1);
+    const auto s = m_weight.value_and_gradient(parameters);
+    const auto w = m_motion_weight.value_and_gradient(time);
+    std::array<double, 3> x;
+    std::array<std::array<double, 3>, 2> along;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto f = m_numerators[i].value_and_gradient(parameters);
+      x[i] = f.value / s.value;
+      for (std::size_t j = 0; j < 2; ++j)
+        along[j][i] = (f.gradient[j] - x[i] * s.gradient[j]) / s.value;
+    }
+    std::array<double, 3> velocity;
+    std::array<std::array<double, 3>, 2> tangent{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto c = m_columns[3][i].value_and_gradient(time);
+      double value = c.value, change = c.gradient[0];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto m = m_columns[k][i].value_and_gradient(time);
+        value += m.value * x[k];
+        change += m.gradient[0] * x[k];
+        for (std::size_t j = 0; j < 2; ++j)
+          tangent[j][i] += m.value * along[j][k];
+      }
+      velocity[i] = change - value / w.value * w.gradient[0];
+    }
+    return m_sign * (vector(velocity) * CGAL::cross_product(vector(tangent[0]), vector(tangent[1])));
+  }
+
+private:
+  void set_time(double t) const
+  {
+    const std::span<const double> time(&t, 1);
+    const double w = m_motion_weight(time);
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < 3; ++i)
+        m_map[k][i] = m_columns[k][i](time) / w;
+    m_time = t;
+  }
+
+  static Function in_doubles(const Bspline_function<Exact_rational>& f)
+  {
+    return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
+  }
+
+  static Vector vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+};
+
+} // namespace Swept_volumes
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SHEETS_MOVING_SURFACE_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Swept volumes against closed forms, as the mesh gets finer, and against exact membership; exact arrangements of
+// triangles.
+
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace swept_volume_test {
+
+namespace SC = CGAL::Spline_constraints;
+using Rational = SC::Exact_rational;
+using K = CGAL::Simple_cartesian<Rational>;
+using Point = K::Point_3;
+using Vector = K::Vector_3;
+using Surface = SC::Bspline_surface_3<K>;
+using Curve = SC::Bspline_curve_3<K>;
+using Motion = SC::Rational_motion_3;
+using Function = Motion::Function;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Surface ball(const Rational& radius) { return SC::sphere_surface<K>(Point(0, 0, 0), radius); }
+
+Surface ellipsoid(const Rational& a, const Rational& b, const Rational& c)
+{
+  return ball(1).transformed(K::Aff_transformation_3(a, 0, 0, 0, b, 0, 0, 0, c));
+}
+
+Motion along(const Point& p, const Point& q) { return Motion::along(Curve(1, {0, 0, 1, 1}, {p, q})); }
+
+// Closed, with the right topology, and the volume and area of inscribed triangles: the errors are of second order.
+void check(const Surface& surface, const Motion& motion, int euler_characteristic, double volume, double area)
+{
+  std::vector<double> error_of_volume, error_of_area;
+  for (const double chord_error : {0.04, 0.01}) {
+    const SC::Swept_volume_3 swept = SC::swept_volume(surface, motion, {.chord_error = chord_error});
+    EXPECT_TRUE(swept.is_complete()) << swept;
+    EXPECT_TRUE(CGAL::is_closed(swept.mesh()));
+    EXPECT_TRUE(swept.mesh().is_valid());
+    EXPECT_EQ(swept.number_of_components(), 1u);
+    EXPECT_EQ(swept.euler_characteristic(), euler_characteristic);
+    error_of_volume.push_back(volume - swept.volume());
+    error_of_area.push_back(area - swept.area());
+    EXPECT_LT(std::abs(volume - swept.volume()), chord_error * area);
+    EXPECT_LT(std::abs(area - swept.area()), 4 * chord_error * area);
+  }
+  EXPECT_LT(std::abs(error_of_volume[1]), std::abs(error_of_volume[0]) / 2);
+  EXPECT_LT(std::abs(error_of_area[1]), std::abs(error_of_area[0]) / 2);
+}
+
+} // namespace
+
+TEST(Swept_volume, capsule)
+{
+  const double r = 0.5, length = std::sqrt(5.0);
+  check(ball(Rational(1) / 2), along(Point(0, 0, 0), Point(2, 1, 0)), 2, pi * r * r * length + 4 * pi * r * r * r / 3,
+        2 * pi * r * length + 4 * pi * r * r);
+}
+
+// A cone frustum between two spherical caps, which it touches at the height -r sin(beta).
+TEST(Swept_volume, growing_ball)
+{
+  const Motion growth = Motion::scaling(Point(0, 0, 0), Function({1}, {{0, 0, 1, 1}}, {1, 2}));
+  const double length = 3, first = 0.5, last = 1, sine = (last - first) / length, cosine = std::sqrt(1 - sine * sine);
+  const auto cap_volume = [](double r, double height) { return pi * height * height * (3 * r - height) / 3; };
+  const double height = length - (last - first) * sine, a = first * cosine, b = last * cosine;
+  const double volume = pi * height * (a * a + a * b + b * b) / 3 + cap_volume(first, first - first * sine) +
+      cap_volume(last, last + last * sine);
+  const double area = pi * (a + b) * std::hypot(height, b - a) + 2 * pi * first * (first - first * sine) +
+      2 * pi * last * (last + last * sine);
+  check(ball(Rational(1) / 2), along(Point(0, 0, 0), Point(3, 0, 0)) * growth, 2, volume, area);
+}
+
+TEST(Swept_volume, turns_about_an_axis)
+{
+  const Motion turn = Motion::full_turn(Point(0, 0, 0), Vector(0, 0, 1));
+  const double r = 0.5;
+  check(ball(Rational(1) / 2).transformed(K::Aff_transformation_3(CGAL::TRANSLATION, Vector(1, 0, 0))), turn, 0,
+        2 * pi * pi * r * r, 4 * pi * pi * r);
+  // about its own axis a ball stays where it is
+  check(ball(Rational(1) / 2), turn, 2, 4 * pi * r * r * r / 3, 4 * pi * r * r);
+}
+
+// An ellipsoid along a line: a cylinder over its shadow, with two halves of it.
+TEST(Swept_volume, ellipsoid_along_line)
+{
+  const double a = 1, b = 0.5, c = 0.75, length = 3, x = 1. / 3, y = 2. / 3, z = 2. / 3;
+  const SC::Swept_volume_3 swept = SC::swept_volume(ellipsoid(1, Rational(1) / 2, Rational(3) / 4),
+                                                    along(Point(0, 0, 0), Point(1, 2, 2)), {.chord_error = 0.002});
+  EXPECT_TRUE(swept.is_complete()) << swept;
+  EXPECT_NEAR(swept.volume(),
+              4 * pi * a * b * c / 3 +
+                  length * pi * std::sqrt(b * b * c * c * x * x + a * a * c * c * y * y + a * a * b * b * z * z),
+              0.03);
+}
+
+// A ball that goes to and fro, and crosses its own way: what it sweeps has a hole.
+TEST(Swept_volume, path_that_crosses_itself)
+{
+  const Curve path(3, {0, 0, 0, 0, 1, 1, 1, 1},
+                   {Point(-3, -2, 0), Point(6, 4, Rational(1) / 8), Point(-6, 4, 0), Point(3, -2, 0)});
+  const Motion motion = Motion::along(path);
+  const Surface moving = ball(Rational(1) / 4);
+  const SC::Swept_volume_3 swept = SC::swept_volume(moving, motion, {.chord_error = 0.01});
+  EXPECT_TRUE(swept.is_complete()) << swept;
+  EXPECT_TRUE(CGAL::is_closed(swept.mesh()));
+  EXPECT_EQ(swept.number_of_components(), 1u);
+  EXPECT_EQ(swept.euler_characteristic(), 0);
+
+  // random points, with proof, against the mesh where they are not near it
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> x(-160, 160), y(-130, 130), z(-20, 20);
+  int inside = 0, twice = 0;
+  constexpr int count = 200;
+  for (int i = 0; i < count; ++i) {
+    const Point point(Rational(x(random)) / 64, Rational(y(random)) / 64, Rational(z(random)) / 64);
+    const auto intervals = SC::sweep_intervals(moving, motion, point);
+    ASSERT_TRUE(intervals);
+    // the nearest point of the path, among many
+    double nearest = 10;
+    for (int k = 0; k <= 2000; ++k) {
+      const Rational t = Rational(k) / 2000;
+      nearest = std::min(nearest, std::sqrt(CGAL::to_double(CGAL::squared_distance(path(t), point))));
+    }
+    if (std::abs(nearest - 0.25) > 0.01)
+      EXPECT_EQ(nearest < 0.25, !intervals->empty());
+    inside += !intervals->empty();
+    twice += intervals->size() > 1;
+  }
+  EXPECT_GT(inside, count / 20);
+  EXPECT_GT(twice, 0);
+}
+
+TEST(Swept_volume, bad_input)
+{
+  const Surface open({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
+                     {Point(0, 0, 0), Point(0, 1, 0), Point(1, 0, 0), Point(1, 1, 1)});
+  try {
+    SC::swept_volume(open, along(Point(0, 0, 0), Point(1, 0, 0)));
+    FAIL() << "an open surface was taken";
+  } catch (const SC::Invalid_input& error) {
+    EXPECT_NE(std::string(error.what()).find("u = 0 is neither a seam nor a pole"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(SC::swept_volume(ball(1), along(Point(0, 0, 0), Point(1, 0, 0)), {.chord_error = -1}),
+               SC::Invalid_input);
+}
+
+TEST(Swept_volume, stops)
+{
+  const SC::Swept_volume_3 swept =
+      SC::swept_volume(ball(1), along(Point(0, 0, 0), Point(1, 2, 3)), {}, {.tolerance = 1e-8, .time_limit = 1e-3});
+  EXPECT_FALSE(swept.is_complete());
+  EXPECT_FALSE(swept.undecided().empty());
+}
+
+} // namespace swept_volume_test
