@@ -170,8 +170,12 @@ int solve(Arguments arguments)
   };
   if (arguments.test == "graph")
     return run.template operator()<SC::Graph_box_test>();
-  if (arguments.test == "cone")
-    return run.template operator()<SC::Normal_cone_test>();
+  if (arguments.test == "cone") {
+    if constexpr (std::is_same_v<Number, double> && tracks_rounding &&
+                  std::is_same_v<Concurrency_tag, CGAL::Sequential_tag>)
+      return run.template operator()<SC::Normal_cone_test>();
+    throw SC::Invalid_input("--test cone goes with --number-type certified, on one core");
+  }
   throw SC::Invalid_input("--test must be cone or graph, not " + arguments.test);
 }
 

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The boundary of what a solid sweeps along a curve, as a closed mesh.
+//
+//   swept_volume SURFACE PATH [--turns K] [--chord-error E] [--time-limit S] [--output FILE]
+//
+// Files of .g2 or .itd: a closed surface, which ends in seams and poles, and a curve in space, along which it is
+// translated; with --turns it also turns K times about the vertical line through the origin. FILE is one of .off, .ply
+// or .stl, or a picture, .svg. Without arguments, an ellipsoid runs along a star of five lines, which cross each other.
+// Exit status: 0 when the boundary is complete, 3 when it is not, 2 for bad input.
+#include "arguments.h"
+#include "envelope_output.h"
+
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
+
+#include <algorithm>
+#include <exception>
+#include <numbers>
+#include <optional>
+
+namespace SC = CGAL::Spline_constraints;
+using Point = Kernel_of_operands::Point_3;
+using Mesh = SC::Swept_volume_3::Mesh;
+
+// Turns about the z-axis, at a speed that changes by a fifth at most: a quaternion runs around a polygon.
+SC::Rational_motion_3 turns_about_z(int turns, const SC::Rational_motion_3& path)
+{
+  const auto [begin, end] = path.domain();
+  const int count = 6 * turns; // edges, two full rounds of a hexagon being one of the quaternion
+  std::vector<SC::Exact_rational> knots{begin}, p, q;
+  for (int k = 0; k <= count; ++k) {
+    knots.push_back(begin + (end - begin) * k / count);
+    p.push_back(SC::Exact_rational(std::cos(k * std::numbers::pi / 6)));
+    q.push_back(SC::Exact_rational(std::sin(k * std::numbers::pi / 6)));
+  }
+  knots.push_back(end);
+  return SC::Rational_motion_3::rotation(Point(0, 0, 0), Kernel_of_operands::Vector_3(0, 0, 1),
+                                         SC::Rational_motion_3::Function({1}, {knots}, p),
+                                         SC::Rational_motion_3::Function({1}, {knots}, q));
+}
+
+// With the edges where parts of the boundary meet at an angle, in dark.
+void draw(std::ostream& out, const Mesh& mesh, const SC::View_3& view)
+{
+  SC::Scene_3 scene(view);
+  scene.add(mesh, {.color = CGAL::IO::Color(150, 195, 235), .has_edges = false});
+  const auto normal = [&](const auto h) {
+    const auto p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+               r = mesh.point(mesh.target(mesh.next(h)));
+    return CGAL::cross_product(q - p, r - p);
+  };
+  for (const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    const auto a = normal(h), b = normal(mesh.opposite(h));
+    if (a * b < 0.8 * std::sqrt(a.squared_length() * b.squared_length()))
+      scene.add_polyline(std::vector{mesh.point(mesh.source(h)), mesh.point(mesh.target(h))},
+                         {.color = "#335", .width = 1.5, .nearer = 0.02});
+  }
+  scene.write(out);
+}
+
+void write(const std::string& path, const Mesh& mesh)
+{
+  std::ofstream out(path);
+  out.precision(17);
+  if (path.ends_with(".off"))
+    CGAL::IO::write_OFF(out, mesh);
+  else if (path.ends_with(".ply"))
+    CGAL::IO::write_PLY(out, mesh);
+  else if (path.ends_with(".stl"))
+    CGAL::IO::write_STL(out, mesh);
+  else if (path.ends_with(".svg"))
+    draw(out, mesh, {});
+  else
+    throw SC::Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .svg");
+  if (!out.flush())
+    throw SC::Invalid_input("--output: " + path + " cannot be written");
+}
+
+int print(const SC::Swept_volume_3& swept)
+{
+  for (const auto& part : swept.undecided())
+    std::cout << part << '\n';
+  std::cout << swept << '\n';
+  return swept.is_complete() ? 0 : 3;
+}
+
+int own_example()
+{
+  const Curve_operand star(
+      1, {0, 0, 1, 2, 3, 4, 5, 5},
+      {{0, 3, 0}, {-1.75, -2.5, 0.25}, {2.75, 1, 0}, {-2.75, 1, 0.25}, {1.75, -2.5, 0}, {0, 3, 0}});
+  const auto ellipsoid = SC::sphere_surface<Kernel_of_operands>(Point(0, 0, 0), 1)
+                             .transformed({0.25, 0, 0, 0, 0, 0.25, 0, 0, 0, 0, 0.375, 0});
+  const SC::Swept_volume_3 swept =
+      SC::swept_volume(ellipsoid, SC::Rational_motion_3::along(star), {.chord_error = 0.01});
+  std::ofstream picture("swept_volume.svg");
+  draw(picture, swept.mesh(), {.to_viewer = {0.1, -0.6, 0.9}});
+  return print(swept);
+}
+
+int main(int argc, char** argv)
+try {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty())
+    return own_example();
+  std::vector<std::string> files;
+  std::optional<std::string> output;
+  SC::Solver_options options{.tolerance = 1e-8};
+  double chord_error = 0.01;
+  int turns = 0;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == "--turns" && i + 1 < words.size())
+      turns = number_of<int>(words[++i]);
+    else if (words[i] == "--chord-error" && i + 1 < words.size())
+      chord_error = number_of<double>(words[++i]);
+    else if (words[i] == "--time-limit" && i + 1 < words.size())
+      options.time_limit = number_of<double>(words[++i]);
+    else if (words[i] == "--output" && i + 1 < words.size())
+      output = words[++i];
+    else
+      files.push_back(words[i]);
+  if (files.size() != 2 || turns < 0)
+    throw SC::Invalid_input("usage: swept_volume SURFACE PATH [--turns K] [--chord-error E] [--time-limit S] "
+                            "[--output FILE]");
+  SC::Rational_motion_3 motion = SC::Rational_motion_3::along(curve_in(files[1]));
+  if (turns > 0)
+    motion = motion * turns_about_z(turns, motion);
+  const SC::Swept_volume_3 swept =
+      SC::swept_volume(surface_in(files[0]), motion, {.chord_error = chord_error}, options);
+  if (output)
+    write(*output, swept.mesh());
+  return print(swept);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}
