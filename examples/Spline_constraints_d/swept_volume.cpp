@@ -53,10 +53,12 @@ void draw(std::ostream& out, const Mesh& mesh, const SC::View_3& view)
   };
   for (const auto e : mesh.edges()) {
     const auto h = mesh.halfedge(e);
+    const std::vector edge{mesh.point(mesh.source(h)), mesh.point(mesh.target(h))};
     const auto a = normal(h), b = normal(mesh.opposite(h));
-    if (a * b < 0.8 * std::sqrt(a.squared_length() * b.squared_length()))
-      scene.add_polyline(std::vector{mesh.point(mesh.source(h)), mesh.point(mesh.target(h))},
-                         {.color = "#335", .width = 1.5, .nearer = 0.02});
+    const double least = 1e-3 * CGAL::squared_distance(edge[0], edge[1]); // not of slivers
+    const double size = std::sqrt(a.squared_length()), other = std::sqrt(b.squared_length());
+    if (size > least && other > least && a * b < 0.8 * size * other)
+      scene.add_polyline(edge, {.color = "#335", .width = 1.5, .nearer = 0.02});
   }
   scene.write(out);
 }
@@ -91,7 +93,7 @@ int own_example()
 {
   const Curve_operand star(
       1, {0, 0, 1, 2, 3, 4, 5, 5},
-      {{0, 3, 0}, {-1.75, -2.5, 0.25}, {2.75, 1, 0}, {-2.75, 1, 0.25}, {1.75, -2.5, 0}, {0, 3, 0}});
+      {{0, 3, 0}, {-1.75, -2.5, 0.25}, {2.75, 1.25, 0}, {-2.75, 1, 0.25}, {1.75, -2.5, 0}, {0, 3, 0}});
   const auto ellipsoid = SC::sphere_surface<Kernel_of_operands>(Point(0, 0, 0), 1)
                              .transformed({0.25, 0, 0, 0, 0, 0.25, 0, 0, 0, 0, 0.375, 0});
   const SC::Swept_volume_3 swept =
