@@ -10,6 +10,6 @@ int main()
 {
   auto [x, y] = SC::unknowns({-1, 1}, {-1, 1});
   const std::array constraints{x * x == y, x == y * y};
-  const SC::Subdivision_solver_d<SC::Solver_traits<double, SC::Normal_cone_test>> solver;
+  const SC::Subdivision_solver_d<SC::Solver_traits<double, SC::Graph_box_test, SC::No_reduction>> solver;
   return solver(SC::make_system(constraints)).size() == 2 ? 0 : 1;
 }

@@ -21,7 +21,6 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Feasibility_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
 #include <algorithm>
 #include <chrono>

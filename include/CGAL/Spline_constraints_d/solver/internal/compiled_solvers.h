@@ -86,11 +86,14 @@ constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_trait
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> || is_compiled_for_all_cores);
 template <class Traits>
 constexpr bool are_surfaces_compiled = std::same_as<Traits, Certified_solver_traits>;
+// The default ones with the cones of normals in place of graph boxes.
+using Normal_cone_solver_traits = Solver_traits<double, Normal_cone_test>;
 template <class Traits, class Concurrency_tag>
 constexpr bool are_points_compiled = are_curves_compiled<Traits, Concurrency_tag> ||
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> &&
      (std::same_as<Traits, Fast_solver_traits> || std::same_as<Traits, Interval_solver_traits> ||
-      std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits>));
+      std::same_as<Traits, Multiprecision_solver_traits> || std::same_as<Traits, Exact_solver_traits> ||
+      std::same_as<Traits, Normal_cone_solver_traits>));
 
 template <class T>
 concept Complete_type = requires
@@ -133,6 +136,7 @@ constexpr void check_definitions()
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Interval_solver_traits, CGAL::Sequential_tag)                       \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Multiprecision_solver_traits, CGAL::Sequential_tag)                 \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Exact_solver_traits, CGAL::Sequential_tag)                          \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Normal_cone_solver_traits, CGAL::Sequential_tag)                    \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits)                                          \
   CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
