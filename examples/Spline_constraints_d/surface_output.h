@@ -35,6 +35,7 @@ inline void write_surfaces(const std::string& path, const CGAL::Spline_constrain
                            double chord_error)
 {
   using CGAL::Spline_constraints::Invalid_input;
+  using CGAL::Spline_constraints::View_3;
   const auto surfaces = CGAL::Spline_constraints::to_surface_mesh(set, {.chord_error = chord_error});
   std::ofstream out(path);
   out.precision(17);
@@ -47,7 +48,7 @@ inline void write_surfaces(const std::string& path, const CGAL::Spline_constrain
   else if (path.ends_with(".vtp"))
     CGAL::Spline_constraints::IO::write_VTP(out, surfaces);
   else if (path.ends_with(".svg"))
-    draw_surfaces(out, surfaces);
+    draw_surfaces(out, surfaces, set.dimension() > 3 ? View_3{.most_splits = 2000} : View_3()); // may cross themselves
   else
     throw Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .vtp or .svg");
   if (!out.flush())
