@@ -158,12 +158,16 @@ private:
   {
     std::vector<std::size_t> waits_for(m_facets.size()), result;
     std::vector<bool> is_left(m_facets.size());
+    std::vector<std::vector<std::size_t>> covered(m_facets.size()); // by each facet; it waits for those that are left
     for (std::size_t i = 0; i < m_facets.size(); ++i) {
       is_left[i] = !m_is_split[i];
       if (is_left[i])
-        for (const Cover& cover : m_nearer[i])
+        for (const Cover& cover : m_nearer[i]) {
           ++waits_for[cover.facet];
+          covered[cover.facet].push_back(i);
+        }
     }
+    std::vector<std::size_t> place(m_facets.size(), m_facets.size()); // on a path; none between paths
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
     for (std::size_t i = 0; i < m_facets.size(); ++i)
       if (is_left[i] && waits_for[i] == 0)
@@ -183,7 +187,7 @@ private:
         ++first_left;
       if (first_left == is_left.size())
         return result;
-      const std::optional<std::size_t> freed = break_circle(circle_from(first_left, is_left));
+      const std::optional<std::size_t> freed = break_circle(circle_from(first_left, is_left, covered, place));
       if (!freed)
         return std::nullopt;
       if (--waits_for[*freed] == 0)
@@ -191,21 +195,24 @@ private:
     }
   }
 
-  // Facets each of which covers the next one, and the last one the first, behind one that waits.
-  std::vector<std::size_t> circle_from(std::size_t start, const std::vector<bool>& is_left) const
+  // Facets each of which covers the next one, and the last one the first, behind one that waits. What a facet does not
+  // wait for any more is taken off its list.
+  std::vector<std::size_t> circle_from(std::size_t start, const std::vector<bool>& is_left,
+                                       std::vector<std::vector<std::size_t>>& covered, std::vector<std::size_t>& place)
   {
-    std::vector<std::size_t> covered(m_facets.size(), m_facets.size());   // one that it covers, and waits for
-    for (std::size_t i = 0; i < m_facets.size(); ++i)
-      if (is_left[i])
-        for (const Cover& cover : m_nearer[i])
-          covered[cover.facet] = i;
-    std::vector<std::size_t> path, place(m_facets.size(), m_facets.size());
+    std::vector<std::size_t> path;
     std::size_t i = start;
-    for (; place[i] == m_facets.size(); i = covered[i]) {
+    while (place[i] == m_facets.size()) {
       place[i] = path.size();
       path.push_back(i);
+      while (!is_left[covered[i].back()] || cover_of(covered[i].back(), i) == m_nearer[covered[i].back()].end())
+        covered[i].pop_back();
+      i = covered[i].back();
     }
-    return {path.begin() + static_cast<std::ptrdiff_t>(place[i]), path.end()};
+    const std::vector<std::size_t> circle(path.begin() + static_cast<std::ptrdiff_t>(place[i]), path.end());
+    for (const std::size_t facet : path)
+      place[facet] = m_facets.size();
+    return circle;
   }
 
   // Splits a facet; or else gives up that one is painted after the next one of the circle, and returns it. In one
