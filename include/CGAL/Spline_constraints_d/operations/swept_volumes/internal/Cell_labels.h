@@ -139,7 +139,7 @@ private:
       m_thin_cells.push_back({{p.x(), p.y(), p.z()}, sample ? sample->depth : 0});
       if (m_thin_cells.back().depth <= m_rounding || is_swept(exact(p)) == m_is_inside[shell])
         continue;
-      if (++checked > m_most_checked) {
+      if (++checked > m_most_checked || is_swept.must_stop()) {
         add_undecided(p, "a thin cell, one of more than are looked at");
         continue;
       }

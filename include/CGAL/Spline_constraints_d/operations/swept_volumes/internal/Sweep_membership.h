@@ -47,6 +47,8 @@ public:
     : m_boundary(boundary), m_motion(motion), m_budget(budget)
   {}
 
+  bool must_stop() { return m_budget.must_stop(); }
+
   // Whether it does so at any time; nothing, where that was not decided.
   std::optional<bool> operator()(const Point& point)
   {

@@ -40,6 +40,15 @@ inline std::vector<Undecided_part> undecided_of_sheets(const Envelope_surface_3&
   return result;
 }
 
+// Without an answer.
+inline Swept_volume_3 stopped(Common::Operation_budget& budget, const Surface_mesh_options& fineness)
+{
+  Summary work = budget.total();
+  work.seconds = budget.seconds();
+  work.is_complete = false;
+  return {{}, fineness.chord_error, {}, {{{}, {}, in_words(budget.reason())}}, work};
+}
+
 // The boundary as triangles that cross each other; the cells that these cut space into; which of them are swept; the
 // triangles between those that are and those that are not.
 CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const Common::Exact_map<3>& surface,
@@ -54,6 +63,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const Common::Exac
   check_closed(patch);
   const Envelope_surface_3 envelope = Envelope_surfaces::sweep_envelope_of(surface, motion, budget.remaining(), false);
   budget.add(envelope.summary());
+  if (budget.must_stop())
+    return stopped(budget, fineness);
   Sweep_sheets sheets(patch, motion, envelope, fineness, budget);
   std::vector<Undecided_part> undecided = undecided_of_sheets(envelope);
   undecided.insert(undecided.end(), sheets.undecided().begin(), sheets.undecided().end());

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -87,6 +88,7 @@ private:
   Place m_lower, m_upper;
   std::array<double, 2> m_scale{1, 1};
   std::array<Side, 2> m_sides;
+  std::function<bool()> m_is_stopped; // then the triangles are coarse, and nobody uses them
   Triangulation m_triangulation;
   std::map<std::array<double, 2>, Vertex> m_vertex_at;
   std::map<std::pair<Vertex, Vertex>, Triangulation::Constraint_id> m_constraints;
@@ -96,9 +98,10 @@ private:
 
 public:
   // The face where the axis has the value of the lower and the upper place.
-  Face_sheet(Points_of_places& points, int axis, const Place& lower, const Place& upper, std::array<Side, 2> sides)
+  Face_sheet(Points_of_places& points, int axis, const Place& lower, const Place& upper, std::array<Side, 2> sides,
+             std::function<bool()> is_stopped)
     : m_points(points), m_axis(axis), m_free{axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u}, m_lower(lower), m_upper(upper),
-      m_sides(std::move(sides))
+      m_sides(std::move(sides)), m_is_stopped(std::move(is_stopped))
   {}
 
   // Adds its triangles, and tells edges of the envelope which points they need.
@@ -302,7 +305,7 @@ private:
   void refine()
   {
     constexpr int rounds = 8;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds && !m_is_stopped(); ++round) {
       label_faces();
       std::vector<Place> wanted;
       for (Face face : m_triangulation.finite_face_handles())

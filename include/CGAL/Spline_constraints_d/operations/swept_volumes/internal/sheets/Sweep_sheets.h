@@ -61,6 +61,7 @@ class Sweep_sheets
 
   const Common::Spline_patch<3>& m_surface;
   const Rational_motion_3& m_motion;
+  Common::Operation_budget& m_budget;
   Moving_surface m_moving;
   Space_of_places m_space;
   Triangle_soup m_soup;
@@ -74,7 +75,7 @@ public:
   Sweep_sheets(const Common::Spline_patch<3>& surface, const Rational_motion_3& motion,
                const Envelope_surface_3& envelope, const Surface_mesh_options& options,
                Common::Operation_budget& budget)
-    : m_surface(surface), m_motion(motion), m_moving(surface, motion), m_space(space_of(envelope)),
+    : m_surface(surface), m_motion(motion), m_budget(budget), m_moving(surface, motion), m_space(space_of(envelope)),
       m_points(m_moving, m_space, m_soup, options.chord_error)
   {
     m_moving.set_turned(has_normals_inwards());
@@ -318,6 +319,8 @@ private:
 
   void add_face(int axis, const std::optional<Cell>& below, const std::optional<Cell>& above)
   {
+    if (m_budget.must_stop())
+      return;
     const auto a = static_cast<std::size_t>(axis);
     Place lower, upper;
     const Cell& cell = above ? *above : *below;
@@ -329,7 +332,7 @@ private:
     std::array<Face_sheet::Side, 2> sides{side_of(axis, below, true), side_of(axis, above, false)};
     const bool is_pole = axis < 2 && !(below && above);
     if (!is_pole || !sides[0].chain.empty() || !sides[1].chain.empty())
-      Face_sheet(m_points, axis, lower, upper, std::move(sides))();
+      Face_sheet(m_points, axis, lower, upper, std::move(sides), [&] { return m_budget.must_stop(); })();
   }
 
   Face_sheet::Side side_of(int axis, const std::optional<Cell>& cell, bool is_below)
