@@ -24,11 +24,11 @@ namespace SC = CGAL::Spline_constraints;
 using Point = Kernel_of_operands::Point_3;
 using Mesh = SC::Swept_volume_3::Mesh;
 
-// Turns about the z-axis, at a speed that changes by a fifth at most: a quaternion runs around a polygon.
+// Turns about the z-axis: a quaternion runs around a regular polygon of twelve edges. Each is a sixth of a turn.
 SC::Rational_motion_3 turns_about_z(int turns, const SC::Rational_motion_3& path)
 {
   const auto [begin, end] = path.domain();
-  const int count = 6 * turns; // edges, two full rounds of a hexagon being one of the quaternion
+  const int count = 6 * turns; // edges
   std::vector<SC::Exact_rational> knots{begin}, p, q;
   for (int k = 0; k <= count; ++k) {
     knots.push_back(begin + (end - begin) * k / count);

@@ -147,8 +147,32 @@ TEST(Swept_volume, path_that_crosses_itself)
   EXPECT_GT(twice, 0);
 }
 
+// Normals of the surface may point inwards, and maps may reflect.
+TEST(Swept_volume, orientations)
+{
+  const Motion line = along(Point(0, 0, 0), Point(2, 1, 0));
+  const Function one({0}, {{0, 1}}, {1}), zero = one * Rational(0);
+  const Motion mirror({{{-one, zero, zero}, {zero, one, zero}, {zero, zero, one}}}, {zero, zero, zero}, one);
+  const Surface solid = ellipsoid(Rational(1) / 2, Rational(1) / 4, Rational(1) / 3);
+  std::vector<double> volumes;
+  for (const Surface& surface : {solid, solid.transposed()})
+    for (const Motion& motion : {line, line * mirror}) {
+      const SC::Swept_volume_3 swept = SC::swept_volume(surface, motion, {.chord_error = 0.01});
+      EXPECT_TRUE(swept.is_complete()) << swept;
+      EXPECT_EQ(swept.euler_characteristic(), 2);
+      volumes.push_back(swept.volume());
+    }
+  for (const double volume : volumes)
+    EXPECT_NEAR(volume, volumes.front(), 0.02);
+  EXPECT_GT(volumes.front(), 0.5);
+}
+
 TEST(Swept_volume, bad_input)
 {
+  const Function zero = Function({0}, {{0, 1}}, {1}) * Rational(0), one = zero + Rational(1);
+  const Motion flat({{{one, zero, zero}, {zero, one, zero}, {zero, zero, zero}}}, {zero, zero, zero}, one);
+  EXPECT_THROW(SC::swept_volume(ball(1), flat), SC::Invalid_input);
+  EXPECT_THROW(SC::sweep_intervals(ball(1), flat, Point(0, 0, 0)), SC::Invalid_input);
   const Surface open({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
                      {Point(0, 0, 0), Point(0, 1, 0), Point(1, 0, 0), Point(1, 1, 1)});
   try {

@@ -230,6 +230,18 @@ public:
     return map.inverse();
   }
 
+  //! whether the maps at two times are the same. \throws Invalid_input when a time is outside of the domain.
+  bool has_same_map(const Exact_rational& time, const Exact_rational& other) const
+  {
+    const std::array<Exact_rational, 1> first{time}, last{other};
+    const Exact_rational w = m_weight(first), other_w = m_weight(last);
+    for (const auto& column : m_columns)
+      for (const Function& f : column)
+        if (f(first) * other_w != f(last) * w)
+          return false;
+    return true;
+  }
+
 private:
   static Function constant(const std::pair<Exact_rational, Exact_rational>& domain, const Exact_rational& value)
   {

@@ -42,11 +42,12 @@ boundary of what the triangulated surfaces bound, and every cell that is deeper 
 on the exact surfaces. What it bounds may differ from the truth by cells that are thinner, and by this error.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
-\param motion the motion; its maps are invertible.
+\param motion the motion.
 \param fineness how fine the triangles are, in space.
 \param options the limits, for the operation as a whole, and a visitor.
-\throws Invalid_input when the surface has an edge that is neither a seam nor a pole, a coordinate is not finite, a
-weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when the surface has an edge that is neither a seam nor a pole, it is not proved that the maps of
+the motion are invertible at all times, a coordinate is not finite, a weight is not proved to
+have one sign, or an option makes no sense.
 
 Complexity: that of `sweep_envelope()`; for `t` triangles of which `k` pairs meet \f$O(t \log^3 t + k \log k)\f$; and a
 system of three equations for each cell.
@@ -64,11 +65,11 @@ Swept_volume_3 swept_volume(const Surface& surface, const Rational_motion_3& mot
 /*!
 \ingroup PkgSplineConstraintsDSweptVolumes
 
-when a point lies in a moving solid: the intervals of time, in order, each by a time in it that is as near to its end as
-the tolerance says. The index of the point is their number; it is swept if there is one.
+when a point lies in a moving solid: the intervals of time, in order. That there are so many is proved; their ends are
+the middles of enclosures. The index of the point is the number of intervals; it is swept if there is one.
 
 \param surface the boundary of the solid, as for `swept_volume()`.
-\param motion the motion; its maps are invertible.
+\param motion the motion.
 \param point the point.
 \param options the limits, for the operation as a whole, and a visitor.
 \return the intervals, or nothing where they were not decided: the point is on the envelope, or a limit was reached.

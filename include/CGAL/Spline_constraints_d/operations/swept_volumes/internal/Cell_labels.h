@@ -109,10 +109,7 @@ private:
 
   double area_of(std::size_t triangle) const
   {
-    const auto corner = [&](std::size_t k) {
-      const auto& p = m_complex.points[m_complex.triangles[triangle][k]];
-      return Double_kernel::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    };
+    const auto corner = [&](std::size_t k) { return rounded(m_complex.points[m_complex.triangles[triangle][k]]); };
     return std::sqrt(Double_kernel::Triangle_3(corner(0), corner(1), corner(2)).squared_area());
   }
 
@@ -156,11 +153,10 @@ private:
     std::vector<Double_kernel::Point_3> result(m_shells.number_of_shells());
     double extent = 0;
     for (std::size_t i = 0; i < m_complex.triangles.size(); ++i) {
-      const auto& p = m_complex.points[m_complex.triangles[i][0]];
-      const Double_kernel::Point_3 rounded(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      const Double_kernel::Point_3 p = rounded(m_complex.points[m_complex.triangles[i][0]]);
       for (int side : {0, 1})
-        result[m_shells.shell_of(i, side)] = rounded;
-      extent = (std::max)({extent, std::abs(rounded.x()), std::abs(rounded.y()), std::abs(rounded.z())});
+        result[m_shells.shell_of(i, side)] = p;
+      extent = (std::max)({extent, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
     }
     m_rounding = 0x1p-40 * extent;
     return result;

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -35,6 +36,8 @@ namespace Swept_volumes {
 class Sweep_membership
 {
   using Point = std::array<Exact_rational, 3>;
+  using Point_3 = Rational_motion_3::Kernel::Point_3;
+  using Vector = Rational_motion_3::Kernel::Vector_3;
   using Times = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
   const Common::Spline_patch<3>& m_boundary;
@@ -48,6 +51,28 @@ public:
   {}
 
   bool must_stop() { return m_budget.must_stop(); }
+
+  // Whether T_u x T_v points out of the moved solid; nothing, where that was not decided. A short segment along the
+  // normal goes through the boundary once, and begins inside or outside. `has_positive_maps`: the maps keep
+  // orientations.
+  std::optional<bool> has_outer_normals(bool has_positive_maps)
+  {
+    constexpr int tries = 6;
+    Exact_rational length = size() / 64;
+    for (int i = 0; i < tries; ++i, length /= 16) {
+      const auto [point, normal] = point_and_normal(Exact_rational(Exact_rational(2 * i + 3) / 17));
+      const double size = std::sqrt(to_nearest_double(normal * normal));
+      if (!(size > 0))
+        continue;
+      const Vector step = normal * Exact_rational(length / Exact_rational(size));
+      const std::optional<Times> hits = hits_on_ray(point + step, step * Exact_rational(-2), 1);
+      if (!hits || hits->size() != 1)
+        continue;
+      if (const std::optional<bool> is_inside = is_inside_solid(point + step))
+        return *is_inside != has_positive_maps;
+    }
+    return std::nullopt;
+  }
 
   // Whether it does so at any time; nothing, where that was not decided.
   std::optional<bool> operator()(const Point& point)
@@ -94,27 +119,61 @@ private:
     return certified_ranges(system, 2);
   }
 
-  // By a ray from the point, as it lies in the solid at this time.
   std::optional<bool> is_inside_at(const Exact_rational& time, const Point& point)
   {
-    const auto map = m_motion.inverse(time);
-    const auto own = map.transform(Rational_motion_3::Kernel::Point_3(point[0], point[1], point[2]));
-    Exact_rational length = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Common::Rational_interval range = m_boundary.values()[i];
-      length += Exact_rational(range.upper - range.lower);
-    }
-    for (const std::array<int, 3>& direction : {std::array{3, 5, 7}, std::array{-5, 7, 3}, std::array{7, -3, 5}}) {
-      Exact_ranges box{m_boundary.domain(0), m_boundary.domain(1), {Exact_rational(0), length}};
-      Constraint_system_d system(box);
-      const std::vector<Unknown> x = unknowns_in(box);
-      const Vector_expression<3> surface = Common::Parametric_vector<3>(m_boundary)(std::span(x).first(2));
-      for (int i = 0; i < 3; ++i)
-        system.add(surface[static_cast<std::size_t>(i)] - x[2] * direction[static_cast<std::size_t>(i)] == own[i]);
-      if (const std::optional<Times> hits = certified_ranges(system, 2))
+    return is_inside_solid(m_motion.inverse(time).transform(Point_3(point[0], point[1], point[2])));
+  }
+
+  // By a ray; seen from the solid.
+  std::optional<bool> is_inside_solid(const Point_3& point)
+  {
+    for (const Vector& direction : {Vector(3, 5, 7), Vector(-5, 7, 3), Vector(7, -3, 5)})
+      if (const std::optional<Times> hits = hits_on_ray(point, direction, size()))
         return hits->size() % 2 == 1;
-    }
     return std::nullopt;
+  }
+
+  // Where a ray goes through the boundary, up to a parameter.
+  std::optional<Times> hits_on_ray(const Point_3& from, const Vector& direction, const Exact_rational& last)
+  {
+    Exact_ranges box{m_boundary.domain(0), m_boundary.domain(1), {Exact_rational(0), last}};
+    Constraint_system_d system(box);
+    const std::vector<Unknown> x = unknowns_in(box);
+    const Vector_expression<3> surface = Common::Parametric_vector<3>(m_boundary)(std::span(x).first(2));
+    for (int i = 0; i < 3; ++i)
+      system.add(surface[static_cast<std::size_t>(i)] - x[2] * direction[i] == from[i]);
+    return certified_ranges(system, 2);
+  }
+
+  // More than the sum of the sides of a box around the solid.
+  Exact_rational size() const
+  {
+    Exact_rational result = 1;
+    for (const Common::Rational_interval& range : m_boundary.values())
+      result += Exact_rational(range.upper - range.lower);
+    return result;
+  }
+
+  // At the same part of both ranges of parameters.
+  std::pair<Point_3, Vector> point_and_normal(const Exact_rational& part) const
+  {
+    std::array<Exact_rational, 2> place;
+    for (int axis : {0, 1}) {
+      const auto& [lower, upper] = m_boundary.domain(axis);
+      place[static_cast<std::size_t>(axis)] = lower + part * (upper - lower);
+    }
+    const std::span<const Exact_rational> parameters(place);
+    const auto w = m_boundary.weight().value_and_gradient(parameters);
+    std::array<Exact_rational, 3> x;
+    std::array<std::array<Exact_rational, 3>, 2> tangent;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto f = m_boundary.numerators()[i].value_and_gradient(parameters);
+      x[i] = f.value / w.value;
+      for (std::size_t j : {0u, 1u})
+        tangent[j][i] = (f.gradient[j] - x[i] * w.gradient[j]) / w.value;
+    }
+    const auto vector = [](const std::array<Exact_rational, 3>& v) { return Vector(v[0], v[1], v[2]); };
+    return {Point_3(x[0], x[1], x[2]), CGAL::cross_product(vector(tangent[0]), vector(tangent[1]))};
   }
 
   // The ranges of one unknown in all solutions, in order; nothing, unless all are regular and told apart.

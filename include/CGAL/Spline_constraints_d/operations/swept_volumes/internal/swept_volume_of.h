@@ -40,13 +40,17 @@ inline std::vector<Undecided_part> undecided_of_sheets(const Envelope_surface_3&
   return result;
 }
 
-// Without an answer.
-inline Swept_volume_3 stopped(Common::Operation_budget& budget, const Surface_mesh_options& fineness)
+// Whether the maps of a motion keep orientations. \throws Invalid_input when it is not proved that they are invertible.
+inline bool has_positive_maps(const Rational_motion_3& motion)
 {
-  Summary work = budget.total();
-  work.seconds = budget.seconds();
-  work.is_complete = false;
-  return {{}, fineness.chord_error, {}, {{{}, {}, in_words(budget.reason())}}, work};
+  const auto& c = motion.columns();
+  const auto minor = [&](std::size_t i, std::size_t k) { return c[1][i] * c[2][k] - c[1][k] * c[2][i]; };
+  const auto determinant = c[0][0] * minor(1, 2) + c[0][1] * minor(2, 0) + c[0][2] * minor(0, 1);
+  try {
+    return certified_weight_sign(determinant, {}) > 0;
+  } catch (const Invalid_input&) {
+    throw Invalid_input("swept volume: it is not proved that the maps of the motion are invertible at all times");
+  }
 }
 
 // The boundary as triangles that cross each other; the cells that these cut space into; which of them are swept; the
@@ -61,26 +65,32 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const Common::Exac
   Common::Operation_budget budget(options);
   const Common::Spline_patch<3> patch(surface);
   check_closed(patch);
-  const Envelope_surface_3 envelope = Envelope_surfaces::sweep_envelope_of(surface, motion, budget.remaining(), false);
-  budget.add(envelope.summary());
-  if (budget.must_stop())
-    return stopped(budget, fineness);
-  Sweep_sheets sheets(patch, motion, envelope, fineness, budget);
-  std::vector<Undecided_part> undecided = undecided_of_sheets(envelope);
-  undecided.insert(undecided.end(), sheets.undecided().begin(), sheets.undecided().end());
-
-  const double error = (std::max)(fineness.chord_error, sheets.error());
+  Sweep_membership membership(patch, motion, budget);
+  double error = fineness.chord_error;
   Boundary_of_cells::Mesh mesh;
   std::vector<Thin_cell> thin_cells;
-  const auto complex = triangle_complex_of(sheets.soup(), [&] { return budget.must_stop(); });
-  if (complex) {
-    const Triangle_shells shells(*complex);
-    if (!shells.is_closed() && undecided.empty())
-      undecided.push_back({{}, {}, "the triangles do not bound cells"});
-    Cell_labels labels(*complex, shells, fineness.chord_error, Sweep_membership(patch, motion, budget));
-    mesh = Boundary_of_cells(*complex, shells, labels.is_inside())();
-    thin_cells = labels.thin_cells();
-    undecided.insert(undecided.end(), labels.undecided().begin(), labels.undecided().end());
+  std::vector<Undecided_part> undecided;
+  const auto add_undecided = [&](const auto& parts) { undecided.insert(undecided.end(), parts.begin(), parts.end()); };
+
+  const std::optional<bool> has_outer_normals = membership.has_outer_normals(has_positive_maps(motion));
+  if (!has_outer_normals)
+    undecided.push_back({{}, {}, "on which side of the surface the solid lies"});
+  const Envelope_surface_3 envelope = Envelope_surfaces::sweep_envelope_of(surface, motion, budget.remaining(), false);
+  budget.add(envelope.summary());
+  add_undecided(undecided_of_sheets(envelope));
+  if (has_outer_normals && !budget.must_stop()) {
+    Sweep_sheets sheets(patch, motion, *has_outer_normals, envelope, fineness, budget);
+    add_undecided(sheets.undecided());
+    error = (std::max)(error, sheets.error());
+    if (const auto complex = triangle_complex_of(sheets.soup(), [&] { return budget.must_stop(); })) {
+      const Triangle_shells shells(*complex);
+      if (!shells.is_closed())
+        undecided.push_back({{}, {}, "the triangles do not bound cells"});
+      const Cell_labels labels(*complex, shells, fineness.chord_error, membership);
+      add_undecided(labels.undecided());
+      thin_cells = labels.thin_cells();
+      mesh = Boundary_of_cells(*complex, shells, labels.is_inside())();
+    }
   }
   if (budget.must_stop())
     undecided.push_back({{}, {}, in_words(budget.reason())});
@@ -97,12 +107,12 @@ sweep_intervals_of(const Common::Exact_map<3>& surface, const Rational_motion_3&
   Common::Operation_budget budget(options);
   const Common::Spline_patch<3> patch(surface);
   check_closed(patch);
+  has_positive_maps(motion); // or else it throws
   return Sweep_membership(patch, motion, budget).intervals(point);
 }
 
 } // namespace Swept_volumes
 } // namespace internal
-
 } // namespace Spline_constraints
 } // namespace CGAL
 

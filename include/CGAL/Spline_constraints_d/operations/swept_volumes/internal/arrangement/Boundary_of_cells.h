@@ -82,8 +82,8 @@ private:
 
   Mesh::Point rounded(std::size_t index) const
   {
-    const auto& point = m_complex.points[index];
-    return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+    const auto point = Swept_volumes::rounded(m_complex.points[index]);
+    return {point.x(), point.y(), point.z()};
   }
 
   // The pairs of kept triangles around an edge that the inside is between.

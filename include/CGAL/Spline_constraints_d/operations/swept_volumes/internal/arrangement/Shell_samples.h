@@ -77,18 +77,16 @@ class Shell_samples
 public:
   Shell_samples(const Triangle_complex& complex, const Triangle_shells& shells) : m_complex(complex), m_shells(shells)
   {
-    std::vector<Point> rounded;
+    std::vector<Point> points;
     for (const auto& point : complex.points)
-      rounded.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+      points.push_back(Swept_volumes::rounded(point));
     for (const Corners& corners : complex.triangles) {
       m_exact.emplace_back(complex.points[corners[0]], complex.points[corners[1]], complex.points[corners[2]]);
-      m_rounded.emplace_back(rounded[corners[0]], rounded[corners[1]], rounded[corners[2]]);
+      m_rounded.emplace_back(points[corners[0]], points[corners[1]], points[corners[2]]);
     }
     fill(m_exact_tree, m_exact);
     fill(m_rounded_tree, m_rounded);
   }
-
-  const std::vector<Double_kernel::Triangle_3>& rounded() const { return m_rounded; }
 
   // The deepest point that was found for each shell; of those of an unbounded cell, one may be far away.
   std::vector<std::optional<Shell_sample>> operator()() const

@@ -38,9 +38,13 @@ struct Triangle_complex
 {
   std::vector<Exact_kernel::Point_3> points; // those of the soup come first
   std::vector<Corners> triangles;
-  std::vector<std::size_t> source; // of a triangle: one of the soup that it is a part of
   std::vector<int> multiplicity;   // how many of the soup it is a part of
 };
+
+inline Double_kernel::Point_3 rounded(const Exact_kernel::Point_3& point)
+{
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+}
 
 } // namespace Swept_volumes
 } // namespace internal

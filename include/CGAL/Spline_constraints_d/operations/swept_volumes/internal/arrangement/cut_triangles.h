@@ -86,15 +86,12 @@ public:
     for (Vertex vertex : m_triangulation.finite_vertex_handles())
       if (vertex->info().index == is_made)
         vertex->info().index = m_points.index_of(lifted(vertex->point()));
-    for (const auto face : m_triangulation.finite_face_handles()) {
-      const auto [multiplicity, source] = covering(face);
-      if (multiplicity == 0)
-        continue;
-      Corners corners{face->vertex(0)->info().index, face->vertex(1)->info().index, face->vertex(2)->info().index};
-      complex.triangles.push_back(corners);
-      complex.multiplicity.push_back(multiplicity);
-      complex.source.push_back(source);
-    }
+    for (const auto face : m_triangulation.finite_face_handles())
+      if (const int multiplicity = number_over(face); multiplicity > 0) {
+        complex.triangles.push_back(
+            {face->vertex(0)->info().index, face->vertex(1)->info().index, face->vertex(2)->info().index});
+        complex.multiplicity.push_back(multiplicity);
+      }
   }
 
 private:
@@ -150,22 +147,19 @@ private:
     return {result[0], result[1], result[2]};
   }
 
-  // How many triangles lie over a face, and one of them.
-  std::pair<int, std::size_t> covering(const Triangulation::Face_handle& face) const
+  // How many triangles lie over a face.
+  int number_over(const Triangulation::Face_handle& face) const
   {
     if (m_triangles.size() == 1)
-      return {1, m_triangles.front()};
+      return 1;
     const Point_2 middle = CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
-    std::pair<int, std::size_t> result{0, m_triangles.front()};
+    int result = 0;
     for (std::size_t i = 0; i < m_triangles.size(); ++i) {
       const Corners& corners = m_soup.triangles[m_triangles[i]];
       bool is_inside = true;
       for (int k = 0; k < 3 && is_inside; ++k)
         is_inside = CGAL::orientation(seen(corners[k]), seen(corners[(k + 1) % 3]), middle) == m_sides[i];
-      if (is_inside) {
-        ++result.first;
-        result.second = m_triangles[i];
-      }
+      result += is_inside;
     }
     return result;
   }
@@ -216,7 +210,6 @@ triangle_complex_of(const Triangle_soup& soup, const std::function<bool()>& is_s
     if (!is_met[i]) {
       result.triangles.push_back(soup.triangles[i]);
       result.multiplicity.push_back(1);
-      result.source.push_back(i);
     } else if (!triangles[i].empty()) {
       Plane_triangulation plane(soup, points, triangles[i]);
       for (const auto& contact : contacts[i])

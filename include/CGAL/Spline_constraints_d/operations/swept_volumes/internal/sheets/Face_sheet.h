@@ -57,7 +57,6 @@ public:
   struct Side
   {
     std::optional<bool> is_inward; // everywhere, if that is known
-    double value;                  // of the face's axis
     double inner;                  // a value a little inside of the cell
     std::vector<Boundary_edge*> chain = {};
   };
@@ -132,13 +131,14 @@ private:
   {
     if (m_sides[side].is_inward)
       return *m_sides[side].is_inward;
-    return speed_at(side, place) < 0;
+    place[static_cast<std::size_t>(m_axis)] = m_sides[side].inner;
+    return m_points.moving().is_inward(place);
   }
 
   double speed_at(int side, Place place) const
   {
     place[static_cast<std::size_t>(m_axis)] = m_sides[side].inner;
-    return m_points.moving().speed_along_normal(place);
+    return m_points.moving().speed(place);
   }
 
   // Lengths in space, about, so that triangles are well-shaped.

@@ -15,6 +15,8 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Triangle_complex.h>
 
+#include <CGAL/determinant.h>
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -29,23 +31,58 @@ namespace Swept_volumes {
 // Two parameters of a surface, and a time.
 using Place = std::array<double, 3>;
 
-// A moving surface in doubles.
+// The velocity of a moving surface T times its normal T_u x T_v.
+template <class NT>
+NT speed_along_normal(const std::array<Bspline_function<NT>, 3>& numerators, const Bspline_function<NT>& weight,
+                      const std::array<std::array<Bspline_function<NT>, 3>, 4>& columns,
+                      const Bspline_function<NT>& motion_weight, const std::array<NT, 3>& place)
+{
+  const std::span<const NT> parameters(place.data(), 2), time(place.data() + 2, 1);
+  const auto s = weight.value_and_gradient(parameters);
+  const auto w = motion_weight.value_and_gradient(time);
+  std::array<NT, 3> x, velocity;
+  std::array<std::array<NT, 3>, 2> along, tangent{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto f = numerators[i].value_and_gradient(parameters);
+    x[i] = f.value / s.value;
+    for (std::size_t j = 0; j < 2; ++j)
+      along[j][i] = (f.gradient[j] - x[i] * s.gradient[j]) / s.value;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto c = columns[3][i].value_and_gradient(time);
+    NT value = c.value, change = c.gradient[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto m = columns[k][i].value_and_gradient(time);
+      value += m.value * x[k];
+      change += m.gradient[0] * x[k];
+      for (std::size_t j = 0; j < 2; ++j)
+        tangent[j][i] += m.value * along[j][k];
+    }
+    velocity[i] = change - value / w.value * w.gradient[0];
+  }
+  return CGAL::determinant(velocity[0], velocity[1], velocity[2], tangent[0][0], tangent[0][1], tangent[0][2],
+                           tangent[1][0], tangent[1][1], tangent[1][2]);
+}
+
+// A moving surface in doubles, but for signs.
 class Moving_surface
 {
   using Function = Bspline_function<double>;
-  using Vector = Double_kernel::Vector_3;
   using Point = Double_kernel::Point_3;
 
+  const Common::Spline_patch<3>& m_surface;
+  const Rational_motion_3& m_motion;
+  bool m_has_outer_normals; // T_u x T_v points outwards
   std::array<Function, 3> m_numerators;
   Function m_weight;
   std::array<std::array<Function, 3>, 4> m_columns;
   Function m_motion_weight;
-  double m_sign = 1;
   mutable double m_time = std::numeric_limits<double>::quiet_NaN(); // of the map that is known
   mutable std::array<std::array<double, 3>, 4> m_map;
 
 public:
-  Moving_surface(const Common::Spline_patch<3>& surface, const Rational_motion_3& motion)
+  Moving_surface(const Common::Spline_patch<3>& surface, const Rational_motion_3& motion, bool has_outer_normals)
+    : m_surface(surface), m_motion(motion), m_has_outer_normals(has_outer_normals)
   {
     for (std::size_t i = 0; i < 3; ++i)
       m_numerators[i] = in_doubles(surface.numerators()[i]);
@@ -69,38 +106,19 @@ public:
     return {coordinate(0), coordinate(1), coordinate(2)};
   }
 
-  // The normal is -T_u x T_v, or T_u x T_v.
-  void set_turned(bool is_turned) { m_sign = is_turned ? -1 : 1; }
-
-  // The velocity times the normal, which points outwards.
-  double speed_along_normal(const Place& place) const
+  // How fast the surface moves along T_u x T_v, times the length of that, about.
+  double speed(const Place& place) const
   {
-    const std::span<const double> parameters(place.data(), 2), time(place.data() + 2, 1);
-    const auto s = m_weight.value_and_gradient(parameters);
-    const auto w = m_motion_weight.value_and_gradient(time);
-    std::array<double, 3> x;
-    std::array<std::array<double, 3>, 2> along;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto f = m_numerators[i].value_and_gradient(parameters);
-      x[i] = f.value / s.value;
-      for (std::size_t j = 0; j < 2; ++j)
-        along[j][i] = (f.gradient[j] - x[i] * s.gradient[j]) / s.value;
-    }
-    std::array<double, 3> velocity;
-    std::array<std::array<double, 3>, 2> tangent{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto c = m_columns[3][i].value_and_gradient(time);
-      double value = c.value, change = c.gradient[0];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto m = m_columns[k][i].value_and_gradient(time);
-        value += m.value * x[k];
-        change += m.gradient[0] * x[k];
-        for (std::size_t j = 0; j < 2; ++j)
-          tangent[j][i] += m.value * along[j][k];
-      }
-      velocity[i] = change - value / w.value * w.gradient[0];
-    }
-    return m_sign * (vector(velocity) * CGAL::cross_product(vector(tangent[0]), vector(tangent[1])));
+    return speed_along_normal(m_numerators, m_weight, m_columns, m_motion_weight, place);
+  }
+
+  // Whether the surface moves against its outer normal there, by proof.
+  bool is_inward(const Place& place) const
+  {
+    const Exact_rational speed = speed_along_normal(
+        m_surface.numerators(), m_surface.weight(), m_motion.columns(), m_motion.weight(),
+        std::array<Exact_rational, 3>{Exact_rational(place[0]), Exact_rational(place[1]), Exact_rational(place[2])});
+    return m_has_outer_normals ? speed < 0 : speed > 0;
   }
 
 private:
@@ -118,8 +136,6 @@ private:
   {
     return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
   }
-
-  static Vector vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 };
 
 } // namespace Swept_volumes

@@ -71,10 +71,8 @@ public:
     : m_moving(moving), m_space(space), m_soup(soup), m_chord_error(chord_error)
   {}
 
-  const Space_of_places& space() const { return m_space; }
   double chord_error() const { return m_chord_error; }
   const Moving_surface& moving() const { return m_moving; }
-  Triangle_soup& soup() { return m_soup; }
   const Point& point(std::size_t index) const { return m_soup.points[index]; }
 
   std::size_t index_of(const Place& place)

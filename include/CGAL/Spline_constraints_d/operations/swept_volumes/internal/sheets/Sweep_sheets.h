@@ -73,12 +73,11 @@ class Sweep_sheets
 public:
   // \pre the surface is closed
   Sweep_sheets(const Common::Spline_patch<3>& surface, const Rational_motion_3& motion,
-               const Envelope_surface_3& envelope, const Surface_mesh_options& options,
+               bool has_outer_normals, const Envelope_surface_3& envelope, const Surface_mesh_options& options,
                Common::Operation_budget& budget)
-    : m_surface(surface), m_motion(motion), m_budget(budget), m_moving(surface, motion), m_space(space_of(envelope)),
-      m_points(m_moving, m_space, m_soup, options.chord_error)
+    : m_surface(surface), m_motion(motion), m_budget(budget), m_moving(surface, motion, has_outer_normals),
+      m_space(space_of(envelope)), m_points(m_moving, m_space, m_soup, options.chord_error)
   {
-    m_moving.set_turned(has_normals_inwards());
     for (const Envelope_part_3& part : envelope.parts())
       if (!part.constant_unknown)
         add_part(part, options, budget);
@@ -91,7 +90,6 @@ public:
   }
 
   Triangle_soup& soup() { return m_soup; }
-  const Space_of_places& space() const { return m_space; }
 
   // Measured: how far the triangles of the envelope are from it.
   double error() const { return m_error; }
@@ -127,43 +125,8 @@ private:
       result.is_pole[static_cast<std::size_t>(axis)] = {m_surface.pole(axis, lower).has_value(),
                                                         m_surface.pole(axis, upper).has_value()};
     }
-    result.is_closed[2] = is_motion_closed();
+    result.is_closed[2] = m_motion.has_same_map(m_motion.domain().first, m_motion.domain().second);
     return result;
-  }
-
-  // The last position is the first one.
-  bool is_motion_closed() const
-  {
-    const auto [begin, end] = m_motion.domain();
-    const std::array<Exact_rational, 1> first{begin}, last{end};
-    const Exact_rational w = m_motion.weight()(first), other_w = m_motion.weight()(last);
-    for (const auto& column : m_motion.columns())
-      for (const auto& f : column)
-        if (f(first) * other_w != f(last) * w)
-          return false;
-    return true;
-  }
-
-  // By the volume of triangles between points of the surface.
-  bool has_normals_inwards() const
-  {
-    constexpr int steps = 24;
-    const double time = m_space.cuts[2].front();
-    const auto point = [&](int i, int k) {
-      const auto place = [&](std::size_t a, int step) {
-        return m_space.cuts[a].front() + (m_space.cuts[a].back() - m_space.cuts[a].front()) * step / steps;
-      };
-      return m_moving({place(0, i), place(1, k), time});
-    };
-    const auto origin = point(0, 0);
-    double volume = 0;
-    for (int i = 0; i < steps; ++i)
-      for (int k = 0; k < steps; ++k) {
-        const auto p = point(i, k), q = point(i + 1, k), r = point(i + 1, k + 1), s = point(i, k + 1);
-        volume += CGAL::determinant(p - origin, q - origin, r - origin) +
-            CGAL::determinant(p - origin, r - origin, s - origin);
-      }
-    return volume < 0;
   }
 
   std::optional<Cell> cell_of(const Constraint_system_d& system) const
@@ -338,17 +301,17 @@ private:
   Face_sheet::Side side_of(int axis, const std::optional<Cell>& cell, bool is_below)
   {
     if (!cell)
-      return {axis == 2 && !is_below, 0, 0};
+      return {axis == 2 && !is_below, 0};
     const auto a = static_cast<std::size_t>(axis);
     const double lower = m_space.cuts[a][(*cell)[a]], upper = m_space.cuts[a][(*cell)[a] + 1];
     constexpr double inside = 0x1p-30; // part of the cell
-    Face_sheet::Side result{std::nullopt, is_below ? upper : lower,
-                            is_below ? upper - (upper - lower) * inside : lower + (upper - lower) * inside};
+    const double value = is_below ? upper : lower;
+    Face_sheet::Side result{std::nullopt, value + (is_below ? -inside : inside) * (upper - lower)};
     const Cell_content& content = m_cells.at(*cell);
     if (content.is_still)
       result.is_inward = false;
     for (const auto& edge : content.boundary)
-      if (edge->places[0][a] == result.value && edge->places[1][a] == result.value &&
+      if (edge->places[0][a] == value && edge->places[1][a] == value &&
           !is_point_of_pole(edge->places[0], edge->places[1]))
         result.chain.push_back(edge.get());
     return result;
