@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
+#include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -102,6 +103,36 @@ TEST(Sweep_envelope, growing_ball)
     const double sine = 0.5 / 3;
     return std::hypot(y, z) * std::sqrt(1 - sine * sine) - sine * (x + 3);
   });
+}
+
+// An arc whose image is a pole of the ball is one point but for rounding: it is not halved for ever, and the limit of
+// time holds.
+TEST(Sweep_envelope, mesh_of_arcs_that_are_one_point)
+{
+  const SC::Envelope_surface_3 apple =
+      SC::sweep_envelope(SC::sphere_surface<K>(Point(0, 0, 0), Rational(3) / 2), Motion::along(circle()));
+  ASSERT_EQ(apple.parts().size(), 1u);
+  const SC::Envelope_part_3& part = apple.parts().front();
+  EXPECT_FALSE(
+      SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.01}, {.time_limit = 0.1}).is_complete());
+  EXPECT_TRUE(
+      SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.1, .is_remeshed = false}).is_complete());
+}
+
+// Vertices of a solution that no patch has.
+TEST(Sweep_envelope, mesh_without_patches)
+{
+  const Curve path(3, {0, 0, 0, 0, 1, 1, 1, 1},
+                   {Point(-3, -2, 0), Point(6, 4, Rational(1) / 8), Point(-6, 4, 0), Point(3, -2, 0)});
+  const SC::Envelope_surface_3 tube =
+      SC::sweep_envelope(SC::sphere_surface<K>(Point(0, 0, 0), Rational(1) / 4), Motion::along(path));
+  ASSERT_EQ(tube.parts().size(), 1u);
+  const SC::Envelope_part_3& part = tube.parts().front();
+  ASSERT_TRUE(part.solutions.patches().empty());
+  ASSERT_FALSE(part.solutions.vertices().empty());
+  const SC::Solution_surface_mesh mesh = SC::to_surface_mesh(part.solutions, part.image);
+  EXPECT_EQ(mesh.mesh.number_of_faces(), 0u);
+  EXPECT_FALSE(mesh.is_complete());
 }
 
 // The points of an ellipsoid where the velocity d is a tangent: <x/a^2, d> = 0.

@@ -127,11 +127,12 @@ private:
   }
 };
 
-//! writes one line with the counts.
+//! writes one line with the counts, and whether they are proved.
 //! \relates Swept_volume_3
 inline std::ostream& operator<<(std::ostream& out, const Swept_volume_3& volume)
 {
-  return out << "boundary: " << volume.number_of_components() << " components, Euler characteristic "
+  return out << "boundary: " << (volume.is_complete() ? "" : "not proved, ") << volume.number_of_components()
+             << " components, Euler characteristic "
              << volume.euler_characteristic() << ", volume " << volume.volume() << ", area " << volume.area() << ", "
              << volume.thin_cells().size() << " thin cells, " << volume.undecided().size()
              << " undecided; complete: " << (volume.is_complete() ? "yes" : "no") << "; nodes "
