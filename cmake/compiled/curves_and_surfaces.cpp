@@ -1,23 +1,14 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Formulas as functions of their unknowns, splines with rational coefficients, and what is found on one or two of them:
-// common points and curves, contacts, silhouettes, umbilics, distances, bisectors, envelopes; primitives made exact.
-#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
-#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
-#include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
-#include <CGAL/Spline_constraints_d/function/internal/decompositions.h>
-#include <CGAL/Spline_constraints_d/function/internal/expanded.h>
-#include <CGAL/Spline_constraints_d/function/internal/integer_factors.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
-
-// The solvers are only declared from here on: another source has them.
+// What is found on one or two curves or surfaces: common points and curves, contacts, silhouettes, umbilics, distances,
+// bisectors, envelopes; primitives made exact. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/traced_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Implicit_foot_finder.h>
@@ -43,21 +34,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/silhouettes_of_sweep.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/zeros_on_surface.h>
 
-namespace CGAL::Spline_constraints {
-
-template class Bernstein_tensor<double>;
-template class Bernstein_tensor<Exact_rational>;
-template class Bspline_function<double>;
-template class Bspline_function<Exact_rational>;
-
-namespace internal {
-
-template class Local_weights<Exact_rational>;
-template class Homogeneous_spline<double, 2>;
-template class Homogeneous_spline<double, 3>;
-template class Homogeneous_spline<Exact_rational, 2>;
-template class Homogeneous_spline<Exact_rational, 3>;
-
+namespace CGAL::Spline_constraints::internal {
 namespace Common {
 
 template class Spline_patch<2>;
@@ -108,5 +85,4 @@ template Found_hausdorff_distance<3> hausdorff_distance_of<3>(const Exact_map<3>
                                                               const Solver_options&);
 
 } // namespace Distances
-} // namespace internal
-} // namespace CGAL::Spline_constraints
+} // namespace CGAL::Spline_constraints::internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_PARSE_ERROR_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_PARSE_ERROR_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <string>
@@ -55,29 +56,37 @@ public:
 
 private:
   static std::string full_message(const std::string& file, int line, int column, const std::string& message,
-                                  const std::string& text)
-  {
-    if (line == 0)
-      return file + ": " + message;
-    return file + ':' + std::to_string(line) + ':' + std::to_string(column) + ": " + message + " near "
-           + (text.empty() ? std::string("the end of the file") : '\'' + printable(text) + '\'');
-  }
+                                  const std::string& text);
 
   // Other bytes than printable ASCII are shown as \xNN, so that a message never upsets a terminal.
-  static std::string printable(const std::string& text)
-  {
-    const char* const digits = "0123456789abcdef";
-    std::string result;
-    for (const char c : text) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte >= 0x20 && byte < 0x7f)
-        result += c;
-      else
-        result += std::string("\\x") + digits[byte >> 4] + digits[byte & 15];
-    }
-    return result;
-  }
+  static std::string printable(const std::string& text);
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string Parse_error::full_message(const std::string& file, int line, int column,
+                                                                     const std::string& message,
+                                                                     const std::string& text)
+{
+  if (line == 0)
+    return file + ": " + message;
+  return file + ':' + std::to_string(line) + ':' + std::to_string(column) + ": " + message + " near " +
+      (text.empty() ? std::string("the end of the file") : '\'' + printable(text) + '\'');
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string Parse_error::printable(const std::string& text)
+{
+  const char* const digits = "0123456789abcdef";
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f)
+      result += c;
+    else
+      result += std::string("\\x") + digits[byte >> 4] + digits[byte & 15];
+  }
+  return result;
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

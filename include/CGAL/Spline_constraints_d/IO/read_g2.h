@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/IO/internal/Spline_net.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Spline_net_parser.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
 #include <cstddef>
 #include <istream>
@@ -40,31 +41,35 @@ public:
   }
 
 private:
-  Spline_net parse_object()
-  {
-    const std::size_t begin = m_cursor.position();
-    const int type = integer(0, 1000000, "the type of a class");
-    if (type != 100 && type != 200)
-      m_cursor.fail_at(begin, "only the classes 100 (curves) and 200 (surfaces) are supported,");
-    integer(0, 1000, "a version");
-    integer(0, 1000, "a version");
-    for (int left = integer(0, 1000, "the number of auxiliary data"); left > 0; --left)
-      number("auxiliary data");
-    Spline_net net;
-    net.dimension = integer(2, 3, "the dimension");
-    net.is_rational = integer(0, 1, "whether there are weights") == 1;
-    net.axes.resize(type == 100 ? 1 : 2);
-    for (auto& axis : net.axes) {
-      axis.size = parse_size();
-      axis.order = parse_order(axis.size);
-      parse_knots(axis);
-    }
-    check_size(net);
-    for (std::size_t left = net.number_of_points(); left > 0; --left)
-      net.points.push_back(parse_coordinates(net));
-    return net;
-  }
+  Spline_net parse_object();
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_net G2_parser::parse_object()
+{
+  const std::size_t begin = m_cursor.position();
+  const int type = integer(0, 1000000, "the type of a class");
+  if (type != 100 && type != 200)
+    m_cursor.fail_at(begin, "only the classes 100 (curves) and 200 (surfaces) are supported,");
+  integer(0, 1000, "a version");
+  integer(0, 1000, "a version");
+  for (int left = integer(0, 1000, "the number of auxiliary data"); left > 0; --left)
+    number("auxiliary data");
+  Spline_net net;
+  net.dimension = integer(2, 3, "the dimension");
+  net.is_rational = integer(0, 1, "whether there are weights") == 1;
+  net.axes.resize(type == 100 ? 1 : 2);
+  for (auto& axis : net.axes) {
+    axis.size = parse_size();
+    axis.order = parse_order(axis.size);
+    parse_knots(axis);
+  }
+  check_size(net);
+  for (std::size_t left = net.number_of_points(); left > 0; --left)
+    net.points.push_back(parse_coordinates(net));
+  return net;
+}
+#endif
 
 } // namespace internal
 

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/IO/Parse_error.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Minibex_parser.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
 #include <istream>
 #include <string>
@@ -60,11 +61,7 @@ the file.
 `Power_polynomial` are exceeded;
         also when the stream fails.
 */
-inline Minibex_system read_minibex(std::istream& in, const std::string& file_name)
-{
-  const internal::Text_source source = internal::Text_source::read(in, file_name);
-  return internal::Minibex_parser(source.content(), file_name).system();
-}
+Minibex_system read_minibex(std::istream& in, const std::string& file_name);
 
 /*!
 \ingroup PkgSplineConstraintsDIO
@@ -72,11 +69,21 @@ inline Minibex_system read_minibex(std::istream& in, const std::string& file_nam
 reads the file of the given path.
 \throws Parse_error as above, and when the file cannot be opened.
 */
-inline Minibex_system read_minibex(const std::string& path)
+Minibex_system read_minibex(const std::string& path);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(std::istream& in, const std::string& file_name)
+{
+  const internal::Text_source source = internal::Text_source::read(in, file_name);
+  return internal::Minibex_parser(source.content(), file_name).system();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(const std::string& path)
 {
   const internal::Text_source source = internal::Text_source::read(path);
   return internal::Minibex_parser(source.content(), path).system();
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/internal/bezier_chords.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Bbox_2.h>
@@ -78,22 +79,7 @@ public:
   \param width in pixels.
   \throws Invalid_input when the view has no extent, or something is not finite.
   */
-  SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600)
-    : m_out(out), m_pixel((view.xmax() - view.xmin()) / width),
-      m_extent((std::max)(view.xmax() - view.xmin(), view.ymax() - view.ymin())),
-      m_units(std::pow(10., std::ceil(std::log10(25 / m_pixel))))
-  {
-    const double w = view.xmax() - view.xmin(), h = view.ymax() - view.ymin();
-    if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 &&
-          h > 0 && m_pixel > 0))
-      throw Invalid_input("SVG_writer: the view or its width has no extent, or is not finite");
-    const auto text = internal::double_text;
-    m_out << "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
-             "style='background: white' viewBox='"
-          << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h) << "' width='"
-          << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
-          << "<g transform='scale(1 -1)' fill='none' stroke-linejoin='round' font-family='sans-serif'>\n";
-  }
+  SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600);
 
   /*!
   begins a drawing in which all of some curves, points or polygons is seen.
@@ -122,12 +108,7 @@ public:
   double extent() const { return m_extent; }
 
   //! begins a layer, above those before, which ends where the next one begins.
-  void layer(const std::string& name)
-  {
-    m_out << (m_has_layer ? "</g>\n" : "") << "<g inkscape:groupmode='layer' inkscape:label='" << escaped(name)
-          << "'>\n";
-    m_has_layer = true;
-  }
+  void layer(const std::string& name);
 
   /*!
   draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control
@@ -215,10 +196,7 @@ public:
   }
 
 private:
-  std::string stroke(const std::string& color, double width) const
-  {
-    return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'";
-  }
+  std::string stroke(const std::string& color, double width) const;
 
   template <class Range>
   void write_ring(const Range& points)
@@ -244,11 +222,7 @@ private:
   }
 
   // With so many decimals that the rounding is not seen.
-  std::string rounded_text(double x) const
-  {
-    const double rounded = std::round(x * m_units) / m_units;
-    return internal::double_text((std::isfinite(rounded) ? rounded : x) + 0.);   // no -0
-  }
+  std::string rounded_text(double x) const;
 
   template <class Curve>
   void write_polynomial(const Curve& piece)
@@ -268,13 +242,7 @@ private:
       m_out << "\nL" << internal::double_text(p[0]) << ' ' << internal::double_text(p[1]);
   }
 
-  static std::string escaped(const std::string& text)
-  {
-    std::string result;
-    for (const char c : text)
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '\'' ? "&apos;" : std::string(1, c);
-    return result;
-  }
+  static std::string escaped(const std::string& text);
 };
 
 namespace IO {
@@ -296,6 +264,52 @@ void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& cu
 }
 
 } // namespace IO
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE SVG_writer::SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width)
+  : m_out(out), m_pixel((view.xmax() - view.xmin()) / width),
+    m_extent((std::max)(view.xmax() - view.xmin(), view.ymax() - view.ymin())),
+    m_units(std::pow(10., std::ceil(std::log10(25 / m_pixel))))
+{
+  const double w = view.xmax() - view.xmin(), h = view.ymax() - view.ymin();
+  if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 &&
+        h > 0 && m_pixel > 0))
+    throw Invalid_input("SVG_writer: the view or its width has no extent, or is not finite");
+  const auto text = internal::double_text;
+  m_out << "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
+           "style='background: white' viewBox='"
+        << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h) << "' width='"
+        << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
+        << "<g transform='scale(1 -1)' fill='none' stroke-linejoin='round' font-family='sans-serif'>\n";
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void SVG_writer::layer(const std::string& name)
+{
+  m_out << (m_has_layer ? "</g>\n" : "") << "<g inkscape:groupmode='layer' inkscape:label='" << escaped(name) << "'>\n";
+  m_has_layer = true;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string SVG_writer::rounded_text(double x) const
+{
+  const double rounded = std::round(x * m_units) / m_units;
+  return internal::double_text((std::isfinite(rounded) ? rounded : x) + 0.); // no -0
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string SVG_writer::escaped(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '\'' ? "&apos;" : std::string(1, c);
+  return result;
+}
+#endif
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string SVG_writer::stroke(const std::string& color, double width) const
+{
+  return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'";
+}
+#endif
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

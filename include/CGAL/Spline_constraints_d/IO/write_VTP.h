@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_surface_mesh.h>
 
 #include <CGAL/Point_3.h>
@@ -144,7 +145,10 @@ writes the triangles of surfaces of solutions in the same format, with their pro
 \param out where they are written to.
 \param surfaces the mesh with its properties.
 */
-inline void write_VTP(std::ostream& out, const Solution_surface_mesh& surfaces)
+void write_VTP(std::ostream& out, const Solution_surface_mesh& surfaces);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void write_VTP(std::ostream& out, const Solution_surface_mesh& surfaces)
 {
   using Mesh = Solution_surface_mesh::Mesh;
   const Mesh& mesh = surfaces.mesh;
@@ -187,6 +191,7 @@ inline void write_VTP(std::ostream& out, const Solution_surface_mesh& surfaces)
     out << "</DataArray>\n</CellData>\n";
   });
 }
+#endif
 
 } // namespace IO
 } // namespace Spline_constraints

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_MINIBEX_H
 
 #include <CGAL/Spline_constraints_d/IO/Minibex_system.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <cstddef>
@@ -23,7 +24,18 @@ namespace internal {
 
 // Number of unknowns from `first` on that are the elements base(1), base(2), ... of one array; 0 when `first` is not an
 // array's beginning.
-inline std::size_t array_size(const Minibex_system& system, std::size_t first)
+std::size_t array_size(const Minibex_system& system, std::size_t first);
+
+bool is_name(const std::string& text);
+
+inline std::string interval_text(const std::pair<Exact_rational, Exact_rational>& interval)
+{
+  return '[' + Power_polynomial(interval.first).to_string() + ", " + Power_polynomial(interval.second).to_string() +
+      ']';
+}
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t array_size(const Minibex_system& system, std::size_t first)
 {
   const std::string& name = system.names[first];
   if (name.size() < 4 || name.substr(name.size() - 3) != "(1)")
@@ -35,18 +47,13 @@ inline std::size_t array_size(const Minibex_system& system, std::size_t first)
   return size;
 }
 
-inline bool is_name(const std::string& text)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_name(const std::string& text)
 {
   const char* const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
-  return !text.empty() && std::string(letters).find(text[0]) != std::string::npos
-         && text.find_first_not_of(std::string(letters) + "0123456789") == std::string::npos;
+  return !text.empty() && std::string(letters).find(text[0]) != std::string::npos &&
+      text.find_first_not_of(std::string(letters) + "0123456789") == std::string::npos;
 }
-
-inline std::string interval_text(const std::pair<Exact_rational, Exact_rational>& interval)
-{
-  return '[' + Power_polynomial(interval.first).to_string() + ", " + Power_polynomial(interval.second).to_string() +
-      ']';
-}
+#endif
 
 } // namespace internal
 
@@ -61,7 +68,10 @@ when there are
         no unknowns or no constraints, when names and domains differ in number, when a function has an unknown without a
         name, or when a relation is `NOT_EQUAL`, which the language does not have.
 */
-inline void write_minibex(std::ostream& out, const Minibex_system& system)
+void write_minibex(std::ostream& out, const Minibex_system& system);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void write_minibex(std::ostream& out, const Minibex_system& system)
 {
   if (system.names.empty() || system.constraints.empty())
     throw Invalid_input("write_minibex: no unknowns or no constraints");
@@ -87,6 +97,7 @@ inline void write_minibex(std::ostream& out, const Minibex_system& system)
   }
   out << text << "end\n";
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
 #endif
@@ -28,7 +29,14 @@ namespace Spline_constraints {
 namespace internal {
 
 // The names of the symbols of a formula: x0, x1, ... for unknowns, s5(x0,x1) for splines, f6 for formulas.
-inline std::vector<std::string> symbol_names(const Symbol_table& symbols)
+std::vector<std::string> symbol_names(const Symbol_table& symbols);
+
+// A function of the unknowns alone; `check()` may end the work by an exception. Defined in internal/expanded.h.
+Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial,
+                         const std::function<void()>& check);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::string> symbol_names(const Symbol_table& symbols)
 {
   std::vector<std::string> names;
   for (int i = 0, size = symbols.size(); i < size; ++i) {
@@ -45,10 +53,7 @@ inline std::vector<std::string> symbol_names(const Symbol_table& symbols)
   }
   return names;
 }
-
-// A function of the unknowns alone; `check()` may end the work by an exception. Defined in internal/expanded.h.
-Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& polynomial,
-                         const std::function<void()>& check);
+#endif
 
 } // namespace internal
 
@@ -100,26 +105,33 @@ struct Constraint
 
   //! the conditions as functions of the unknowns alone, each up to a positive factor. \throws Invalid_input as
   //! `spline_function()`.
-  std::vector<Spline_function> condition_functions(const std::function<void()>& check = {}) const
-  {
-    std::vector<Spline_function> result;
-    for (const Power_polynomial& condition : conditions)
-      result.push_back(internal::expanded(symbols.get(), condition, check));
-    return result;
-  }
+  std::vector<Spline_function> condition_functions(const std::function<void()>& check = {}) const;
 
   //! writes, for example, `-2 + x0^2 + x1^2 = 0`.
-  friend std::ostream& operator<<(std::ostream& out, const Constraint& constraint)
-  {
-    if (constraint.symbols == nullptr)
-      return out << constraint.function << ' ' << constraint.relation << " 0";
-    const std::vector<std::string> names = internal::symbol_names(*constraint.symbols);
-    out << constraint.function.to_string(names) << ' ' << constraint.relation << " 0";
-    for (const Power_polynomial& condition : constraint.conditions)
-      out << ", " << condition.to_string(names) << " != 0";
-    return out;
-  }
+  friend std::ostream& operator<<(std::ostream& out, const Constraint& constraint);
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Spline_function>
+Constraint::condition_functions(const std::function<void()>& check) const
+{
+  std::vector<Spline_function> result;
+  for (const Power_polynomial& condition : conditions)
+    result.push_back(internal::expanded(symbols.get(), condition, check));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const Constraint& constraint)
+{
+  if (constraint.symbols == nullptr)
+    return out << constraint.function << ' ' << constraint.relation << " 0";
+  const std::vector<std::string> names = internal::symbol_names(*constraint.symbols);
+  out << constraint.function.to_string(names) << ' ' << constraint.relation << " 0";
+  for (const Power_polynomial& condition : constraint.conditions)
+    out << ", " << condition.to_string(names) << " != 0";
+  return out;
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -9,6 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_MONOMIAL_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_MONOMIAL_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+
 #include <algorithm>
 #include <compare>
 #include <utility>
@@ -47,40 +49,45 @@ struct Monomial
   }
 
   //! the monomial with the exponent of one unknown replaced; 0 removes the unknown.
-  Monomial with_exponent(int variable, int exponent) const
-  {
-    Monomial result(*this);
-    const auto position =
-        std::lower_bound(result.powers.begin(), result.powers.end(), std::pair<int, int>(variable, 0));
-    const bool occurs = position != result.powers.end() && position->first == variable;
-    if (exponent == 0) {
-      if (occurs)
-        result.powers.erase(position);
-    } else if (occurs)
-      position->second = exponent;
-    else
-      result.powers.insert(position, {variable, exponent});
-    return result;
-  }
+  Monomial with_exponent(int variable, int exponent) const;
 
   //! product: exponents add.
-  friend Monomial operator*(const Monomial& a, const Monomial& b)
-  {
-    Monomial result;
-    result.powers.reserve(a.powers.size() + b.powers.size());
-    auto i = a.powers.begin(), j = b.powers.begin();
-    while (i != a.powers.end() && j != b.powers.end())
-      if (i->first == j->first) {
-        result.powers.emplace_back(i->first, i->second + j->second);
-        ++i;
-        ++j;
-      } else
-        result.powers.push_back(i->first < j->first ? *i++ : *j++);
-    result.powers.insert(result.powers.end(), i, a.powers.end());
-    result.powers.insert(result.powers.end(), j, b.powers.end());
-    return result;
-  }
+  friend Monomial operator*(const Monomial& a, const Monomial& b);
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Monomial Monomial::with_exponent(int variable, int exponent) const
+{
+  Monomial result(*this);
+  const auto position = std::lower_bound(result.powers.begin(), result.powers.end(), std::pair<int, int>(variable, 0));
+  const bool occurs = position != result.powers.end() && position->first == variable;
+  if (exponent == 0) {
+    if (occurs)
+      result.powers.erase(position);
+  } else if (occurs)
+    position->second = exponent;
+  else
+    result.powers.insert(position, {variable, exponent});
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Monomial operator*(const Monomial& a, const Monomial& b)
+{
+  Monomial result;
+  result.powers.reserve(a.powers.size() + b.powers.size());
+  auto i = a.powers.begin(), j = b.powers.begin();
+  while (i != a.powers.end() && j != b.powers.end())
+    if (i->first == j->first) {
+      result.powers.emplace_back(i->first, i->second + j->second);
+      ++i;
+      ++j;
+    } else
+      result.powers.push_back(i->first < j->first ? *i++ : *j++);
+  result.powers.insert(result.powers.end(), i, a.powers.end());
+  result.powers.insert(result.powers.end(), j, b.powers.end());
+  return result;
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

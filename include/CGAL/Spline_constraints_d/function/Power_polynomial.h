@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/Polynomial_terms.h>
 #include <CGAL/Spline_constraints_d/function/internal/expansion_limits.h>
 #include <CGAL/Spline_constraints_d/function/internal/product_of_polynomials.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -74,11 +75,7 @@ public:
 
   //! a constant.
   //! \throws Invalid_input when the constant exceeds the limit on coefficients.
-  Power_polynomial(const Exact_rational& constant)
-  {
-    internal::Expansion_budget budget = default_budget();
-    add_term(Monomial(), constant, budget);
-  }
+  Power_polynomial(const Exact_rational& constant);
 
   //! a constant, from anything else that converts to an exact rational, such as the expression `Exact_rational(1) / 3`.
   template <class T>
@@ -94,27 +91,14 @@ public:
 
   //! a constant, exactly.
   //! \throws Invalid_input when the constant is not a finite number.
-  Power_polynomial(double constant)
-  {
-    if (!std::isfinite(constant))
-      throw Invalid_input("Power_polynomial: a constant is not a finite number");
-    if (constant != 0)
-      m_terms.emplace(Monomial(), Exact_rational(constant));
-  }
+  Power_polynomial(double constant);
 
   // would be rounded
   Power_polynomial(long double) = delete;
 
   //! the unknown of the given index.
   //! \throws Invalid_input when the index is negative.
-  static Power_polynomial variable(int index)
-  {
-    if (index < 0)
-      throw Invalid_input("Power_polynomial: negative index " + std::to_string(index) + " of an unknown");
-    Power_polynomial result;
-    result.m_terms.emplace(Monomial{{{index, 1}}}, Exact_rational(1));
-    return result;
-  }
+  static Power_polynomial variable(int index);
 
   //! the terms with their coefficients, none of them zero.
   const Terms& terms() const & { return m_terms; }
@@ -127,86 +111,41 @@ public:
   bool is_constant() const { return m_terms.empty() || (m_terms.size() == 1 && m_terms.begin()->first.powers.empty()); }
 
   //! the coefficient of the monomial 1; the value, when this is a constant.
-  Exact_rational constant_term() const
-  {
-    const auto position = m_terms.find(Monomial());
-    return position == m_terms.end() ? Exact_rational(0) : position->second;
-  }
+  Exact_rational constant_term() const;
 
   //! the largest exponent of an unknown; 0 when it does not occur.
-  int degree(int variable) const
-  {
-    int result = 0;
-    for (const auto& [monomial, coefficient] : m_terms)
-      result = (std::max)(result, monomial.exponent(variable));
-    return result;
-  }
+  int degree(int variable) const;
 
   //! the largest total degree of a term; 0 for the zero polynomial.
-  int total_degree() const
-  {
-    int result = 0;
-    for (const auto& [monomial, coefficient] : m_terms)
-      result = (std::max)(result, monomial.total_degree());
-    return result;
-  }
+  int total_degree() const;
 
   //! the unknowns that occur, increasing.
-  std::vector<int> variables() const
-  {
-    std::vector<int> result;
-    for (const auto& [variable, degree] : degrees())
-      result.push_back(variable);
-    return result;
-  }
+  std::vector<int> variables() const;
 
   //! the largest exponent of every unknown that occurs.
   std::map<int, int> degrees() const { return internal::degrees_of(m_terms); }
 
   //! sum; costs time proportional to the shorter operand (times a logarithm) when the longer one is a temporary or the
   //! left one.
-  Power_polynomial& operator+=(Power_polynomial other)
-  {
-    internal::Expansion_budget budget = default_budget();
-    return add(std::move(other), budget);
-  }
+  Power_polynomial& operator+=(Power_polynomial other);
 
   //! difference.
-  Power_polynomial& operator-=(Power_polynomial other)
-  {
-    internal::Expansion_budget budget = default_budget();
-    other.negate(budget);
-    return add(std::move(other), budget);
-  }
+  Power_polynomial& operator-=(Power_polynomial other);
 
   //! product, by integer arithmetic over common denominators: one integer multiplication and one hashed addition for
   //! each pair of terms.
-  Power_polynomial& operator*=(const Power_polynomial& other)
-  {
-    internal::Expansion_budget budget = default_budget();
-    *this = product(*this, other, budget);
-    return *this;
-  }
+  Power_polynomial& operator*=(const Power_polynomial& other);
 
   //! division by a constant.
   //! \throws Invalid_input when the divisor is zero or not a constant.
-  Power_polynomial& operator/=(const Power_polynomial& divisor)
-  {
-    internal::Expansion_budget budget = default_budget();
-    return divide(divisor, budget);
-  }
+  Power_polynomial& operator/=(const Power_polynomial& divisor);
 
   friend Power_polynomial operator+(Power_polynomial a, Power_polynomial b) { return std::move(a += std::move(b)); }
   friend Power_polynomial operator-(Power_polynomial a, Power_polynomial b) { return std::move(a -= std::move(b)); }
   friend Power_polynomial operator*(Power_polynomial a, const Power_polynomial& b) { return std::move(a *= b); }
   friend Power_polynomial operator/(Power_polynomial a, const Power_polynomial& b) { return std::move(a /= b); }
   friend Power_polynomial operator+(Power_polynomial a) { return a; }
-  friend Power_polynomial operator-(Power_polynomial a)
-  {
-    internal::Expansion_budget budget = default_budget();
-    a.negate(budget);
-    return a;
-  }
+  friend Power_polynomial operator-(Power_polynomial a);
 
   //! equality of polynomials.
   friend bool operator==(const Power_polynomial& a, const Power_polynomial& b) { return a.m_terms == b.m_terms; }
@@ -243,13 +182,7 @@ public:
   std::string to_string(std::span<const std::string> names) const { return internal::formula_of(m_terms, names); }
 
   //! the formula with the names `x0`, `x1`, ...
-  std::string to_string() const
-  {
-    std::vector<std::string> names;
-    for (int v = 0, end = m_terms.empty() ? 0 : 1 + internal::largest_variable(m_terms); v < end; ++v)
-      names.push_back(std::string("x").append(std::to_string(v)));   // g++ 12 warns of "x" + string
-    return to_string(names);
-  }
+  std::string to_string() const;
 
   //! writes `p.to_string()`.
   friend std::ostream& operator<<(std::ostream& out, const Power_polynomial& p) { return out << p.to_string(); }
@@ -272,8 +205,106 @@ private:
 
 #ifndef DOXYGEN_RUNNING
 
-inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rational& coefficient,
-                                       internal::Expansion_budget& budget)
+#endif // DOXYGEN_RUNNING
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial::Power_polynomial(const Exact_rational& constant)
+{
+  internal::Expansion_budget budget = default_budget();
+  add_term(Monomial(), constant, budget);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial::Power_polynomial(double constant)
+{
+  if (!std::isfinite(constant))
+    throw Invalid_input("Power_polynomial: a constant is not a finite number");
+  if (constant != 0)
+    m_terms.emplace(Monomial(), Exact_rational(constant));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::variable(int index)
+{
+  if (index < 0)
+    throw Invalid_input("Power_polynomial: negative index " + std::to_string(index) + " of an unknown");
+  Power_polynomial result;
+  result.m_terms.emplace(Monomial{{{index, 1}}}, Exact_rational(1));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational Power_polynomial::constant_term() const
+{
+  const auto position = m_terms.find(Monomial());
+  return position == m_terms.end() ? Exact_rational(0) : position->second;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Power_polynomial::degree(int variable) const
+{
+  int result = 0;
+  for (const auto& [monomial, coefficient] : m_terms)
+    result = (std::max)(result, monomial.exponent(variable));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Power_polynomial::total_degree() const
+{
+  int result = 0;
+  for (const auto& [monomial, coefficient] : m_terms)
+    result = (std::max)(result, monomial.total_degree());
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<int> Power_polynomial::variables() const
+{
+  std::vector<int> result;
+  for (const auto& [variable, degree] : degrees())
+    result.push_back(variable);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::operator+=(Power_polynomial other)
+{
+  internal::Expansion_budget budget = default_budget();
+  return add(std::move(other), budget);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::operator-=(Power_polynomial other)
+{
+  internal::Expansion_budget budget = default_budget();
+  other.negate(budget);
+  return add(std::move(other), budget);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::operator*=(const Power_polynomial& other)
+{
+  internal::Expansion_budget budget = default_budget();
+  *this = product(*this, other, budget);
+  return *this;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::operator/=(const Power_polynomial& divisor)
+{
+  internal::Expansion_budget budget = default_budget();
+  return divide(divisor, budget);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial operator-(Power_polynomial a)
+{
+  internal::Expansion_budget budget = Power_polynomial::default_budget();
+  a.negate(budget);
+  return a;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string Power_polynomial::to_string() const
+{
+  std::vector<std::string> names;
+  for (int v = 0, end = m_terms.empty() ? 0 : 1 + internal::largest_variable(m_terms); v < end; ++v)
+    names.push_back(std::string("x").append(std::to_string(v))); // g++ 12 warns of "x" + string
+  return to_string(names);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Power_polynomial::add_term(const Monomial& monomial,
+                                                               const Exact_rational& coefficient,
+                                                               internal::Expansion_budget& budget)
 {
   if (CGAL::is_zero(coefficient))
     return;
@@ -294,7 +325,8 @@ inline void Power_polynomial::add_term(const Monomial& monomial, const Exact_rat
   internal::check_number_of_terms(m_terms.size());
 }
 
-inline Power_polynomial& Power_polynomial::add(Power_polynomial other, internal::Expansion_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::add(Power_polynomial other,
+                                                                       internal::Expansion_budget& budget)
 {
   if (m_terms.size() < other.m_terms.size())
     m_terms.swap(other.m_terms);
@@ -303,14 +335,15 @@ inline Power_polynomial& Power_polynomial::add(Power_polynomial other, internal:
   return *this;
 }
 
-inline void Power_polynomial::negate(internal::Expansion_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Power_polynomial::negate(internal::Expansion_budget& budget)
 {
   budget.spend(static_cast<double>(m_terms.size()));
   for (auto& [monomial, coefficient] : m_terms)
     coefficient = -coefficient;
 }
 
-inline Power_polynomial& Power_polynomial::divide(const Power_polynomial& divisor, internal::Expansion_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial& Power_polynomial::divide(const Power_polynomial& divisor,
+                                                                          internal::Expansion_budget& budget)
 {
   if (!divisor.is_constant())
     throw Invalid_input("Power_polynomial: division by a polynomial that is not a constant");
@@ -320,8 +353,9 @@ inline Power_polynomial& Power_polynomial::divide(const Power_polynomial& diviso
   return *this;
 }
 
-inline Power_polynomial Power_polynomial::times_term(const Monomial& monomial, const Exact_rational& coefficient,
-                                                     internal::Expansion_budget& budget) const
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::times_term(const Monomial& monomial,
+                                                                             const Exact_rational& coefficient,
+                                                                             internal::Expansion_budget& budget) const
 {
   const long long degree = monomial.total_degree();
   const double words = internal::size_in_words(coefficient);
@@ -334,8 +368,9 @@ inline Power_polynomial Power_polynomial::times_term(const Monomial& monomial, c
   return result;
 }
 
-inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, const Power_polynomial& b,
-                                                  internal::Expansion_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::product(const Power_polynomial& a,
+                                                                          const Power_polynomial& b,
+                                                                          internal::Expansion_budget& budget)
 {
   if (a.is_zero() || b.is_zero())
     return Power_polynomial();
@@ -352,8 +387,8 @@ inline Power_polynomial Power_polynomial::product(const Power_polynomial& a, con
   return result;
 }
 
-inline Power_polynomial Power_polynomial::power(const Power_polynomial& base, int exponent,
-                                                internal::Expansion_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::power(const Power_polynomial& base, int exponent,
+                                                                        internal::Expansion_budget& budget)
 {
   if (exponent < 0)
     throw Invalid_input("Power_polynomial: negative exponent " + std::to_string(exponent));
@@ -382,7 +417,7 @@ inline Power_polynomial Power_polynomial::power(const Power_polynomial& base, in
   }
 }
 
-inline Power_polynomial Power_polynomial::derivative(int variable) const
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::derivative(int variable) const
 {
   internal::Expansion_budget budget = default_budget();
   Power_polynomial result;
@@ -393,7 +428,8 @@ inline Power_polynomial Power_polynomial::derivative(int variable) const
   return result;
 }
 
-inline Power_polynomial Power_polynomial::substituted(int variable, const Power_polynomial& replacement) const
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Power_polynomial::substituted(int variable,
+                                                                              const Power_polynomial& replacement) const
 {
   internal::Expansion_budget budget = default_budget();
   std::map<int, Power_polynomial> by_exponent;
@@ -409,8 +445,7 @@ inline Power_polynomial Power_polynomial::substituted(int variable, const Power_
   }
   return product(result, power(replacement, exponent, budget), budget);
 }
-
-#endif // DOXYGEN_RUNNING
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Short_integer.h>
@@ -109,32 +110,13 @@ public:
   const std::vector<Spline_term>& terms() const { return m_terms; }
 
   //! adds the terms of another function.
-  Spline_function& operator+=(Spline_function other)
-  {
-    m_terms.insert(m_terms.end(), std::make_move_iterator(other.m_terms.begin()),
-                   std::make_move_iterator(other.m_terms.end()));
-    return *this;
-  }
+  Spline_function& operator+=(Spline_function other);
 
   //! multiplies by a constant.
-  Spline_function& operator*=(const Exact_rational& factor)
-  {
-    for (Spline_term& term : m_terms)
-      for (auto& piece : term.pieces)
-        for (Exact_rational& coefficient : piece)
-          coefficient *= factor;
-    return *this;
-  }
+  Spline_function& operator*=(const Exact_rational& factor);
 
   friend Spline_function operator+(Spline_function a, Spline_function b) { return std::move(a += std::move(b)); }
-  friend Spline_function operator-(Spline_function a, Spline_function b)
-  {
-    for (Spline_term& term : b.m_terms)
-      for (auto& piece : term.pieces)
-        for (Exact_rational& coefficient : piece)
-          coefficient = -coefficient;
-    return std::move(a += std::move(b));
-  }
+  friend Spline_function operator-(Spline_function a, Spline_function b);
 
 private:
   template <class NT>
@@ -144,31 +126,7 @@ private:
 
 namespace internal {
 
-inline void check(const Spline_term& term)
-{
-  if (term.degrees.size() != term.variables.size() || term.breaks.size() != term.variables.size())
-    throw Invalid_input("Spline_term: variables, degrees and breaks differ in number");
-  std::size_t cells = 1;
-  for (std::size_t j = 0; j < term.variables.size(); ++j) {
-    const auto at = [&] { return " (axis " + std::to_string(j) + ")"; };
-    if (term.variables[j] < 0 || (j > 0 && term.variables[j] <= term.variables[j - 1]))
-      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at());
-    if (term.degrees[j] < 0)
-      throw Invalid_input("Spline_term: negative degree" + at());
-    if (term.breaks[j].size() == 1)
-      throw Invalid_input("Spline_term: a single break" + at());
-    for (std::size_t k = 1; k < term.breaks[j].size(); ++k)
-      if (!(term.breaks[j][k - 1] < term.breaks[j][k]))
-        throw Invalid_input("Spline_term: breaks must increase" + at() + ", break " + std::to_string(k));
-    cells *= term.cells(j);
-  }
-  if (term.pieces.size() != cells)
-    throw Invalid_input("Spline_term: " + std::to_string(term.pieces.size()) + " pieces for " + std::to_string(cells) +
-                        " cells");
-  for (std::size_t c = 0; c < cells; ++c)
-    if (term.pieces[c].size() != term.piece_size())
-      throw Invalid_input("Spline_term: wrong number of coefficients in piece " + std::to_string(c));
-}
+void check(const Spline_term& term);
 
 // Calls visit(first number, distance of the next) for every row of a tensor along an axis.
 template <class NT, class Visitor>
@@ -203,53 +161,16 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
 
 // Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times
 // differences.
-inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees,
-                               std::size_t axis)
-{
-  const int degree = degrees[axis];
-  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
-    for (int r = 1; r <= degree; ++r)
-      for (int k = degree; k >= r; --k)
-        a[step * k] -= a[step * (k - 1)];
-    Short_integer binomial(1);
-    for (int k = 1; k < degree; ++k) {
-      binomial *= degree - k + 1;
-      binomial /= k;
-      a[step * k] *= binomial;
-    }
-  });
-}
+void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis);
 
 /*
 Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common
 denominator. With begin = b / u and end - begin = w / u that is t = (u x - b) / w: coefficient k is multiplied by
 w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
 */
-inline void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator,
-                             const std::vector<int>& degrees, std::size_t axis, const Exact_rational& begin,
-                             const Exact_rational& end)
-{
-  const int degree = degrees[axis];
-  Short_integer unit(1);
-  extend_common_denominator(unit, begin);
-  extend_common_denominator(unit, end);
-  const Short_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
-  std::vector<Short_integer> powers_of_width(1, Short_integer(1)), powers_of_unit(1, Short_integer(1));
-  for (int k = 1; k <= degree; ++k) {
-    powers_of_width.push_back(powers_of_width.back() * width);
-    powers_of_unit.push_back(powers_of_unit.back() * unit);
-  }
-  denominator *= powers_of_width.back();
-  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
-    for (int k = 0; k <= degree; ++k)
-      a[step * k] *= powers_of_width[degree - k];
-    for (int r = 0; r < degree; ++r)
-      for (int k = degree - 1; k >= r; --k)
-        add_product(a[step * k], offset, a[step * (k + 1)]);
-    for (int k = 1; k <= degree; ++k)
-      a[step * k] *= powers_of_unit[k];
-  });
-}
+void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator,
+                      const std::vector<int>& degrees, std::size_t axis, const Exact_rational& begin,
+                      const Exact_rational& end);
 
 // Coefficients of powers over a common denominator.
 struct Power_form
@@ -272,11 +193,83 @@ Power_form power_form(const Bernstein_tensor<NT>& piece, const std::vector<std::
       continue;
     const std::size_t cells = breaks[j].size() - 1, k = cell % cells;
     cell /= cells;
-    if (const Exact_rational &begin = breaks[j][k], &end = breaks[j][k + 1]; begin != 0 || end != 1)
+    if (const Exact_rational& begin = breaks[j][k], &end = breaks[j][k + 1]; begin != 0 || end != 1)
       substitute_range(result.numerators, result.denominator, piece.degrees(), j, begin, end);
   }
   return result;
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void check(const Spline_term& term)
+{
+  if (term.degrees.size() != term.variables.size() || term.breaks.size() != term.variables.size())
+    throw Invalid_input("Spline_term: variables, degrees and breaks differ in number");
+  std::size_t cells = 1;
+  for (std::size_t j = 0; j < term.variables.size(); ++j) {
+    const auto at = [&] { return " (axis " + std::to_string(j) + ")"; };
+    if (term.variables[j] < 0 || (j > 0 && term.variables[j] <= term.variables[j - 1]))
+      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at());
+    if (term.degrees[j] < 0)
+      throw Invalid_input("Spline_term: negative degree" + at());
+    if (term.breaks[j].size() == 1)
+      throw Invalid_input("Spline_term: a single break" + at());
+    for (std::size_t k = 1; k < term.breaks[j].size(); ++k)
+      if (!(term.breaks[j][k - 1] < term.breaks[j][k]))
+        throw Invalid_input("Spline_term: breaks must increase" + at() + ", break " + std::to_string(k));
+    cells *= term.cells(j);
+  }
+  if (term.pieces.size() != cells)
+    throw Invalid_input("Spline_term: " + std::to_string(term.pieces.size()) + " pieces for " + std::to_string(cells) +
+                        " cells");
+  for (std::size_t c = 0; c < cells; ++c)
+    if (term.pieces[c].size() != term.piece_size())
+      throw Invalid_input("Spline_term: wrong number of coefficients in piece " + std::to_string(c));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void bernstein_to_power(std::vector<Short_integer>& coefficients,
+                                                       const std::vector<int>& degrees, std::size_t axis)
+{
+  const int degree = degrees[axis];
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
+    for (int r = 1; r <= degree; ++r)
+      for (int k = degree; k >= r; --k)
+        a[step * k] -= a[step * (k - 1)];
+    Short_integer binomial(1);
+    for (int k = 1; k < degree; ++k) {
+      binomial *= degree - k + 1;
+      binomial /= k;
+      a[step * k] *= binomial;
+    }
+  });
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void substitute_range(std::vector<Short_integer>& coefficients,
+                                                     Short_integer& denominator, const std::vector<int>& degrees,
+                                                     std::size_t axis, const Exact_rational& begin,
+                                                     const Exact_rational& end)
+{
+  const int degree = degrees[axis];
+  Short_integer unit(1);
+  extend_common_denominator(unit, begin);
+  extend_common_denominator(unit, end);
+  const Short_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
+  std::vector<Short_integer> powers_of_width(1, Short_integer(1)), powers_of_unit(1, Short_integer(1));
+  for (int k = 1; k <= degree; ++k) {
+    powers_of_width.push_back(powers_of_width.back() * width);
+    powers_of_unit.push_back(powers_of_unit.back() * unit);
+  }
+  denominator *= powers_of_width.back();
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
+    for (int k = 0; k <= degree; ++k)
+      a[step * k] *= powers_of_width[degree - k];
+    for (int r = 0; r < degree; ++r)
+      for (int k = degree - 1; k >= r; --k)
+        add_product(a[step * k], offset, a[step * (k + 1)]);
+    for (int k = 1; k <= degree; ++k)
+      a[step * k] *= powers_of_unit[k];
+  });
+}
+#endif
 
 } // namespace internal
 
@@ -284,56 +277,6 @@ inline Spline_function::Spline_function(Spline_term term)
 {
   internal::check(term);
   m_terms.push_back(std::move(term));
-}
-
-inline Spline_function::Spline_function(const Power_polynomial& polynomial)
-{
-  // Union-find over the unknowns: those of one monomial belong together.
-  const std::vector<int> variables = polynomial.variables();
-  std::map<int, int> parent;
-  for (int v : variables)
-    parent[v] = v;
-  const auto root = [&](int v) {
-    while (parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& [monomial, coefficient] : polynomial.terms())
-    for (const auto& power : monomial.powers)
-      parent[root(power.first)] = root(monomial.powers.front().first);
-
-  std::map<int, std::size_t> term_of_root;
-  for (int v : variables) {
-    const auto [position, is_new] = term_of_root.emplace(root(v), m_terms.size());
-    if (is_new)
-      m_terms.emplace_back();
-    Spline_term& term = m_terms[position->second];
-    term.variables.push_back(v);
-    term.degrees.push_back(polynomial.degree(v));
-    term.breaks.emplace_back();
-  }
-  if (m_terms.empty())
-    m_terms.emplace_back();   // a constant: a term without unknowns
-  for (const Spline_term& term : m_terms) {
-    double size = 1;
-    for (int d : term.degrees)
-      size *= d + 1.0;
-    if (size > static_cast<double>(maximal_piece_size))
-      throw Invalid_input("Spline_function: a polynomial in " + std::to_string(term.variables.size()) +
-                          " connected unknowns has too many coefficients as a dense tensor");
-  }
-  for (Spline_term& term : m_terms)
-    term.pieces.assign(1, std::vector<Exact_rational>(term.piece_size(), Exact_rational(0)));
-
-  for (const auto& [monomial, coefficient] : polynomial.terms()) {
-    Spline_term& term = m_terms[monomial.powers.empty() ? 0 : term_of_root[root(monomial.powers.front().first)]];
-    std::size_t index = 0, p = 0;
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      const bool occurs = p < monomial.powers.size() && monomial.powers[p].first == term.variables[j];
-      index = index * (static_cast<std::size_t>(term.degrees[j]) + 1) + (occurs ? monomial.powers[p++].second : 0);
-    }
-    term.pieces[0][index] += coefficient;
-  }
 }
 
 // Where an axis has no breaks, the piece belongs to the unit interval, and goes on beyond it.
@@ -376,12 +319,16 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables,
 
 namespace internal {
 
-inline void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>>& breaks)
+void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>>& breaks);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>>& breaks)
 {
   for (std::size_t j = 0; j < breaks.size(); ++j)
     if (breaks[j].size() < 2)
       throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
 }
+#endif
 
 } // namespace internal
 
@@ -417,7 +364,10 @@ inline Spline_function Spline_function::from_bernstein(std::vector<int> variable
 
 namespace internal {
 
-inline bool is_zero_everywhere(const Spline_function& function)
+bool is_zero_everywhere(const Spline_function& function);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_zero_everywhere(const Spline_function& function)
 {
   const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) {
     return std::all_of(piece.begin(), piece.end(),
@@ -427,8 +377,86 @@ inline bool is_zero_everywhere(const Spline_function& function)
     return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece);
   });
 }
+#endif
 
 } // namespace internal
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function& Spline_function::operator+=(Spline_function other)
+{
+  m_terms.insert(m_terms.end(), std::make_move_iterator(other.m_terms.begin()),
+                 std::make_move_iterator(other.m_terms.end()));
+  return *this;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function& Spline_function::operator*=(const Exact_rational& factor)
+{
+  for (Spline_term& term : m_terms)
+    for (auto& piece : term.pieces)
+      for (Exact_rational& coefficient : piece)
+        coefficient *= factor;
+  return *this;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function operator-(Spline_function a, Spline_function b)
+{
+  for (Spline_term& term : b.m_terms)
+    for (auto& piece : term.pieces)
+      for (Exact_rational& coefficient : piece)
+        coefficient = -coefficient;
+  return std::move(a += std::move(b));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function::Spline_function(const Power_polynomial& polynomial)
+{
+  // Union-find over the unknowns: those of one monomial belong together.
+  const std::vector<int> variables = polynomial.variables();
+  std::map<int, int> parent;
+  for (int v : variables)
+    parent[v] = v;
+  const auto root = [&](int v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& [monomial, coefficient] : polynomial.terms())
+    for (const auto& power : monomial.powers)
+      parent[root(power.first)] = root(monomial.powers.front().first);
+
+  std::map<int, std::size_t> term_of_root;
+  for (int v : variables) {
+    const auto [position, is_new] = term_of_root.emplace(root(v), m_terms.size());
+    if (is_new)
+      m_terms.emplace_back();
+    Spline_term& term = m_terms[position->second];
+    term.variables.push_back(v);
+    term.degrees.push_back(polynomial.degree(v));
+    term.breaks.emplace_back();
+  }
+  if (m_terms.empty())
+    m_terms.emplace_back(); // a constant: a term without unknowns
+  for (const Spline_term& term : m_terms) {
+    double size = 1;
+    for (int d : term.degrees)
+      size *= d + 1.0;
+    if (size > static_cast<double>(maximal_piece_size))
+      throw Invalid_input("Spline_function: a polynomial in " + std::to_string(term.variables.size()) +
+                          " connected unknowns has too many coefficients as a dense tensor");
+  }
+  for (Spline_term& term : m_terms)
+    term.pieces.assign(1, std::vector<Exact_rational>(term.piece_size(), Exact_rational(0)));
+
+  for (const auto& [monomial, coefficient] : polynomial.terms()) {
+    Spline_term& term = m_terms[monomial.powers.empty() ? 0 : term_of_root[root(monomial.powers.front().first)]];
+    std::size_t index = 0, p = 0;
+    for (std::size_t j = 0; j < term.variables.size(); ++j) {
+      const bool occurs = p < monomial.powers.size() && monomial.powers[p].first == term.variables[j];
+      index = index * (static_cast<std::size_t>(term.degrees[j]) + 1) + (occurs ? monomial.powers[p++].second : 0);
+    }
+    term.pieces[0][index] += coefficient;
+  }
+}
+#endif
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -59,12 +60,7 @@ class Unknown
 public:
   //! an unknown among the symbols that the package keeps in a table. \throws Invalid_input when the table has no such
   //! unknown.
-  Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index)
-    : Expression(Power_polynomial::variable(index), Monomial(), std::move(symbols)), m_index(index)
-  {
-    if (this->symbols() == nullptr || !this->symbols()->is_unknown(index))
-      throw Invalid_input("Unknown: no range for index " + std::to_string(index));
-  }
+  Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index);
 
   //! its place among the unknowns that were made together.
   int index() const { return m_index; }
@@ -79,22 +75,7 @@ public:
 makes unknowns with the given ranges, as many as there are.
 \throws Invalid_input when there is none, or a range is empty (the message names its index).
 */
-inline std::vector<Unknown> unknowns(const std::vector<std::array<Bound, 2>>& ranges)
-{
-  if (ranges.empty())
-    throw Invalid_input("unknowns: no ranges");
-  Unknown_domains domains;
-  for (const auto& [lower, upper] : ranges) {
-    if (upper.value() < lower.value())
-      throw Invalid_input("unknowns: the range of unknown " + std::to_string(domains.size()) + " is empty");
-    domains.emplace_back(lower.value(), upper.value());
-  }
-  const auto symbols = std::make_shared<internal::Symbol_table>(std::move(domains));
-  std::vector<Unknown> result;
-  for (std::size_t i = 0; i < ranges.size(); ++i)
-    result.emplace_back(symbols, static_cast<int>(i));
-  return result;
-}
+std::vector<Unknown> unknowns(const std::vector<std::array<Bound, 2>>& ranges);
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
@@ -131,7 +112,34 @@ the ranges of the unknowns that all constraints have in common.
 \throws Invalid_input when unknowns come from different calls of `unknowns()` (the message names the constraint), or
 there are none.
 */
-inline const Unknown_domains& common_domains(std::span<const Constraint> constraints)
+const Unknown_domains& common_domains(std::span<const Constraint> constraints);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Unknown::Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index)
+  : Expression(Power_polynomial::variable(index), Monomial(), std::move(symbols)), m_index(index)
+{
+  if (this->symbols() == nullptr || !this->symbols()->is_unknown(index))
+    throw Invalid_input("Unknown: no range for index " + std::to_string(index));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Unknown> unknowns(const std::vector<std::array<Bound, 2>>& ranges)
+{
+  if (ranges.empty())
+    throw Invalid_input("unknowns: no ranges");
+  Unknown_domains domains;
+  for (const auto& [lower, upper] : ranges) {
+    if (upper.value() < lower.value())
+      throw Invalid_input("unknowns: the range of unknown " + std::to_string(domains.size()) + " is empty");
+    domains.emplace_back(lower.value(), upper.value());
+  }
+  const auto symbols = std::make_shared<internal::Symbol_table>(std::move(domains));
+  std::vector<Unknown> result;
+  for (std::size_t i = 0; i < ranges.size(); ++i)
+    result.emplace_back(symbols, static_cast<int>(i));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const Unknown_domains& common_domains(std::span<const Constraint> constraints)
 {
   const Unknown_domains* result = nullptr;
   for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -147,6 +155,7 @@ inline const Unknown_domains& common_domains(std::span<const Constraint> constra
     throw Invalid_input("common_domains: no unknown occurs in the constraints");
   return *result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_COMMON_FACTOR_H
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 
 #include <algorithm>
@@ -37,16 +38,7 @@ namespace internal {
 // A polynomial with integer coefficients: f times a positive constant.
 using Integer_terms = std::vector<std::pair<Monomial, Big_integer>>;
 
-inline Integer_terms integer_terms(const Power_polynomial& f, Big_integer& denominator)
-{
-  denominator = 1;
-  for (const auto& [monomial, coefficient] : f.terms())
-    denominator = lcm(denominator, denominator_of(coefficient));
-  Integer_terms result;
-  for (const auto& [monomial, coefficient] : f.terms())
-    result.emplace_back(monomial, Big_integer(numerator_of(coefficient) * (denominator / denominator_of(coefficient))));
-  return result;
-}
+Integer_terms integer_terms(const Power_polynomial& f, Big_integer& denominator);
 
 /*
 Polynomials as integers: the values at a point with large integer coordinates, from which coefficients below half of the
@@ -132,7 +124,23 @@ private:
   }
 };
 
-inline void divide_by_content(Integer_terms& terms)
+void divide_by_content(Integer_terms& terms);
+
+Power_polynomial polynomial_of(const Integer_terms& terms, const Big_integer& denominator);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_terms integer_terms(const Power_polynomial& f, Big_integer& denominator)
+{
+  denominator = 1;
+  for (const auto& [monomial, coefficient] : f.terms())
+    denominator = lcm(denominator, denominator_of(coefficient));
+  Integer_terms result;
+  for (const auto& [monomial, coefficient] : f.terms())
+    result.emplace_back(monomial, Big_integer(numerator_of(coefficient) * (denominator / denominator_of(coefficient))));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void divide_by_content(Integer_terms& terms)
 {
   Big_integer content(0);
   for (const auto& [monomial, coefficient] : terms)
@@ -141,7 +149,8 @@ inline void divide_by_content(Integer_terms& terms)
     coefficient /= content;
 }
 
-inline Power_polynomial polynomial_of(const Integer_terms& terms, const Big_integer& denominator)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_of(const Integer_terms& terms,
+                                                              const Big_integer& denominator)
 {
   Power_polynomial result;
   for (const auto& [monomial, coefficient] : terms) {
@@ -152,6 +161,7 @@ inline Power_polynomial polynomial_of(const Integer_terms& terms, const Big_inte
   }
   return result;
 }
+#endif
 
 } // namespace internal
 
@@ -168,12 +178,52 @@ nothing, also when the integers would have more than 2^22 bits. Zero polynomials
 The cost is that of one greatest common divisor of integers with about \f$b \prod_j (d_j+1)\f$ bits, for coefficients of
 \f$b\f$ bits and degrees \f$d_j\f$.
 */
-inline std::optional<Common_factor> common_factor(const std::vector<Power_polynomial>& polynomials)
+std::optional<Common_factor> common_factor(const std::vector<Power_polynomial>& polynomials);
+
+namespace internal {
+
+// A common factor of a polynomial and its derivatives.
+std::optional<Common_factor> repeated_factor(const Power_polynomial& polynomial);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Common_factor> repeated_factor(const Power_polynomial& polynomial)
+{
+  std::vector<Power_polynomial> all{polynomial};
+  for (int variable : polynomial.variables())
+    all.push_back(polynomial.derivative(variable));
+  return common_factor(all);
+}
+#endif
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+a polynomial with the same zeros, real and complex, without the repeated factors that `common_factor()` finds.
+*/
+inline Power_polynomial square_free_part(const Power_polynomial& polynomial)
+{
+  const auto repeated = internal::repeated_factor(polynomial);
+  return repeated ? repeated->cofactors[0] : polynomial;
+}
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+polynomials \f$g_1, \dots, g_m\f$ with \f$f = c\, g_1 g_2^2 \cdots g_m^m\f$ for a constant \f$c\f$, exactly, where no
+\f$g_k\f$ has repeated factors that `common_factor()` finds, nor two of them a common one. Just \f$f\f$ if it has none.
+
+Source: Yun, On square-free decomposition algorithms, 1976; with all derivatives in the place of one.
+*/
+std::vector<Power_polynomial> square_free_factors(const Power_polynomial& f);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Common_factor>
+common_factor(const std::vector<Power_polynomial>& polynomials)
 {
   using namespace internal;
   std::vector<Integer_terms> terms;
   std::vector<Big_integer> denominators(polynomials.size());
-  std::map<int, int> degrees;   // of all of them
+  std::map<int, int> degrees; // of all of them
   long bits = 0;
   int total_degree = 0;
   for (std::size_t i = 0; i < polynomials.size(); ++i) {
@@ -220,39 +270,9 @@ inline std::optional<Common_factor> common_factor(const std::vector<Power_polyno
   return std::nullopt;
 }
 
-namespace internal {
-
-// A common factor of a polynomial and its derivatives.
-inline std::optional<Common_factor> repeated_factor(const Power_polynomial& polynomial)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Power_polynomial> square_free_factors(const Power_polynomial& f)
 {
-  std::vector<Power_polynomial> all{polynomial};
-  for (int variable : polynomial.variables())
-    all.push_back(polynomial.derivative(variable));
-  return common_factor(all);
-}
-
-} // namespace internal
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-a polynomial with the same zeros, real and complex, without the repeated factors that `common_factor()` finds.
-*/
-inline Power_polynomial square_free_part(const Power_polynomial& polynomial)
-{
-  const auto repeated = internal::repeated_factor(polynomial);
-  return repeated ? repeated->cofactors[0] : polynomial;
-}
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-polynomials \f$g_1, \dots, g_m\f$ with \f$f = c\, g_1 g_2^2 \cdots g_m^m\f$ for a constant \f$c\f$, exactly, where no
-\f$g_k\f$ has repeated factors that `common_factor()` finds, nor two of them a common one. Just \f$f\f$ if it has none.
-
-Source: Yun, On square-free decomposition algorithms, 1976; with all derivatives in the place of one.
-*/
-inline std::vector<Power_polynomial> square_free_factors(const Power_polynomial& f)
-{
-  std::vector<Power_polynomial> result;   // at first g_k g_{k+1} ... g_m
+  std::vector<Power_polynomial> result; // at first g_k g_{k+1} ... g_m
   for (Power_polynomial rest = f;;) {
     const auto repeated = internal::repeated_factor(rest);
     result.push_back(repeated ? repeated->cofactors[0] : rest);
@@ -268,6 +288,7 @@ inline std::vector<Power_polynomial> square_free_factors(const Power_polynomial&
   }
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

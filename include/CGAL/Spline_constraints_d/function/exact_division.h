@@ -11,9 +11,12 @@
 
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/function/internal/Formula_expansion.h>
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
-#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -29,14 +32,7 @@ namespace Spline_constraints {
 namespace internal {
 
 // The coefficients of the powers of an unknown that occur.
-inline std::map<int, Power_polynomial> coefficients_by_power(const Power_polynomial& polynomial, int unknown)
-{
-  std::map<int, Power_polynomial> result;
-  for (const auto& [monomial, coefficient] : polynomial.terms())
-    result[monomial.exponent(unknown)] +=
-        Power_polynomial(coefficient) * polynomial_of(monomial.with_exponent(unknown, 0));
-  return result;
-}
+std::map<int, Power_polynomial> coefficients_by_power(const Power_polynomial& polynomial, int unknown);
 
 // A polynomial as a divisor: by its powers of an unknown whose highest power has a constant coefficient.
 class Polynomial_divisor
@@ -45,50 +41,36 @@ class Polynomial_divisor
   std::map<int, Power_polynomial> m_coefficients;
 
 public:
-  explicit Polynomial_divisor(const Power_polynomial& divisor)
-  {
-    for (int unknown : divisor.variables()) {
-      m_coefficients = coefficients_by_power(divisor, unknown);
-      m_unknown = unknown;
-      if (m_coefficients.rbegin()->second.is_constant())
-        return;
-    }
-    throw Invalid_input("divided_exactly: no unknown whose highest power in the factor has a constant coefficient");
-  }
+  explicit Polynomial_divisor(const Power_polynomial& divisor);
 
   // The quotient; nothing when there is a remainder.
-  std::optional<Power_polynomial> quotient(const Power_polynomial& dividend) const
-  {
-    const int degree = m_coefficients.rbegin()->first;
-    const Power_polynomial x = Power_polynomial::variable(m_unknown);
-    Power_polynomial result;
-    std::map<int, Power_polynomial> rest = coefficients_by_power(dividend, m_unknown);
-    while (!rest.empty()) {
-      const auto [power, leading] = *rest.rbegin();
-      rest.erase(power);
-      if (leading.is_zero())
-        continue;
-      if (power < degree)
-        return std::nullopt;
-      const Power_polynomial factor = leading / m_coefficients.rbegin()->second;
-      for (const auto& [k, coefficient] : m_coefficients)
-        if (k < degree)
-          rest[power - degree + k] -= factor * coefficient;
-      result += factor * pow(x, power - degree);
-    }
-    return result;
-  }
+  std::optional<Power_polynomial> quotient(const Power_polynomial& dividend) const;
 };
 
-inline Power_polynomial polynomial_of_piece(const Spline_term& term, std::size_t cell)
-{
-  return polynomial_of_powers(term.degrees, term.pieces[cell],
-                              [&](std::size_t j) { return Power_polynomial::variable(term.variables[j]); });
-}
+Power_polynomial polynomial_of_piece(const Spline_term& term, std::size_t cell);
 
 // The spline of these unknowns with one polynomial for each cell.
-inline Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, const std::vector<Breaks_of_axis>& breaks,
-                                            const std::vector<Power_polynomial>& polynomials)
+Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, const std::vector<Breaks_of_axis>& breaks,
+                                     const std::vector<Power_polynomial>& polynomials);
+
+// The quotient of a polynomial in splines, piece by piece, as a symbol.
+Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend, const Polynomial_divisor& divisor,
+                                        int exponent, Symbol_table& symbols);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::map<int, Power_polynomial> coefficients_by_power(const Power_polynomial& polynomial,
+                                                                                     int unknown)
+{
+  std::map<int, Power_polynomial> result;
+  for (const auto& [monomial, coefficient] : polynomial.terms())
+    result[monomial.exponent(unknown)] +=
+        Power_polynomial(coefficient) * polynomial_of(monomial.with_exponent(unknown, 0));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline spline_of_polynomials(const std::vector<int>& unknowns,
+                                                                    const std::vector<Breaks_of_axis>& breaks,
+                                                                    const std::vector<Power_polynomial>& polynomials)
 {
   Integer_pieces<Big_integer> result{std::vector<int>(unknowns.size(), 0), breaks, {}};
   Big_integer denominator(1);
@@ -111,9 +93,9 @@ inline Integer_spline spline_of_polynomials(const std::vector<int>& unknowns, co
   return Integer_spline(std::move(result), std::move(denominator));
 }
 
-// The quotient of a polynomial in splines, piece by piece, as a symbol.
-inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend, const Polynomial_divisor& divisor,
-                                               int exponent, Symbol_table& symbols)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend,
+                                                                       const Polynomial_divisor& divisor, int exponent,
+                                                                       Symbol_table& symbols)
 {
   const Formula_expansion expansion(symbols, dividend);
   const Spline_term term = expansion.scaled_term();
@@ -137,6 +119,49 @@ inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend,
   spline->check_continuity("divided_exactly: the quotient");
   return symbols.spline_of_unknowns(spline, term.variables, 0);
 }
+#endif
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Polynomial_divisor::Polynomial_divisor(const Power_polynomial& divisor)
+{
+  for (int unknown : divisor.variables()) {
+    m_coefficients = coefficients_by_power(divisor, unknown);
+    m_unknown = unknown;
+    if (m_coefficients.rbegin()->second.is_constant())
+      return;
+  }
+  throw Invalid_input("divided_exactly: no unknown whose highest power in the factor has a constant coefficient");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Power_polynomial>
+Polynomial_divisor::quotient(const Power_polynomial& dividend) const
+{
+  const int degree = m_coefficients.rbegin()->first;
+  const Power_polynomial x = Power_polynomial::variable(m_unknown);
+  Power_polynomial result;
+  std::map<int, Power_polynomial> rest = coefficients_by_power(dividend, m_unknown);
+  while (!rest.empty()) {
+    const auto [power, leading] = *rest.rbegin();
+    rest.erase(power);
+    if (leading.is_zero())
+      continue;
+    if (power < degree)
+      return std::nullopt;
+    const Power_polynomial factor = leading / m_coefficients.rbegin()->second;
+    for (const auto& [k, coefficient] : m_coefficients)
+      if (k < degree)
+        rest[power - degree + k] -= factor * coefficient;
+    result += factor * pow(x, power - degree);
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_of_piece(const Spline_term& term, std::size_t cell)
+{
+  return polynomial_of_powers(term.degrees, term.pieces[cell],
+                              [&](std::size_t j) { return Power_polynomial::variable(term.variables[j]); });
+}
+#endif
 
 } // namespace internal
 
@@ -159,7 +184,21 @@ neighbours have their common end as a solution.
 continuous, the factor is no polynomial in unknowns or constant, none of its unknowns has a constant as coefficient of
 its highest power, or the exponent is negative.
 */
-inline Expression divided_exactly(const Expression& dividend, const Expression& factor, int exponent = 1)
+Expression divided_exactly(const Expression& dividend, const Expression& factor, int exponent = 1);
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+a vector with every coordinate divided in this way.
+*/
+template <int d>
+Vector_expression<d> divided_exactly(const Vector_expression<d>& dividend, const Expression& factor, int exponent = 1)
+{
+  return internal::vector_of<d>([&](std::size_t i) { return divided_exactly(dividend[i], factor, exponent); });
+}
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression divided_exactly(const Expression& dividend, const Expression& factor,
+                                                          int exponent)
 {
   const internal::Polynomial_divisor divisor(factor.polynomial());
   if (exponent < 0)
@@ -177,16 +216,7 @@ inline Expression divided_exactly(const Expression& dividend, const Expression& 
   }
   return Expression(std::move(numerator), dividend.denominator(), symbols);
 }
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-a vector with every coordinate divided in this way.
-*/
-template <int d>
-Vector_expression<d> divided_exactly(const Vector_expression<d>& dividend, const Expression& factor, int exponent = 1)
-{
-  return internal::vector_of<d>([&](std::size_t i) { return divided_exactly(dividend[i], factor, exponent); });
-}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

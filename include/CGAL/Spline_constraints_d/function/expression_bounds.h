@@ -11,9 +11,12 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
-#include <CGAL/Spline_constraints_d/function/internal/Formula_expansion.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/function/internal/Formula_expansion.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -29,7 +32,45 @@ namespace internal {
 using Exact_range = std::pair<Exact_rational, Exact_rational>;
 
 // The least and the greatest Bernstein coefficient on the parts of the box in all cells.
-inline Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains& box)
+Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains& box);
+
+// A polynomial in symbols, expanded, for its bounds on many boxes.
+class Polynomial_bounds
+{
+  Spline_function m_function; // times the scale
+  Exact_rational m_scale = 1;
+
+public:
+  Polynomial_bounds(const Symbol_table& symbols, const Power_polynomial& polynomial);
+
+  Exact_range operator()(const Unknown_domains& box) const;
+};
+
+// The two halves of a box along its widest axis. \pre there is an axis
+std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box);
+
+inline Exact_range hull_of(const Exact_range& a, const Exact_range& b)
+{
+  return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+}
+
+// A formula, for its bounds on many boxes.
+class Expression_bounds
+{
+  Polynomial_bounds m_numerator, m_denominator;
+
+public:
+  explicit Expression_bounds(const Expression& formula)
+    : m_numerator(*formula.symbols(), formula.numerator()),
+      m_denominator(*formula.symbols(), polynomial_of(formula.denominator()))
+  {}
+
+  // Nothing where the bounds of the denominator hold zero, after so many halvings of parts of the box.
+  std::optional<Exact_range> operator()(const Unknown_domains& box, int halvings) const;
+};
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains& box)
 {
   if (term.variables.empty())
     return {term.pieces[0][0], term.pieces[0][0]};
@@ -62,35 +103,7 @@ inline Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains
   return *result;
 }
 
-// A polynomial in symbols, expanded, for its bounds on many boxes.
-class Polynomial_bounds
-{
-  Spline_function m_function;   // times the scale
-  Exact_rational m_scale = 1;
-
-public:
-  Polynomial_bounds(const Symbol_table& symbols, const Power_polynomial& polynomial)
-  {
-    const Power_polynomial without_formulas = symbols.without_formulas(polynomial);
-    const Formula_expansion expansion(symbols, without_formulas);
-    m_function = expansion.scaled_function();
-    m_scale = scaled_rational(expansion.denominator(), 0);
-  }
-
-  Exact_range operator()(const Unknown_domains& box) const
-  {
-    Exact_range result(0, 0);
-    for (const Spline_term& term : m_function.terms()) {
-      const auto [lower, upper] = bounds_of_term(term, box);
-      result.first += lower / m_scale;
-      result.second += upper / m_scale;
-    }
-    return result;
-  }
-};
-
-// The two halves of a box along its widest axis. \pre there is an axis
-inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box)
 {
   const auto widest =
       std::max_element(box.begin(), box.end(),
@@ -101,42 +114,48 @@ inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domai
       Exact_rational((box[widest].first + box[widest].second) / 2);
   return result;
 }
+#endif
 
-inline Exact_range hull_of(const Exact_range& a, const Exact_range& b)
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Polynomial_bounds::Polynomial_bounds(const Symbol_table& symbols,
+                                                                    const Power_polynomial& polynomial)
 {
-  return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+  const Power_polynomial without_formulas = symbols.without_formulas(polynomial);
+  const Formula_expansion expansion(symbols, without_formulas);
+  m_function = expansion.scaled_function();
+  m_scale = scaled_rational(expansion.denominator(), 0);
 }
 
-// A formula, for its bounds on many boxes.
-class Expression_bounds
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_range Polynomial_bounds::operator()(const Unknown_domains& box) const
 {
-  Polynomial_bounds m_numerator, m_denominator;
-
-public:
-  explicit Expression_bounds(const Expression& formula)
-    : m_numerator(*formula.symbols(), formula.numerator()),
-      m_denominator(*formula.symbols(), polynomial_of(formula.denominator()))
-  {}
-
-  // Nothing where the bounds of the denominator hold zero, after so many halvings of parts of the box.
-  std::optional<Exact_range> operator()(const Unknown_domains& box, int halvings) const
-  {
-    const Exact_range below = m_denominator(box);
-    if (below.first <= 0 && below.second >= 0) {
-      if (halvings == 0)
-        return std::nullopt;
-      const auto [first, second] = halves_of(box);
-      const auto a = (*this)(first, halvings - 1), b = a ? (*this)(second, halvings - 1) : a;
-      return b ? std::optional(hull_of(*a, *b)) : std::nullopt;
-    }
-    const Exact_range above = m_numerator(box);
-    const std::array<Exact_rational, 4> quotients{
-        Exact_rational(above.first / below.first), Exact_rational(above.first / below.second),
-        Exact_rational(above.second / below.first), Exact_rational(above.second / below.second)};
-    const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());
-    return Exact_range(*least, *greatest);
+  Exact_range result(0, 0);
+  for (const Spline_term& term : m_function.terms()) {
+    const auto [lower, upper] = bounds_of_term(term, box);
+    result.first += lower / m_scale;
+    result.second += upper / m_scale;
   }
-};
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Exact_range> Expression_bounds::operator()(const Unknown_domains& box,
+                                                                                        int halvings) const
+{
+  const Exact_range below = m_denominator(box);
+  if (below.first <= 0 && below.second >= 0) {
+    if (halvings == 0)
+      return std::nullopt;
+    const auto [first, second] = halves_of(box);
+    const auto a = (*this)(first, halvings - 1), b = a ? (*this)(second, halvings - 1) : a;
+    return b ? std::optional(hull_of(*a, *b)) : std::nullopt;
+  }
+  const Exact_range above = m_numerator(box);
+  const std::array<Exact_rational, 4> quotients{
+      Exact_rational(above.first / below.first), Exact_rational(above.first / below.second),
+      Exact_rational(above.second / below.first), Exact_rational(above.second / below.second)};
+  const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());
+  return Exact_range(*least, *greatest);
+}
+#endif
 
 } // namespace internal
 
@@ -153,14 +172,19 @@ width \f$h\f$ they exceed the values by \f$O(h^2)\f$ for polynomials and \f$O(h)
 \param halvings how often parts of the box are halved where the bounds of the denominator hold zero.
 \throws Invalid_input when the box has a wrong number of ranges, and as `Constraint::spline_function()`.
 */
-inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula,
-                                                                       const Unknown_domains& box, int halvings = 4)
+std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula, const Unknown_domains& box,
+                                                                int halvings = 4);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<std::pair<Exact_rational, Exact_rational>>
+bounds(const Expression& formula, const Unknown_domains& box, int halvings)
 {
   if (formula.symbols() == nullptr)
     return internal::Exact_range(formula.numerator().constant_term(), formula.numerator().constant_term());
   internal::check_count(box.size(), formula.symbols()->domains().size(), "bounds: ranges of the box");
   return internal::Expression_bounds(formula)(box, halvings);
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

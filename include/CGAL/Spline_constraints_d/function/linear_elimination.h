@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
@@ -75,13 +76,8 @@ inline Vector_expression<2> meet(const Hyperplane_expression<2>& a, const Hyperp
 }
 
 //! the point that three planes have in common, in the same way.
-inline Vector_expression<3> meet(const Hyperplane_expression<3>& a, const Hyperplane_expression<3>& b,
-                                 const Hyperplane_expression<3>& c)
-{
-  const Vector_expression<3> bc = cross(b.normal, c.normal);
-  return (a.offset * bc + b.offset * cross(c.normal, a.normal) + c.offset * cross(a.normal, b.normal)) /
-      dot(a.normal, bc);
-}
+Vector_expression<3> meet(const Hyperplane_expression<3>& a, const Hyperplane_expression<3>& b,
+                          const Hyperplane_expression<3>& c);
 
 /*!
 unknowns to be eliminated by `solve_linear()`: they have no range, and no constraint on a system may use them. They
@@ -102,14 +98,7 @@ Vector_expression<d> unknowns_without_range(const Unknown& u)
 namespace internal {
 
 // The symbol that an expression consists of.
-inline int symbol_of(const Expression& expression)
-{
-  const std::vector<int> symbols = expression.numerator().variables();
-  if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) ||
-      !expression.denominator().powers.empty())
-    throw Invalid_input("solve_linear, substituted: what is to be eliminated is not an unknown");
-  return symbols[0];
-}
+int symbol_of(const Expression& expression);
 
 // <normal, p> = offset from an equation that is linear in the symbols.
 template <int d>
@@ -135,6 +124,17 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
   return {vector_of<d>([&](std::size_t i) { return Expression(slopes[i], Monomial(), table); }),
           Expression(-rest, Monomial(), table)};
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE int symbol_of(const Expression& expression)
+{
+  const std::vector<int> symbols = expression.numerator().variables();
+  if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) ||
+      !expression.denominator().powers.empty())
+    throw Invalid_input("solve_linear, substituted: what is to be eliminated is not an unknown");
+  return symbols[0];
+}
+#endif
 
 } // namespace internal
 
@@ -176,7 +176,19 @@ the formula with another one in the place of an unknown.
 \throws Invalid_input when `unknown` is no unknown, or the parameter of a spline in the formula; or the value is such
 that something is divided by zero.
 */
-inline Expression substituted(const Expression& formula, const Expression& unknown, const Expression& value)
+Expression substituted(const Expression& formula, const Expression& unknown, const Expression& value);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_expression<3>
+meet(const Hyperplane_expression<3>& a, const Hyperplane_expression<3>& b, const Hyperplane_expression<3>& c)
+{
+  const Vector_expression<3> bc = cross(b.normal, c.normal);
+  return (a.offset * bc + b.offset * cross(c.normal, a.normal) + c.offset * cross(a.normal, b.normal)) /
+      dot(a.normal, bc);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression substituted(const Expression& formula, const Expression& unknown,
+                                                      const Expression& value)
 {
   const int symbol = internal::symbol_of(unknown);
   const auto table = internal::common_symbols(formula.symbols(), unknown.symbols());
@@ -187,7 +199,7 @@ inline Expression substituted(const Expression& formula, const Expression& unkno
           std::find(parameters.begin(), parameters.end(), symbol) != parameters.end())
         throw Invalid_input("substituted: the unknown is the parameter of a spline");
     const std::map<int, Power_polynomial> coefficients = internal::coefficients_by_power(without_formulas, symbol);
-    Expression result = 0;   // by Horner's scheme
+    Expression result = 0; // by Horner's scheme
     int power = coefficients.empty() ? 0 : coefficients.rbegin()->first;
     for (auto summand = coefficients.rbegin(); summand != coefficients.rend(); ++summand) {
       result = result * pow(value, power - summand->first) + Expression(summand->second, Monomial(), table);
@@ -200,6 +212,7 @@ inline Expression substituted(const Expression& formula, const Expression& unkno
     result /= pow(in_polynomial(Power_polynomial::variable(divisor)), exponent);
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
 #include <CGAL/Spline_constraints_d/function/internal/decompositions_declarations.h>
 #include <CGAL/Spline_constraints_d/function/internal/left_components.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -50,14 +51,7 @@ function of \f$h\f$ for which \f$\deg p > \deg q\f$, these products have increas
 triangular: \f$O(n r)\f$ operations on rational numbers for the degree \f$n\f$ of \f$f\f$ and \f$r\f$ of \f$g\f$.
 Modulo a prime, most \f$h\f$ are refused before. Zippel, Rational function decomposition, 1991, section 3.1.
 */
-inline std::optional<Polynomial_quotient> left_component(const Polynomial_quotient& f, const Polynomial_quotient& h)
-{
-  if (f.degree() == 0 || h.degree() == 0)
-    throw Invalid_input("left_component: a function is constant");
-  const internal::Pencil pencil(h.numerator_coefficients(), h.denominator_coefficients());
-  const std::optional<Polynomial_quotient> g = internal::left_component(f, pencil);
-  return g ? std::optional(composed(*g, pencil.of_given())) : std::nullopt;
-}
+std::optional<Polynomial_quotient> left_component(const Polynomial_quotient& f, const Polynomial_quotient& h);
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
@@ -77,17 +71,7 @@ f(b)\f$; then the numerator of \f$h\f$ divides that of \f$f - f(a)\f$, its denom
 these divisors are tried, where \f$a\f$ and \f$b\f$ are chosen so that there are few. Proofs: \ref
 Spline_constraints_d_rational_decomposition_proofs.
 */
-inline std::vector<Functional_decomposition> decompositions(const Polynomial_quotient& f,
-                                                            std::function<void()> check = {})
-{
-  if (f.degree() == 0)
-    throw Invalid_input("decompositions: the function is constant");
-  internal::Interruption interruption(std::move(check));
-  std::vector<Functional_decomposition> result;
-  for (internal::Found_decomposition& found : internal::decompositions_of(f, interruption))
-    result.push_back({std::move(found.g), std::move(found.h)});
-  return result;
-}
+std::vector<Functional_decomposition> decompositions(const Polynomial_quotient& f, std::function<void()> check = {});
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
@@ -98,7 +82,33 @@ with the least degree that is possible, and so on for the rest. Just \f$f\f$, if
 \param f,check as for `decompositions()`.
 \throws Invalid_input for a constant.
 */
-inline std::vector<Polynomial_quotient> decompose(const Polynomial_quotient& f, std::function<void()> check = {})
+std::vector<Polynomial_quotient> decompose(const Polynomial_quotient& f, std::function<void()> check = {});
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Polynomial_quotient> left_component(const Polynomial_quotient& f,
+                                                                                 const Polynomial_quotient& h)
+{
+  if (f.degree() == 0 || h.degree() == 0)
+    throw Invalid_input("left_component: a function is constant");
+  const internal::Pencil pencil(h.numerator_coefficients(), h.denominator_coefficients());
+  const std::optional<Polynomial_quotient> g = internal::left_component(f, pencil);
+  return g ? std::optional(composed(*g, pencil.of_given())) : std::nullopt;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Functional_decomposition> decompositions(const Polynomial_quotient& f,
+                                                                                    std::function<void()> check)
+{
+  if (f.degree() == 0)
+    throw Invalid_input("decompositions: the function is constant");
+  internal::Interruption interruption(std::move(check));
+  std::vector<Functional_decomposition> result;
+  for (internal::Found_decomposition& found : internal::decompositions_of(f, interruption))
+    result.push_back({std::move(found.g), std::move(found.h)});
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Polynomial_quotient> decompose(const Polynomial_quotient& f,
+                                                                          std::function<void()> check)
 {
   std::vector<Polynomial_quotient> result;
   for (Polynomial_quotient rest = f;;) {
@@ -111,6 +121,7 @@ inline std::vector<Polynomial_quotient> decompose(const Polynomial_quotient& f, 
     rest = std::move(found.front().g);
   }
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

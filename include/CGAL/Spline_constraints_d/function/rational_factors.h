@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/Integer_coefficients.h>
 #include <CGAL/Spline_constraints_d/function/internal/Interruption.h>
 #include <CGAL/Spline_constraints_d/function/internal/integer_factors_declarations.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -59,7 +60,10 @@ factors are lifted and combined (Zassenhaus 1969). The cost is polynomial in the
 except for the last step: it is exponential in the number of factors modulo primes, of which irreducible polynomials can
 have half as many as their degree, but most have few.
 */
-inline Rational_factors rational_factors(const Power_polynomial& f, std::function<void()> check = {})
+Rational_factors rational_factors(const Power_polynomial& f, std::function<void()> check = {});
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_factors rational_factors(const Power_polynomial& f, std::function<void()> check)
 {
   using namespace internal;
   if (f.is_zero())
@@ -76,6 +80,7 @@ inline Rational_factors rational_factors(const Power_polynomial& f, std::functio
   }
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

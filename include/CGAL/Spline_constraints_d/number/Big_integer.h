@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_BIG_INTEGER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_BIG_INTEGER_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
 #include <CGAL/Spline_constraints_d/number/power_of_two.h>
@@ -162,16 +163,7 @@ inline double to_scaled_double(const Big_integer& value, long exponent)
 inline double approximate(const Big_integer& value) { return to_scaled_double(value, 0); }
 
 // 2^exponent as a rational, by squaring.
-inline Exact_rational power_of_two(long exponent)
-{
-  Exact_rational result(1), square(exponent < 0 ? 0.5 : 2.0);
-  for (unsigned long rest = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent); rest != 0; rest >>= 1) {
-    if (rest & 1)
-      result *= square;
-    square *= square;
-  }
-  return result;
-}
+Exact_rational power_of_two(long exponent);
 
 // value 2^exponent, exactly.
 template <class Rational = Exact_rational>
@@ -279,6 +271,19 @@ Common_dyadic<Integer> common_dyadic(const Coordinate& lower, const Coordinate& 
   shift_left(b, static_cast<unsigned long>(f - exponent));
   return {a, Integer(b - a), exponent};
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational power_of_two(long exponent)
+{
+  Exact_rational result(1), square(exponent < 0 ? 0.5 : 2.0);
+  for (unsigned long rest = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent); rest != 0; rest >>= 1) {
+    if (rest & 1)
+      result *= square;
+    square *= square;
+  }
+  return result;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

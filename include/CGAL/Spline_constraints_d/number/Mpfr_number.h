@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_MPFR_NUMBER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_MPFR_NUMBER_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
@@ -41,50 +42,13 @@ class Mpfr_number
 
 public:
   // The number 0 with room for `precision` bits.
-  explicit Mpfr_number(mpfr_prec_t precision)
-  {
-    if (precision <= most_bits_inside) {
-      mpfr_custom_init(m_digits.data(), precision);
-      mpfr_custom_init_set(m_value, MPFR_ZERO_KIND, 0, precision, m_digits.data());
-    } else {
-      mpfr_init2(m_value, precision);
-      mpfr_set_zero(m_value, 1);
-    }
-  }
+  explicit Mpfr_number(mpfr_prec_t precision);
 
-  Mpfr_number(const Mpfr_number& other)
-  {
-    CGAL_precondition(other.m_is_owner);
-    if (other.has_digits_inside())
-      copy_with_digits(other);
-    else {
-      mpfr_init2(m_value, mpfr_get_prec(other.m_value));
-      mpfr_set(m_value, other.m_value, MPFR_RNDN); // same precision: exact
-    }
-  }
+  Mpfr_number(const Mpfr_number& other);
 
-  Mpfr_number(Mpfr_number&& other) noexcept
-  {
-    if (other.has_digits_inside())
-      copy_with_digits(other);
-    else {
-      *m_value = *other.m_value;
-      m_is_owner = std::exchange(other.m_is_owner, false);
-    }
-  }
+  Mpfr_number(Mpfr_number&& other) noexcept;
 
-  Mpfr_number& operator=(const Mpfr_number& other)
-  {
-    if (this == &other)
-      return *this;
-    if (m_is_owner && mpfr_get_prec(m_value) == mpfr_get_prec(other.m_value)) {
-      mpfr_set(m_value, other.m_value, MPFR_RNDN); // no allocation when the precision stays
-      return *this;
-    }
-    Mpfr_number copy(other);
-    swap(copy);
-    return *this;
-  }
+  Mpfr_number& operator=(const Mpfr_number& other);
 
   Mpfr_number& operator=(Mpfr_number&& other) noexcept
   {
@@ -98,24 +62,10 @@ public:
       mpfr_clear(m_value);
   }
 
-  void swap(Mpfr_number& other) noexcept
-  {
-    std::swap(*m_value, *other.m_value);
-    std::swap(m_digits, other.m_digits);
-    std::swap(m_is_owner, other.m_is_owner);
-    find_digits();
-    other.find_digits();
-  }
+  void swap(Mpfr_number& other) noexcept;
 
   // Makes room for at least `precision` bits.
-  void widen(mpfr_prec_t precision)
-  {
-    if (precision <= this->precision())
-      return;
-    Mpfr_number wide(precision);
-    mpfr_set(wide.m_value, m_value, MPFR_RNDN); // exact: there is only more room
-    swap(wide);
-  }
+  void widen(mpfr_prec_t precision);
 
   mpfr_ptr get() { return m_value; }
   mpfr_srcptr get() const { return m_value; }
@@ -139,7 +89,113 @@ private:
 };
 
 // The integer n >= 0 as an MPFR number, exactly. The way for integers that are not made of a GMP number.
-inline Mpfr_number mpfr_of_integer(Exact_integer n)
+Mpfr_number mpfr_of_integer(Exact_integer n);
+
+// result = x, rounded once. The way for rationals of any type.
+void set_from_parts(mpfr_ptr result, const Exact_rational& x, mpfr_rnd_t direction);
+
+template <typename Rational>
+void set_from_rational(mpfr_ptr result, const Rational& x, mpfr_rnd_t direction)
+{
+  if constexpr (Readable_as_mpq<Rational>)
+    mpfr_set_q(result, mpq_of(x), direction);
+  else
+    set_from_parts(result, x, direction);
+}
+
+// The finite number x, exactly. The way for rationals of any type.
+Exact_rational rational_from_digits(mpfr_srcptr x);
+
+template <typename Rational>
+Rational rational_of_mpfr(mpfr_srcptr x)
+{
+  CGAL_precondition(mpfr_number_p(x));
+  if constexpr (Writable_as_mpq<Rational>) {
+    Rational result(0);
+    mpfr_get_q(writable_mpq_of(result), x);
+    return result;
+  } else {
+    return rational_from_digits(x);
+  }
+}
+
+// The sign of x - q; x may be infinite.
+template <typename Rational>
+int compare_mpfr(mpfr_srcptr x, const Rational& q)
+{
+  if (mpfr_inf_p(x))
+    return mpfr_sgn(x);
+  if constexpr (Readable_as_mpq<Rational>)
+    return mpfr_cmp_q(x, mpq_of(q));
+  else
+    return static_cast<int>(CGAL::compare(rational_of_mpfr<Rational>(x), q));
+}
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Mpfr_number::Mpfr_number(mpfr_prec_t precision)
+{
+  if (precision <= most_bits_inside) {
+    mpfr_custom_init(m_digits.data(), precision);
+    mpfr_custom_init_set(m_value, MPFR_ZERO_KIND, 0, precision, m_digits.data());
+  } else {
+    mpfr_init2(m_value, precision);
+    mpfr_set_zero(m_value, 1);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Mpfr_number::Mpfr_number(const Mpfr_number& other)
+{
+  CGAL_precondition(other.m_is_owner);
+  if (other.has_digits_inside())
+    copy_with_digits(other);
+  else {
+    mpfr_init2(m_value, mpfr_get_prec(other.m_value));
+    mpfr_set(m_value, other.m_value, MPFR_RNDN); // same precision: exact
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Mpfr_number::Mpfr_number(Mpfr_number&& other) noexcept
+{
+  if (other.has_digits_inside())
+    copy_with_digits(other);
+  else {
+    *m_value = *other.m_value;
+    m_is_owner = std::exchange(other.m_is_owner, false);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Mpfr_number& Mpfr_number::operator=(const Mpfr_number& other)
+{
+  if (this == &other)
+    return *this;
+  if (m_is_owner && mpfr_get_prec(m_value) == mpfr_get_prec(other.m_value)) {
+    mpfr_set(m_value, other.m_value, MPFR_RNDN); // no allocation when the precision stays
+    return *this;
+  }
+  Mpfr_number copy(other);
+  swap(copy);
+  return *this;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Mpfr_number::swap(Mpfr_number& other) noexcept
+{
+  std::swap(*m_value, *other.m_value);
+  std::swap(m_digits, other.m_digits);
+  std::swap(m_is_owner, other.m_is_owner);
+  find_digits();
+  other.find_digits();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Mpfr_number::widen(mpfr_prec_t precision)
+{
+  if (precision <= this->precision())
+    return;
+  Mpfr_number wide(precision);
+  mpfr_set(wide.m_value, m_value, MPFR_RNDN); // exact: there is only more room
+  swap(wide);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Mpfr_number mpfr_of_integer(Exact_integer n)
 {
   const Exact_integer base = integer_power_of_two(32);
   std::vector<double> digits; // the last one is the leading one
@@ -157,8 +213,7 @@ inline Mpfr_number mpfr_of_integer(Exact_integer n)
   return result;
 }
 
-// result = x, rounded once. The way for rationals of any type.
-inline void set_from_parts(mpfr_ptr result, const Exact_rational& x, mpfr_rnd_t direction)
+CGAL_SPLINE_CONSTRAINTS_INLINE void set_from_parts(mpfr_ptr result, const Exact_rational& x, mpfr_rnd_t direction)
 {
   Rational_parts parts = parts_of(x);
   const bool is_negative = CGAL::sign(parts.numerator) == CGAL::NEGATIVE;
@@ -171,17 +226,7 @@ inline void set_from_parts(mpfr_ptr result, const Exact_rational& x, mpfr_rnd_t 
   mpfr_div(result, numerator.get(), denominator.get(), direction);
 }
 
-template <typename Rational>
-void set_from_rational(mpfr_ptr result, const Rational& x, mpfr_rnd_t direction)
-{
-  if constexpr (Readable_as_mpq<Rational>)
-    mpfr_set_q(result, mpq_of(x), direction);
-  else
-    set_from_parts(result, x, direction);
-}
-
-// The finite number x, exactly. The way for rationals of any type.
-inline Exact_rational rational_from_digits(mpfr_srcptr x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational rational_from_digits(mpfr_srcptr x)
 {
   struct Owned_integer // the vector below may throw
   {
@@ -209,31 +254,7 @@ inline Exact_rational rational_from_digits(mpfr_srcptr x)
     scale_rational(result, static_cast<int>(exponent));
   return result;
 }
-
-template <typename Rational>
-Rational rational_of_mpfr(mpfr_srcptr x)
-{
-  CGAL_precondition(mpfr_number_p(x));
-  if constexpr (Writable_as_mpq<Rational>) {
-    Rational result(0);
-    mpfr_get_q(writable_mpq_of(result), x);
-    return result;
-  } else {
-    return rational_from_digits(x);
-  }
-}
-
-// The sign of x - q; x may be infinite.
-template <typename Rational>
-int compare_mpfr(mpfr_srcptr x, const Rational& q)
-{
-  if (mpfr_inf_p(x))
-    return mpfr_sgn(x);
-  if constexpr (Readable_as_mpq<Rational>)
-    return mpfr_cmp_q(x, mpq_of(q));
-  else
-    return static_cast<int>(CGAL::compare(rational_of_mpfr<Rational>(x), q));
-}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_SHORT_INTEGER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_SHORT_INTEGER_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/two_words.h>
 
@@ -353,8 +354,17 @@ inline Short_integer numerator_over(const Exact_rational& value, const Short_int
 }
 
 // Numbers over their common denominator, which is returned.
-inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers,
-                                             std::vector<Short_integer>& numerators)
+Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers,
+                                      std::vector<Short_integer>& numerators);
+
+Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators);
+
+// target = numerator / denominator, exactly. \pre denominator > 0
+void set_quotient(Exact_rational& target, const Short_integer& numerator, const Short_integer& denominator);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers,
+                                                                     std::vector<Short_integer>& numerators)
 {
   Short_integer denominator(1);
   for (const Exact_rational& number : numbers)
@@ -365,7 +375,8 @@ inline Short_integer over_common_denominator(const std::vector<Exact_rational>& 
   return denominator;
 }
 
-inline Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators)
+CGAL_SPLINE_CONSTRAINTS_INLINE Short_integer over_common_denominator(const std::vector<double>& numbers,
+                                                                     std::vector<Short_integer>& numerators)
 {
   long finest = 0;
   for (double number : numbers)
@@ -382,8 +393,8 @@ inline Short_integer over_common_denominator(const std::vector<double>& numbers,
   return denominator;
 }
 
-// target = numerator / denominator, exactly. \pre denominator > 0
-inline void set_quotient(Exact_rational& target, const Short_integer& numerator, const Short_integer& denominator)
+CGAL_SPLINE_CONSTRAINTS_INLINE void set_quotient(Exact_rational& target, const Short_integer& numerator,
+                                                 const Short_integer& denominator)
 {
   if constexpr (Writable_as_mpq<Exact_rational>) {
     mpq_ptr value = writable_mpq_of(target);
@@ -398,6 +409,7 @@ inline void set_quotient(Exact_rational& target, const Short_integer& numerator,
   } else
     target = quotient(numerator.to_big_integer(), denominator.to_big_integer());
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_ENCLOSURE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_ENCLOSURE_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
@@ -44,16 +45,7 @@ struct Rational_parts
   Exact_integer denominator;
 };
 
-inline Rational_parts parts_of(const Exact_rational& x)
-{
-  Rational_parts parts;
-  typename CGAL::Fraction_traits<Exact_rational>::Decompose()(x, parts.numerator, parts.denominator);
-  if (CGAL::sign(parts.denominator) == CGAL::NEGATIVE) {
-    parts.numerator = -parts.numerator;
-    parts.denominator = -parts.denominator;
-  }
-  return parts;
-}
+Rational_parts parts_of(const Exact_rational& x);
 
 inline Exact_rational compose(const Exact_integer& numerator, const Exact_integer& denominator)
 {
@@ -61,25 +53,7 @@ inline Exact_rational compose(const Exact_integer& numerator, const Exact_intege
 }
 
 // The number of binary digits of n > 0.
-inline int integer_bit_length(Exact_integer n)
-{
-  CGAL_precondition(CGAL::sign(n) == CGAL::POSITIVE);
-  // Squaring up and dividing down needs O(log log n) steps and no access to the digits.
-  std::vector<Exact_integer> powers(1, Exact_integer(2)); // powers[i] = 2^(2^i)
-  while (powers.back() <= n) {
-    Exact_integer next = powers.back();
-    next *= powers.back();
-    powers.push_back(next);
-  }
-  int length = 1;
-  for (int i = static_cast<int>(powers.size()) - 1; i >= 0; --i) {
-    if (powers[i] <= n) {
-      n = CGAL::div(n, powers[i]);
-      length += 1 << i;
-    }
-  }
-  return length;
-}
+int integer_bit_length(Exact_integer n);
 
 // The doubles in their order are the integers in theirs: -0 and +0 are 0, neighbours differ by 1. Unlike
 // std::nextafter this needs no
@@ -103,16 +77,7 @@ inline double next_above(double x)
 inline double next_below(double x) { return -next_above(-x); }
 
 // The exact value of a finite double.
-inline Exact_rational rational_of_finite(double x)
-{
-  // Some of CGAL's conversions form the denominator as a double, which overflows for denormals: these are scaled up
-  // (exactly) first.
-  if (x == 0 || std::abs(x) >= 0x1p-900)
-    return Exact_rational(x);
-  Exact_rational result(x * 0x1p200);
-  scale_rational(result, -200);
-  return result;
-}
+Exact_rational rational_of_finite(double x);
 
 // The sign of x - bound, where bound may be infinite.
 inline CGAL::Comparison_result compare_to_double(const Exact_rational& x, double bound)
@@ -140,7 +105,62 @@ bool is_small_dyadic([[maybe_unused]] const Rational& x, [[maybe_unused]] double
     return false;
 }
 
-inline bool is_tightest_enclosure(const std::pair<double, double>& bounds, const Exact_rational& x)
+bool is_tightest_enclosure(const std::pair<double, double>& bounds, const Exact_rational& x);
+
+// The tightest enclosure by bisection over the doubles, with exact comparisons only: 63 of them.
+std::pair<double, double> search_double_interval(const Exact_rational& x);
+
+void require_finite(double x);
+
+// The simplest number of [lower, upper] where 0 < lower <= upper. Continued fraction of the two ends for as long as
+// they agree.
+Exact_rational simplest_positive_rational_between(const Exact_rational& lower, const Exact_rational& upper);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_parts parts_of(const Exact_rational& x)
+{
+  Rational_parts parts;
+  typename CGAL::Fraction_traits<Exact_rational>::Decompose()(x, parts.numerator, parts.denominator);
+  if (CGAL::sign(parts.denominator) == CGAL::NEGATIVE) {
+    parts.numerator = -parts.numerator;
+    parts.denominator = -parts.denominator;
+  }
+  return parts;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int integer_bit_length(Exact_integer n)
+{
+  CGAL_precondition(CGAL::sign(n) == CGAL::POSITIVE);
+  // Squaring up and dividing down needs O(log log n) steps and no access to the digits.
+  std::vector<Exact_integer> powers(1, Exact_integer(2)); // powers[i] = 2^(2^i)
+  while (powers.back() <= n) {
+    Exact_integer next = powers.back();
+    next *= powers.back();
+    powers.push_back(next);
+  }
+  int length = 1;
+  for (int i = static_cast<int>(powers.size()) - 1; i >= 0; --i) {
+    if (powers[i] <= n) {
+      n = CGAL::div(n, powers[i]);
+      length += 1 << i;
+    }
+  }
+  return length;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational rational_of_finite(double x)
+{
+  // Some of CGAL's conversions form the denominator as a double, which overflows for denormals: these are scaled up
+  // (exactly) first.
+  if (x == 0 || std::abs(x) >= 0x1p-900)
+    return Exact_rational(x);
+  Exact_rational result(x * 0x1p200);
+  scale_rational(result, -200);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_tightest_enclosure(const std::pair<double, double>& bounds,
+                                                          const Exact_rational& x)
 {
   if (std::isnan(bounds.first) || std::isnan(bounds.second))
     return false;
@@ -149,11 +169,10 @@ inline bool is_tightest_enclosure(const std::pair<double, double>& bounds, const
   if (lower == upper)
     return std::isfinite(bounds.first) && compare_to_double(x, bounds.first) == CGAL::EQUAL;
   return upper - 1 == lower && compare_to_double(x, bounds.first) == CGAL::LARGER &&
-         compare_to_double(x, bounds.second) == CGAL::SMALLER;
+      compare_to_double(x, bounds.second) == CGAL::SMALLER;
 }
 
-// The tightest enclosure by bisection over the doubles, with exact comparisons only: 63 of them.
-inline std::pair<double, double> search_double_interval(const Exact_rational& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<double, double> search_double_interval(const Exact_rational& x)
 {
   const CGAL::Sign sign = CGAL::sign(x);
   if (sign == CGAL::ZERO)
@@ -172,17 +191,16 @@ inline std::pair<double, double> search_double_interval(const Exact_rational& x)
   return {double_of_key(lower), double_of_key(upper)};
 }
 
-inline void require_finite(double x)
+CGAL_SPLINE_CONSTRAINTS_INLINE void require_finite(double x)
 {
   if (!std::isfinite(x))
     throw Invalid_input(std::isnan(x) ? "not a number (NaN) where a finite number is needed"
-                        : x > 0       ? "+infinity where a finite number is needed"
+                            : x > 0   ? "+infinity where a finite number is needed"
                                       : "-infinity where a finite number is needed");
 }
 
-// The simplest number of [lower, upper] where 0 < lower <= upper. Continued fraction of the two ends for as long as
-// they agree.
-inline Exact_rational simplest_positive_rational_between(const Exact_rational& lower, const Exact_rational& upper)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational simplest_positive_rational_between(const Exact_rational& lower,
+                                                                                 const Exact_rational& upper)
 {
   Rational_parts low = parts_of(lower);
   Rational_parts high = parts_of(upper);
@@ -214,6 +232,7 @@ inline Exact_rational simplest_positive_rational_between(const Exact_rational& l
     low = inverted_low;
   }
 }
+#endif
 
 } // namespace internal
 
@@ -242,19 +261,7 @@ Independent of the rounding mode. Where `Exact_rational` is made of GMP's number
 proposal and exact comparisons check
 it; otherwise, and should the check fail, a bisection over the doubles finds the pair in 63 exact comparisons.
 */
-inline std::pair<double, double> to_double_interval(const Exact_rational& x)
-{
-  // For CGAL::Quotient, CGAL::to_interval() has assertions that fail for denormals, and near overflow in some
-  // rounding modes.
-  if (double value = 0; internal::is_small_dyadic(x, value))
-    return {value, value};
-  if constexpr (internal::Readable_as_mpq<Exact_rational>) {
-    const std::pair<double, double> proposal = CGAL::to_interval(x);
-    if (internal::is_tightest_enclosure(proposal, x))
-      return proposal;
-  }
-  return internal::search_double_interval(x);
-}
+std::pair<double, double> to_double_interval(const Exact_rational& x);
 
 /*!
 \ingroup PkgSplineConstraintsDNumbers
@@ -263,17 +270,7 @@ returns the double nearest to `x`, the lower one if two are equally near, in eve
 largest double go to
 \f$ \pm\infty \f$, so that what does not fit is seen and not taken for a double.
 */
-inline double to_nearest_double(const Exact_rational& x)
-{
-  const std::pair<double, double> bounds = to_double_interval(x);
-  if (bounds.first == bounds.second || std::isinf(bounds.first))
-    return bounds.first;
-  if (std::isinf(bounds.second))
-    return bounds.second;
-  const Exact_rational sum = internal::rational_of_finite(bounds.first) + internal::rational_of_finite(bounds.second);
-  const Exact_rational twice = x + x;
-  return CGAL::compare(twice, sum) == CGAL::LARGER ? bounds.second : bounds.first;
-}
+double to_nearest_double(const Exact_rational& x);
 
 /*!
 \ingroup PkgSplineConstraintsDNumbers
@@ -288,7 +285,50 @@ Euclidean algorithm makes for the ends.
 
 \throws Invalid_input if `lower > upper`.
 */
-inline Exact_rational simplest_rational_between(const Exact_rational& lower, const Exact_rational& upper)
+Exact_rational simplest_rational_between(const Exact_rational& lower, const Exact_rational& upper);
+
+/*!
+\ingroup PkgSplineConstraintsDNumbers
+
+returns \f$ m 2^e \f$ with \f$ |m| \le 2^b \f$, \f$ b \f$ = `bits`, nearest to `x` among those with the `e` of its
+binade; halves go away from zero. The
+result is off by at most \f$ 2^{-b} |x| \f$, it is `x` itself if `x` has at most `bits` significant bits, and \f$ x
+\mapsto \f$ result is odd
+and monotone.
+
+\throws Invalid_input if `bits < 1`.
+*/
+Exact_rational round_to_dyadic(const Exact_rational& x, int bits);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<double, double> to_double_interval(const Exact_rational& x)
+{
+  // For CGAL::Quotient, CGAL::to_interval() has assertions that fail for denormals, and near overflow in some
+  // rounding modes.
+  if (double value = 0; internal::is_small_dyadic(x, value))
+    return {value, value};
+  if constexpr (internal::Readable_as_mpq<Exact_rational>) {
+    const std::pair<double, double> proposal = CGAL::to_interval(x);
+    if (internal::is_tightest_enclosure(proposal, x))
+      return proposal;
+  }
+  return internal::search_double_interval(x);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE double to_nearest_double(const Exact_rational& x)
+{
+  const std::pair<double, double> bounds = to_double_interval(x);
+  if (bounds.first == bounds.second || std::isinf(bounds.first))
+    return bounds.first;
+  if (std::isinf(bounds.second))
+    return bounds.second;
+  const Exact_rational sum = internal::rational_of_finite(bounds.first) + internal::rational_of_finite(bounds.second);
+  const Exact_rational twice = x + x;
+  return CGAL::compare(twice, sum) == CGAL::LARGER ? bounds.second : bounds.first;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational simplest_rational_between(const Exact_rational& lower,
+                                                                        const Exact_rational& upper)
 {
   if (CGAL::compare(lower, upper) == CGAL::LARGER)
     throw Invalid_input("simplest_rational_between: the interval is empty, its lower end is larger than its upper end");
@@ -303,18 +343,7 @@ inline Exact_rational simplest_rational_between(const Exact_rational& lower, con
   return Exact_rational(0);
 }
 
-/*!
-\ingroup PkgSplineConstraintsDNumbers
-
-returns \f$ m 2^e \f$ with \f$ |m| \le 2^b \f$, \f$ b \f$ = `bits`, nearest to `x` among those with the `e` of its
-binade; halves go away from zero. The
-result is off by at most \f$ 2^{-b} |x| \f$, it is `x` itself if `x` has at most `bits` significant bits, and \f$ x
-\mapsto \f$ result is odd
-and monotone.
-
-\throws Invalid_input if `bits < 1`.
-*/
-inline Exact_rational round_to_dyadic(const Exact_rational& x, int bits)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational round_to_dyadic(const Exact_rational& x, int bits)
 {
   if (bits < 1)
     throw Invalid_input("round_to_dyadic: " + std::to_string(bits) + " significant bits asked for, at least 1 needed");
@@ -350,6 +379,7 @@ inline Exact_rational round_to_dyadic(const Exact_rational& x, int bits)
     result = -result;
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

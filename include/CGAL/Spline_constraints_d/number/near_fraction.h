@@ -8,6 +8,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_NEAR_FRACTION_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_NEAR_FRACTION_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -25,7 +27,10 @@ struct Fraction
 // The first convergent of the continued fraction of a number that is not farther from it than the tolerance; none if
 // its numerator or denominator is greater than the given one. Denominators grow at least like the powers of the golden
 // ratio.
-inline std::optional<Fraction> near_fraction(double x, double tolerance, double most)
+std::optional<Fraction> near_fraction(double x, double tolerance, double most);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Fraction> near_fraction(double x, double tolerance, double most)
 {
   double p = 1, q = 0, last_p = 0, last_q = 1, rest = x;
   for (;;) {
@@ -39,6 +44,7 @@ inline std::optional<Fraction> near_fraction(double x, double tolerance, double 
     rest = 1 / (rest - whole);
   }
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

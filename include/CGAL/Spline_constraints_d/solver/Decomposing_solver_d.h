@@ -13,7 +13,10 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
+#endif
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>
@@ -64,10 +67,9 @@ public:
   //! \throws Invalid_input when there are fewer equalities than unknowns.
   Solution_set operator()(const Constraint_system_d& system) const
   {
-    return internal::solution_set<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>(
-        system, m_options, [&](internal::Run_control& control, Summary& summary) {
-          return internal::decomposed_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
-        });
+    internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
+    return internal::solution_set<Traits, Concurrency_tag>(system, m_options,
+                                                           &internal::decomposed_solutions<Traits, Concurrency_tag>);
   }
 
   //! the same, watched by this visitor and not by that of the options.

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Feasibility_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -102,22 +103,7 @@ public:
 
   //! the same of formulas in the unknowns of one call of `unknowns()`.
   //! \throws Invalid_input as `make_system()`.
-  Feasibility_d operator()(std::span<const Constraint> constraints) const
-  {
-    const Unknown_domains domain = common_domains(constraints);
-    Constraint_system_d splines(domain);
-    std::vector<std::pair<Power_polynomial, Relation>> polynomials;
-    for (const Constraint& constraint : constraints) {
-      bool is_polynomial = constraint.conditions.empty();
-      for (const int v : constraint.function.variables())
-        is_polynomial = is_polynomial && v < splines.dimension();
-      if (is_polynomial)
-        polynomials.emplace_back(constraint.function, constraint.relation);
-      else
-        splines.add(constraint);
-    }
-    return internal::feasibility_of(splines, polynomials, m_options);
-  }
+  Feasibility_d operator()(std::span<const Constraint> constraints) const;
 };
 
 //! \ingroup PkgSplineConstraintsDSolver
@@ -139,6 +125,26 @@ Feasibility_d find_feasible_point(const Constraint& first, const Constraints&...
   const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
   return Feasibility_solver_d()(std::span<const Constraint>(constraints));
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d
+Feasibility_solver_d::operator()(std::span<const Constraint> constraints) const
+{
+  const Unknown_domains domain = common_domains(constraints);
+  Constraint_system_d splines(domain);
+  std::vector<std::pair<Power_polynomial, Relation>> polynomials;
+  for (const Constraint& constraint : constraints) {
+    bool is_polynomial = constraint.conditions.empty();
+    for (const int v : constraint.function.variables())
+      is_polynomial = is_polynomial && v < splines.dimension();
+    if (is_polynomial)
+      polynomials.emplace_back(constraint.function, constraint.relation);
+    else
+      splines.add(constraint);
+  }
+  return internal::feasibility_of(splines, polynomials, m_options);
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Row_elimination.h>
@@ -52,33 +53,13 @@ class Linear_enclosure
   int m_rank = 0;
 
 public:
-  Linear_enclosure(int dimension, int equations)
-    : m_dimension(dimension), m_equations(equations),
-      m_elimination(known_size() > 0 ? 0 : equations, known_size() > 0 ? 0 : dimension)
-  {
-    const std::size_t n = dimension, m = equations;
-    internal::allocate_parts<double>(m_numbers,
-                                     {{&m_inverse, m * m},
-                                      {&m_middle, m},
-                                      {&m_half_width, m},
-                                      {&m_size, m},
-                                      {&m_product, m * n},
-                                      {&m_lower, m},
-                                      {&m_upper, m},
-                                      {&m_centre, n},
-                                      {&m_reach, n}});
-    internal::allocate_parts<int>(m_indices, {{&m_pivot_of_row, m}, {&m_row_of, n}});
-  }
+  Linear_enclosure(int dimension, int equations);
   //! not copied: parts of it are looked at.
   Linear_enclosure(const Linear_enclosure&) = delete;
   Linear_enclosure& operator=(const Linear_enclosure&) = delete;
 
   //! contracts the box by each equation as it stands; false when no solution is left.
-  bool contract_by_equations(Node_view& node, Local_box& box) const
-  {
-    const double* slopes = node.slopes(0);
-    return contract_by_rows(slopes, [&](int i) { return std::pair(node.rest_lower(i), node.rest_upper(i)); }, box);
-  }
+  bool contract_by_equations(Node_view& node, Local_box& box) const;
 
   //! forms the preconditioned rows.
   void precondition(Node_view& node);
@@ -104,13 +85,7 @@ public:
 
   //! contracts the box to that image; false when no solution is left. Cheaper than the rows, which say little more.
   //! Only with an inverse.
-  bool contract_by_image(Local_box& box) const
-  {
-    bool is_left = true;
-    for (int j = 0; j < m_dimension; ++j)
-      is_left = box.intersect(j, m_centre[j] - m_reach[j], m_centre[j] + m_reach[j]) && is_left;
-    return is_left;
-  }
+  bool contract_by_image(Local_box& box) const;
 
   //! C, with a row per equation: a product of elementary matrices, and so regular but for rounding.
   const double* matrix() const { return m_inverse.data(); }
@@ -120,17 +95,7 @@ public:
 
   //! the errors of the functions make up a good part of the width of some preconditioned row, and keep its unknown from
   //! being known well.
-  bool is_blurred_by(const std::vector<double>& errors) const
-  {
-    for (int i = 0; i < m_equations; ++i) {
-      double error = 0;
-      for (int k = 0; k < m_equations; ++k)
-        error += std::abs(m_inverse[i * m_equations + k]) * errors[k];
-      if (64 * error > m_upper[i] - m_lower[i] && (m_pivot_of_row[i] < 0 || error > 0x1p-12))   // pivots are one
-        return true;
-    }
-    return false;
-  }
+  bool is_blurred_by(const std::vector<double>& errors) const;
 
 private:
   static constexpr int largest_known_size = 4;   // beyond, it does not matter
@@ -203,17 +168,6 @@ bool Linear_enclosure::contract_by_row(const double* row, double lower, double u
   return true;
 }
 
-inline void Linear_enclosure::precondition(Node_view& node)
-{
-  run_with_size([&](auto size) {
-    if constexpr (size > 0) {
-      internal::Row_elimination<size> elimination(size, size);
-      precondition_with<size>(node, elimination);
-    } else
-      precondition_with<size>(node, m_elimination);
-  });
-}
-
 template <int size>
 void Linear_enclosure::precondition_with(Node_view& node, internal::Row_elimination<size>& elimination)
 {
@@ -281,6 +235,64 @@ BOOST_FORCEINLINE void Linear_enclosure::multiply(const internal::Row_eliminatio
   m_centre[pivot] = -0.5 * (lower + upper) * factor;
   m_reach[pivot] = (reach + internal::analysis_error * (magnitude + reach)) * std::abs(factor);
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Linear_enclosure::Linear_enclosure(int dimension, int equations)
+  : m_dimension(dimension), m_equations(equations),
+    m_elimination(known_size() > 0 ? 0 : equations, known_size() > 0 ? 0 : dimension)
+{
+  const std::size_t n = dimension, m = equations;
+  internal::allocate_parts<double>(m_numbers,
+                                   {{&m_inverse, m * m},
+                                    {&m_middle, m},
+                                    {&m_half_width, m},
+                                    {&m_size, m},
+                                    {&m_product, m * n},
+                                    {&m_lower, m},
+                                    {&m_upper, m},
+                                    {&m_centre, n},
+                                    {&m_reach, n}});
+  internal::allocate_parts<int>(m_indices, {{&m_pivot_of_row, m}, {&m_row_of, n}});
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Linear_enclosure::contract_by_equations(Node_view& node, Local_box& box) const
+{
+  const double* slopes = node.slopes(0);
+  return contract_by_rows(
+      slopes, [&](int i) { return std::pair(node.rest_lower(i), node.rest_upper(i)); }, box);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Linear_enclosure::contract_by_image(Local_box& box) const
+{
+  bool is_left = true;
+  for (int j = 0; j < m_dimension; ++j)
+    is_left = box.intersect(j, m_centre[j] - m_reach[j], m_centre[j] + m_reach[j]) && is_left;
+  return is_left;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Linear_enclosure::is_blurred_by(const std::vector<double>& errors) const
+{
+  for (int i = 0; i < m_equations; ++i) {
+    double error = 0;
+    for (int k = 0; k < m_equations; ++k)
+      error += std::abs(m_inverse[i * m_equations + k]) * errors[k];
+    if (64 * error > m_upper[i] - m_lower[i] && (m_pivot_of_row[i] < 0 || error > 0x1p-12)) // pivots are one
+      return true;
+  }
+  return false;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Linear_enclosure::precondition(Node_view& node)
+{
+  run_with_size([&](auto size) {
+    if constexpr (size > 0) {
+      internal::Row_elimination<size> elimination(size, size);
+      precondition_with<size>(node, elimination);
+    } else
+      precondition_with<size>(node, m_elimination);
+  });
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -48,12 +48,7 @@ public:
   Node_view& operator=(const Node_view&) = delete;
 
   //! looks at other coefficients; nothing is computed yet.
-  void reset(const double* coefficients, const double* errors)
-  {
-    m_arrays.coefficients = coefficients;
-    m_arrays.errors = errors;
-    m_has_bounds = m_has_affine = m_has_derivatives = false;
-  }
+  void reset(const double* coefficients, const double* errors);
 
   //! number of unknowns.
   int dimension() const { return m_arrays.layout->dimension; }
@@ -78,25 +73,13 @@ public:
   double block_upper(std::size_t entry) { compute_bounds(); return m_arrays.block_upper[entry]; }
 
   //! the function is `sum_j slope(f)[j] s_j` + something in `[rest_lower(f), rest_upper(f)]`.
-  const double* slopes(int f)
-  {
-    compute_affine();
-    return m_arrays.slopes.data() + static_cast<std::size_t>(f) * dimension();
-  }
+  const double* slopes(int f);
   double rest_lower(int f) { compute_affine(); return m_arrays.rest_lower[f]; }
   double rest_upper(int f) { compute_affine(); return m_arrays.rest_upper[f]; }
 
   //! bounds of the partial derivatives of a function on the box, one per unknown, in local coordinates.
-  const double* derivative_lower(int f)
-  {
-    compute_derivatives();
-    return m_arrays.derivative_lower.data() + static_cast<std::size_t>(f) * dimension();
-  }
-  const double* derivative_upper(int f)
-  {
-    compute_derivatives();
-    return m_arrays.derivative_upper.data() + static_cast<std::size_t>(f) * dimension();
-  }
+  const double* derivative_lower(int f);
+  const double* derivative_upper(int f);
 
   //! calls `visit(j, lower, upper)` for every axis `j` of a block with the bounds of its layers of control points:
   //! entry `k * m + f` belongs to layer `k` of the `f`-th of the block's `m` functions. Costs about two passes over the
@@ -105,39 +88,14 @@ public:
   void visit_layers(const internal::Block& block, const Visitor& visit);
 
 private:
-  void compute_bounds()
-  {
-    if (!m_has_bounds)
-      bound_blocks();
-  }
-  void compute_affine()
-  {
-    if (!m_has_affine)
-      enclose_blocks();
-  }
-  void compute_derivatives()
-  {
-    if (!m_has_derivatives)
-      bound_derivatives();
-  }
+  void compute_bounds();
+  void compute_affine();
+  void compute_derivatives();
   void bound_blocks();
   void enclose_blocks();
   void bound_derivatives();
   static void choose_passes(const internal::Block& block, internal::Node_arrays::Plan& plan);
 };
-
-inline Node_view::Node_view(const internal::System_layout& layout)
-  : m_arrays(layout)
-{
-  for (std::size_t b = 0; b < layout.blocks.size(); ++b)
-    choose_passes(layout.blocks[b], m_arrays.plans[b]);
-  const auto is_line_of_all = [&](const internal::Block& block) {
-    return internal::is_line(block) && block.functions.size() == static_cast<std::size_t>(layout.functions);
-  };
-  if (!layout.blocks.empty() && std::all_of(layout.blocks.begin(), layout.blocks.end(), is_line_of_all))
-    m_arrays.bound_sum = layout.functions == internal::pack_size ? &internal::bound_sum_of_lines<internal::pack_size>
-                                                                 : &internal::bound_sum_of_lines<0>;
-}
 
 // It instantiates all passes.
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -158,45 +116,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::choose_passes(const internal::Blo
     });
 }
 #endif
-
-inline void Node_view::bound_blocks()
-{
-  m_has_bounds = true;
-  if (m_arrays.bound_sum != nullptr)
-    return m_arrays.bound_sum(m_arrays);
-  std::fill(m_arrays.hull.begin(), m_arrays.hull.end(), 0.0);
-  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b) {
-    const internal::Block& block = m_arrays.layout->blocks[b];
-    m_arrays.plans[b].bound(m_arrays, block, m_arrays.plans[b]);
-    for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
-      m_arrays.hull_lower[block.functions[m]] += m_arrays.block_lower[block.first_error + m];
-      m_arrays.hull_upper[block.functions[m]] += m_arrays.block_upper[block.first_error + m];
-    }
-  }
-}
-
-inline void Node_view::enclose_blocks()
-{
-  compute_bounds();
-  m_has_affine = true;
-  const auto sums = m_arrays.bound_sum != nullptr ? m_arrays.slopes : m_arrays.affine;   // of lines, the rest is there
-  std::fill(sums.begin(), sums.end(), 0.0);
-  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b)
-    m_arrays.plans[b].enclose(m_arrays, m_arrays.layout->blocks[b], m_arrays.plans[b]);
-}
-
-inline void Node_view::bound_derivatives()
-{
-  compute_bounds();
-  m_has_derivatives = true;
-  std::fill(m_arrays.derivatives.begin(), m_arrays.derivatives.end(), 0.0);
-  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b) {
-    const internal::Block& block = m_arrays.layout->blocks[b];
-    for (std::size_t j = 0, axes = block.axes.size(); j < axes; ++j)
-      if (block.degrees[j] > 0)
-        m_arrays.plans[b].bound_differences(m_arrays, block, j);
-  }
-}
 
 // Bounds over the slower axes are taken once and serve all faster ones.
 template <class Visitor>
@@ -234,6 +153,102 @@ void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
     }
   }
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::reset(const double* coefficients, const double* errors)
+{
+  m_arrays.coefficients = coefficients;
+  m_arrays.errors = errors;
+  m_has_bounds = m_has_affine = m_has_derivatives = false;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const double* Node_view::slopes(int f)
+{
+  compute_affine();
+  return m_arrays.slopes.data() + static_cast<std::size_t>(f) * dimension();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const double* Node_view::derivative_lower(int f)
+{
+  compute_derivatives();
+  return m_arrays.derivative_lower.data() + static_cast<std::size_t>(f) * dimension();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const double* Node_view::derivative_upper(int f)
+{
+  compute_derivatives();
+  return m_arrays.derivative_upper.data() + static_cast<std::size_t>(f) * dimension();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::compute_bounds()
+{
+  if (!m_has_bounds)
+    bound_blocks();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::compute_affine()
+{
+  if (!m_has_affine)
+    enclose_blocks();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::compute_derivatives()
+{
+  if (!m_has_derivatives)
+    bound_derivatives();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Node_view::Node_view(const internal::System_layout& layout) : m_arrays(layout)
+{
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b)
+    choose_passes(layout.blocks[b], m_arrays.plans[b]);
+  const auto is_line_of_all = [&](const internal::Block& block) {
+    return internal::is_line(block) && block.functions.size() == static_cast<std::size_t>(layout.functions);
+  };
+  if (!layout.blocks.empty() && std::all_of(layout.blocks.begin(), layout.blocks.end(), is_line_of_all))
+    m_arrays.bound_sum = layout.functions == internal::pack_size ? &internal::bound_sum_of_lines<internal::pack_size>
+                                                                 : &internal::bound_sum_of_lines<0>;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::bound_blocks()
+{
+  m_has_bounds = true;
+  if (m_arrays.bound_sum != nullptr)
+    return m_arrays.bound_sum(m_arrays);
+  std::fill(m_arrays.hull.begin(), m_arrays.hull.end(), 0.0);
+  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b) {
+    const internal::Block& block = m_arrays.layout->blocks[b];
+    m_arrays.plans[b].bound(m_arrays, block, m_arrays.plans[b]);
+    for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
+      m_arrays.hull_lower[block.functions[m]] += m_arrays.block_lower[block.first_error + m];
+      m_arrays.hull_upper[block.functions[m]] += m_arrays.block_upper[block.first_error + m];
+    }
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::enclose_blocks()
+{
+  compute_bounds();
+  m_has_affine = true;
+  const auto sums = m_arrays.bound_sum != nullptr ? m_arrays.slopes : m_arrays.affine; // of lines, the rest is there
+  std::fill(sums.begin(), sums.end(), 0.0);
+  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b)
+    m_arrays.plans[b].enclose(m_arrays, m_arrays.layout->blocks[b], m_arrays.plans[b]);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_view::bound_derivatives()
+{
+  compute_bounds();
+  m_has_derivatives = true;
+  std::fill(m_arrays.derivatives.begin(), m_arrays.derivatives.end(), 0.0);
+  for (std::size_t b = 0; b < m_arrays.plans.size(); ++b) {
+    const internal::Block& block = m_arrays.layout->blocks[b];
+    for (std::size_t j = 0, axes = block.axes.size(); j < axes; ++j)
+      if (block.degrees[j] > 0)
+        m_arrays.plans[b].bound_differences(m_arrays, block, j);
+  }
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

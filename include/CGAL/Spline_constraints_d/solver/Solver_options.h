@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
 
@@ -54,20 +55,24 @@ struct Solver_options
   Visitor_reference visitor = {};
 
   //! \throws Invalid_input when a value makes no sense.
-  void check() const
-  {
-    if (!(tolerance > 0) || !std::isfinite(tolerance))
-      throw Invalid_input("Solver_options: the tolerance must be positive and finite");
-    if (!(time_limit >= 0))
-      throw Invalid_input("Solver_options: the time limit must not be negative");
-    if (precision < 32 || precision > 900)
-      throw Invalid_input("Solver_options: the precision must lie between 32 and 900 bits");
-    if (ladder_precision < 0 || ladder_precision > 900)
-      throw Invalid_input("Solver_options: the ladder's precision must lie between 0 and 900 bits");
-    if (coarsening_step == 0)
-      throw Invalid_input("Solver_options: the coarsening step must be positive");
-  }
+  void check() const;
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solver_options::check() const
+{
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw Invalid_input("Solver_options: the tolerance must be positive and finite");
+  if (!(time_limit >= 0))
+    throw Invalid_input("Solver_options: the time limit must not be negative");
+  if (precision < 32 || precision > 900)
+    throw Invalid_input("Solver_options: the precision must lie between 32 and 900 bits");
+  if (ladder_precision < 0 || ladder_precision > 900)
+    throw Invalid_input("Solver_options: the ladder's precision must lie between 0 and 900 bits");
+  if (coarsening_step == 0)
+    throw Invalid_input("Solver_options: the coarsening step must be positive");
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

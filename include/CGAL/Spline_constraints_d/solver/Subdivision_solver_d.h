@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
 #endif
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
@@ -60,7 +61,12 @@ public:
   //! all solutions of the system.
   //! \param system the constraints; at least as many equalities as unknowns.
   //! \throws Invalid_input when there are fewer equalities than unknowns.
-  Solution_set operator()(const Constraint_system_d& system) const;
+  Solution_set operator()(const Constraint_system_d& system) const
+  {
+    internal::check_definitions<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>();
+    return internal::solution_set<Traits, Concurrency_tag>(system, m_options,
+                                                           &internal::all_solutions<Traits, Concurrency_tag>);
+  }
 
   //! the same, watched by this visitor and not by that of the options. It is called by one thread at a time, not always
   //! by the same one.
@@ -72,47 +78,6 @@ public:
     return Subdivision_solver_d(options)(system);
   }
 };
-
-namespace internal {
-
-// The answers that `solutions(control, summary)` finds of a system, with the work.
-template <class Traits, bool is_compiled, class Solutions>
-Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
-                                                   const Solutions& solutions)
-{
-  check_definitions<Traits, is_compiled>();
-  const int n = system.dimension();
-  if (static_cast<int>(system.equalities().size()) < n)
-    throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) +
-                        " unknowns; see solve_curves(), with two less solve_surfaces(), and for one solution of any "
-                        "number of constraints find_feasible_point()");
-
-  [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
-  [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
-  Summary summary;
-  Run_control control(options);
-  auto found = solutions(control, summary);
-  for (const auto& solution : found)
-    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
-      summary.is_complete = false;
-      summary.why_not = solution.reason();
-    }
-  summary.seconds = control.seconds();
-  return {std::move(found), summary};
-}
-
-} // namespace internal
-
-template <ConstraintSolverTraits Traits, class Concurrency_tag>
-typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
-Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system) const
-{
-  return internal::solution_set<Traits, internal::are_points_compiled<Traits, Concurrency_tag>>(
-      system, m_options, [&](internal::Run_control& control, Summary& summary) {
-        return internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
-      });
-}
 
 /*!
 \ingroup PkgSplineConstraintsDSolver

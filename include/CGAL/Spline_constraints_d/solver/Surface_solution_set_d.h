@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SURFACE_SOLUTION_SET_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SURFACE_SOLUTION_SET_D_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 
@@ -192,22 +193,10 @@ public:
   const Constraint_system_d& system() const { return *m_system; }
 
   //! the sum over all surfaces.
-  int euler_characteristic() const
-  {
-    int result = 0;
-    for (const Solution_surface& surface : m_surfaces)
-      result += surface.euler_characteristic;
-    return result;
-  }
+  int euler_characteristic() const;
 
   //! number of loops that bound surfaces.
-  std::size_t number_of_boundary_loops() const
-  {
-    std::size_t result = 0;
-    for (const Solution_surface& surface : m_surfaces)
-      result += surface.boundary.size();
-    return result;
-  }
+  std::size_t number_of_boundary_loops() const;
 
   //! where nothing is proved, with the boxes and the arcs of surfaces that end there.
   const std::vector<Undecided_surface_region>& undecided_regions() const { return m_undecided; }
@@ -224,7 +213,26 @@ public:
 
 //! writes one line with the counts; single points are counted as singular ones.
 //! \relates Surface_solution_set_d
-inline std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d& set)
+std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d& set);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE int Surface_solution_set_d::euler_characteristic() const
+{
+  int result = 0;
+  for (const Solution_surface& surface : m_surfaces)
+    result += surface.euler_characteristic;
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t Surface_solution_set_d::number_of_boundary_loops() const
+{
+  std::size_t result = 0;
+  for (const Solution_surface& surface : m_surfaces)
+    result += surface.boundary.size();
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d& set)
 {
   const bool is_complete = set.is_complete();
   const char* const least = is_complete ? "" : "at least ";
@@ -234,6 +242,7 @@ inline std::ostream& operator<<(std::ostream& out, const Surface_solution_set_d&
              << set.undecided_regions().size() << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes "
              << set.summary().nodes << "; seconds " << set.summary().seconds;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

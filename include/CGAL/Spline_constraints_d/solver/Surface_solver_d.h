@@ -12,8 +12,8 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
-#include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #endif
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/internal/Jet.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
@@ -44,12 +45,7 @@ enum class Curve_extreme_kind {
 
 //! \ingroup PkgSplineConstraintsDSolver
 //! writes `maximum`, `minimum` or `undecided`.
-inline std::ostream& operator<<(std::ostream& out, Curve_extreme_kind kind)
-{
-  return out << (kind == Curve_extreme_kind::MAXIMUM       ? "maximum"
-                     : kind == Curve_extreme_kind::MINIMUM ? "minimum"
-                                                           : "undecided");
-}
+std::ostream& operator<<(std::ostream& out, Curve_extreme_kind kind);
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -80,7 +76,37 @@ inline Expression left_side(const Constraint& constraint)
 }
 
 // By expansion along the first row.
-inline Expression determinant_of(const std::vector<std::vector<Expression>>& matrix)
+Expression determinant_of(const std::vector<std::vector<Expression>>& matrix);
+
+// A quantity along the curves of solutions of constraints between unknowns.
+class Curve_quantity
+{
+  std::vector<Constraint> m_constraints;
+  std::vector<Unknown> m_unknowns;
+  std::vector<Expression> m_tangent;   // as fast as the gradients of the equations are long
+
+public:
+  Curve_quantity(std::span<const Constraint> constraints, const std::string& name);
+
+  const std::vector<Unknown>& unknowns() const { return m_unknowns; }
+  const std::vector<Expression>& tangent() const { return m_tangent; }
+
+  // The derivative of a formula along the tangent.
+  Expression derivative_along(const Expression& formula) const;
+
+  // Where its derivative along the tangent, a positive multiple of `rate`, is zero.
+  Curve_extremes_d stationary_points(const Expression& rate, const Solver_options& options) const;
+
+private:
+  // The cofactors of a row that is added to the Jacobian: they are orthogonal to all gradients.
+  void make_tangent(const std::vector<Expression>& equations);
+
+  // By the sign of the derivative of the rate, where the rate is zero.
+  Curve_extreme_kind kind(const Expression& rate, const Solution_d<double>::Exact_box& box) const;
+};
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression determinant_of(const std::vector<std::vector<Expression>>& matrix)
 {
   if (matrix.empty())
     return 1;
@@ -94,97 +120,84 @@ inline Expression determinant_of(const std::vector<std::vector<Expression>>& mat
   return result;
 }
 
-// A quantity along the curves of solutions of constraints between unknowns.
-class Curve_quantity
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_quantity::Curve_quantity(std::span<const Constraint> constraints,
+                                                              const std::string& name)
+  : m_constraints(constraints.begin(), constraints.end())
 {
-  std::vector<Constraint> m_constraints;
-  std::vector<Unknown> m_unknowns;
-  std::vector<Expression> m_tangent;   // as fast as the gradients of the equations are long
+  const std::size_t n = common_domains(constraints).size();
+  std::vector<Expression> equations;
+  for (const Constraint& constraint : constraints) {
+    if (constraint.symbols != nullptr)
+      while (m_unknowns.size() < n)
+        m_unknowns.emplace_back(constraint.symbols, static_cast<int>(m_unknowns.size()));
+    if (constraint.relation == Relation::EQUAL)
+      equations.push_back(left_side(constraint));
+  }
+  if (equations.size() + 1 != n)
+    throw Invalid_input(name + ": " + std::to_string(equations.size()) + " equalities for " + std::to_string(n) +
+                        " unknowns");
+  make_tangent(equations);
+}
 
-public:
-  Curve_quantity(std::span<const Constraint> constraints, const std::string& name)
-    : m_constraints(constraints.begin(), constraints.end())
-  {
-    const std::size_t n = common_domains(constraints).size();
-    std::vector<Expression> equations;
-    for (const Constraint& constraint : constraints) {
-      if (constraint.symbols != nullptr)
-        while (m_unknowns.size() < n)
-          m_unknowns.emplace_back(constraint.symbols, static_cast<int>(m_unknowns.size()));
-      if (constraint.relation == Relation::EQUAL)
-        equations.push_back(left_side(constraint));
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression Curve_quantity::derivative_along(const Expression& formula) const
+{
+  Expression result = 0;
+  for (std::size_t j = 0; j < m_unknowns.size(); ++j)
+    result += derivative(formula, m_unknowns[j]) * m_tangent[j];
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_extremes_d Curve_quantity::stationary_points(const Expression& rate,
+                                                                                  const Solver_options& options) const
+{
+  std::vector<Constraint> constraints = m_constraints;
+  constraints.push_back(rate == 0);
+  const Solution_set_d<double> solutions =
+      Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
+  Curve_extremes_d result{{}, solutions.summary()};
+  for (const Solution_d<double>& solution : solutions)
+    result.extremes.push_back(
+        {solution.is_certified() ? kind(rate, solution.exact_box()) : Curve_extreme_kind::UNDECIDED, solution});
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Curve_quantity::make_tangent(const std::vector<Expression>& equations)
+{
+  const std::size_t n = m_unknowns.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<std::vector<Expression>> minor;
+    for (const Expression& equation : equations) {
+      minor.emplace_back();
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != k)
+          minor.back().push_back(derivative(equation, m_unknowns[j]));
     }
-    if (equations.size() + 1 != n)
-      throw Invalid_input(name + ": " + std::to_string(equations.size()) + " equalities for " + std::to_string(n) +
-                          " unknowns");
-    make_tangent(equations);
+    m_tangent.push_back((k % 2 == 0 ? 1 : -1) * determinant_of(minor));
   }
+}
 
-  const std::vector<Unknown>& unknowns() const { return m_unknowns; }
-  const std::vector<Expression>& tangent() const { return m_tangent; }
-
-  // The derivative of a formula along the tangent.
-  Expression derivative_along(const Expression& formula) const
-  {
-    Expression result = 0;
-    for (std::size_t j = 0; j < m_unknowns.size(); ++j)
-      result += derivative(formula, m_unknowns[j]) * m_tangent[j];
-    return result;
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_extreme_kind Curve_quantity::kind(const Expression& rate,
+                                                                       const Solution_d<double>::Exact_box& box) const
+{
+  using NT = Mpfr_interval;
+  std::vector<Exact_rational> place;
+  std::vector<Jet<NT>> still, moving;
+  for (const auto& [lower, upper] : box) {
+    place.push_back(lower);
+    still.emplace_back(NT(lower, upper), NT(0), NT(0));
   }
-
-  // Where its derivative along the tangent, a positive multiple of `rate`, is zero.
-  Curve_extremes_d stationary_points(const Expression& rate, const Solver_options& options) const
-  {
-    std::vector<Constraint> constraints = m_constraints;
-    constraints.push_back(rate == 0);
-    const Solution_set_d<double> solutions =
-        Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
-    Curve_extremes_d result{{}, solutions.summary()};
-    for (const Solution_d<double>& solution : solutions)
-      result.extremes.push_back(
-          {solution.is_certified() ? kind(rate, solution.exact_box()) : Curve_extreme_kind::UNDECIDED, solution});
-    return result;
-  }
-
-private:
-  // The cofactors of a row that is added to the Jacobian: they are orthogonal to all gradients.
-  void make_tangent(const std::vector<Expression>& equations)
-  {
-    const std::size_t n = m_unknowns.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      std::vector<std::vector<Expression>> minor;
-      for (const Expression& equation : equations) {
-        minor.emplace_back();
-        for (std::size_t j = 0; j < n; ++j)
-          if (j != k)
-            minor.back().push_back(derivative(equation, m_unknowns[j]));
-      }
-      m_tangent.push_back((k % 2 == 0 ? 1 : -1) * determinant_of(minor));
-    }
-  }
-
-  // By the sign of the derivative of the rate, where the rate is zero.
-  Curve_extreme_kind kind(const Expression& rate, const Solution_d<double>::Exact_box& box) const
-  {
-    using NT = Mpfr_interval;
-    std::vector<Exact_rational> place;
-    std::vector<Jet<NT>> still, moving;
-    for (const auto& [lower, upper] : box) {
-      place.push_back(lower);
-      still.emplace_back(NT(lower, upper), NT(0), NT(0));
-    }
-    for (std::size_t j = 0; j < box.size(); ++j)
-      moving.emplace_back(
-          still[j].value,
-          expression_value(m_tangent[j], std::span<const Exact_rational>(place), std::span<const Jet<NT>>(still)).value,
-          NT(0));
-    const CGAL::Uncertain<CGAL::Sign> sign =
-        expression_value(rate, std::span<const Exact_rational>(place), std::span<const Jet<NT>>(moving)).first.sign();
-    if (CGAL::certainly(sign == CGAL::NEGATIVE))
-      return Curve_extreme_kind::MAXIMUM;
-    return CGAL::certainly(sign == CGAL::POSITIVE) ? Curve_extreme_kind::MINIMUM : Curve_extreme_kind::UNDECIDED;
-  }
-};
+  for (std::size_t j = 0; j < box.size(); ++j)
+    moving.emplace_back(
+        still[j].value,
+        expression_value(m_tangent[j], std::span<const Exact_rational>(place), std::span<const Jet<NT>>(still)).value,
+        NT(0));
+  const CGAL::Uncertain<CGAL::Sign> sign =
+      expression_value(rate, std::span<const Exact_rational>(place), std::span<const Jet<NT>>(moving)).first.sign();
+  if (CGAL::certainly(sign == CGAL::NEGATIVE))
+    return Curve_extreme_kind::MAXIMUM;
+  return CGAL::certainly(sign == CGAL::POSITIVE) ? Curve_extreme_kind::MINIMUM : Curve_extreme_kind::UNDECIDED;
+}
+#endif
 
 } // namespace internal
 
@@ -206,18 +219,19 @@ call of `unknowns()`, or the derivative of a spline jumps.
 
 Complexity: that of the solver, for equations of \f$n-1\f$ times the degree.
 */
-inline Curve_extremes_d turning_points(std::span<const Constraint> constraints, const Unknown& u,
-                                       const Solver_options& options = {})
-{
-  const internal::Curve_quantity quantity(constraints, "turning_points");
-  internal::common_symbols(quantity.unknowns().front().symbols(), u.symbols());
-  return quantity.stationary_points(quantity.tangent()[u.index()], options);
-}
+Curve_extremes_d turning_points(std::span<const Constraint> constraints, const Unknown& u,
+                                const Solver_options& options = {});
 
 namespace internal {
 
 // 2 D K' - 3 K D' of a plane curve.
-inline Expression rate_of_signed_curvature(const Curve_quantity& curve)
+Expression rate_of_signed_curvature(const Curve_quantity& curve);
+
+// D N' - 3 N D' of a curve in space.
+Expression rate_of_squared_curvature(const Curve_quantity& curve);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression rate_of_signed_curvature(const Curve_quantity& curve)
 {
   const Expression &f_y = curve.tangent()[0], f_x = -curve.tangent()[1];
   const auto by = [&](const Expression& formula, std::size_t i) { return derivative(formula, curve.unknowns()[i]); };
@@ -226,8 +240,7 @@ inline Expression rate_of_signed_curvature(const Curve_quantity& curve)
   return 2 * d * curve.derivative_along(k) - 3 * k * curve.derivative_along(d);
 }
 
-// D N' - 3 N D' of a curve in space.
-inline Expression rate_of_squared_curvature(const Curve_quantity& curve)
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression rate_of_squared_curvature(const Curve_quantity& curve)
 {
   Expression d = 0, mixed = 0, bend = 0;
   for (const Expression& component : curve.tangent()) {
@@ -239,6 +252,7 @@ inline Expression rate_of_squared_curvature(const Curve_quantity& curve)
   const Expression n = d * bend - square(mixed);
   return d * curve.derivative_along(n) - 3 * n * curve.derivative_along(d);
 }
+#endif
 
 } // namespace internal
 
@@ -269,13 +283,33 @@ derivatives of a spline jumps.
 Complexity: that of the solver, for an equation of about five times the degree in the plane, and nine times the degree
 of the tangent in space.
 */
-inline Curve_extremes_d curvature_extremes(std::span<const Constraint> constraints, const Solver_options& options = {})
+Curve_extremes_d curvature_extremes(std::span<const Constraint> constraints, const Solver_options& options = {});
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, Curve_extreme_kind kind)
+{
+  return out << (kind == Curve_extreme_kind::MAXIMUM       ? "maximum"
+                     : kind == Curve_extreme_kind::MINIMUM ? "minimum"
+                                                           : "undecided");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_extremes_d turning_points(std::span<const Constraint> constraints,
+                                                               const Unknown& u, const Solver_options& options)
+{
+  const internal::Curve_quantity quantity(constraints, "turning_points");
+  internal::common_symbols(quantity.unknowns().front().symbols(), u.symbols());
+  return quantity.stationary_points(quantity.tangent()[u.index()], options);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_extremes_d curvature_extremes(std::span<const Constraint> constraints,
+                                                                   const Solver_options& options)
 {
   const internal::Curve_quantity curve(constraints, "curvature_extremes");
   const bool is_plane = curve.unknowns().size() == 2;
   return curve.stationary_points(
       is_plane ? internal::rate_of_signed_curvature(curve) : internal::rate_of_squared_curvature(curve), options);
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

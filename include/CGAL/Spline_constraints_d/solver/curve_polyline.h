@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
@@ -127,8 +128,14 @@ in direction by no more. So the chords on both sides of a point differ by about 
 directions do not matter.
 \throws Invalid_input when the distance or the angle is not positive.
 */
-inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set,
-                                                    const Solution_curve& curve, double error, double angle = 4)
+std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set,
+                                             const Solution_curve& curve, double error, double angle = 4);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system,
+                                                                            const Curve_solution_set_d& set,
+                                                                            const Solution_curve& curve, double error,
+                                                                            double angle)
 {
   internal::check_error(error, "to_polyline");
   if (!(angle > 0))
@@ -143,6 +150,7 @@ inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& s
     result.push_back(sample.unknowns);
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -9,8 +9,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MULTIPLICITY_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MULTIPLICITY_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Root_position.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -28,23 +31,62 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDSolver
 whether a rational point solves all equalities and inequalities, in exact arithmetic. The domain is not looked at.
 */
-inline bool satisfies(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
-{
-  for (const Spline_function& function : system.equalities())
-    if (!internal::vanishes_at(function, point))
-      return false;
-  for (const auto& inequality : system.inequalities())
-    if (!is_satisfied(inequality.relation, CGAL::sign(internal::evaluate_exactly(inequality.function, point))))
-      return false;
-  return true;
-}
+bool satisfies(const Constraint_system_d& system, const std::vector<Exact_rational>& point);
 
 namespace internal {
 
 using Taylor_terms = std::map<std::vector<int>, Exact_rational>;
 
 // The pieces of a term that meet in a point, by their number.
-inline std::vector<std::size_t> cells_at(const Spline_term& term, const std::vector<Exact_rational>& point)
+std::vector<std::size_t> cells_at(const Spline_term& term, const std::vector<Exact_rational>& point);
+
+void add_taylor_terms(const Spline_term& term, std::size_t cell, const std::vector<Exact_rational>& point, int order,
+                      Taylor_terms& result);
+
+// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces
+// where they jump.
+bool taylor_expansion(const Spline_function& function, const std::vector<Exact_rational>& point, int order,
+                      Taylor_terms& result);
+
+// All exponent vectors of total degree up to an order.
+std::vector<std::vector<int>> exponents_up_to(std::size_t dimension, int order);
+
+// Rank of an integer matrix modulo a prime below 2^31.
+std::size_t rank_modulo(const std::vector<std::vector<Big_integer>>& matrix, std::uint64_t prime);
+
+// The largest primes below 2^31, one after the other.
+class Prime_sequence
+{
+  std::uint64_t m_last = std::uint64_t(1) << 31;
+
+public:
+  std::uint64_t next()
+  {
+    const auto is_prime = [](std::uint64_t n) {
+      for (std::uint64_t d = 3; d * d <= n; d += 2)
+        if (n % d == 0)
+          return false;
+      return true;
+    };
+    for (m_last -= m_last % 2 == 0 ? 1 : 2; !is_prime(m_last);)
+      m_last -= 2;
+    return m_last;
+  }
+};
+
+// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break
+// between pieces where derivatives up to this order jump.
+bool macaulay_matrix(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
+                     const std::vector<std::vector<int>>& exponents, std::vector<std::vector<Big_integer>>& rows);
+
+// Whether the rank of the matrix is at most `rank`, which it is modulo some prime: a larger minor would be divisible by
+// every prime modulo which the rank is the same, and Hadamard's bound ends that. Gives up (false) when that takes too
+// many primes.
+bool rank_is_at_most(const std::vector<std::vector<Big_integer>>& rows, std::size_t rank, Prime_sequence primes);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::size_t> cells_at(const Spline_term& term,
+                                                                 const std::vector<Exact_rational>& point)
 {
   std::vector<std::size_t> result{0};
   for (std::size_t j = 0; j < term.variables.size(); ++j) {
@@ -63,8 +105,9 @@ inline std::vector<std::size_t> cells_at(const Spline_term& term, const std::vec
   return result;
 }
 
-inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const std::vector<Exact_rational>& point,
-                             int order, Taylor_terms& result)
+CGAL_SPLINE_CONSTRAINTS_INLINE void add_taylor_terms(const Spline_term& term, std::size_t cell,
+                                                     const std::vector<Exact_rational>& point, int order,
+                                                     Taylor_terms& result)
 {
   std::vector<Exact_rational> coefficients = term.pieces[cell];
   for (std::size_t j = 0; j < term.variables.size(); ++j)
@@ -82,10 +125,9 @@ inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const st
   }
 }
 
-// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces
-// where they jump.
-inline bool taylor_expansion(const Spline_function& function, const std::vector<Exact_rational>& point, int order,
-                             Taylor_terms& result)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool taylor_expansion(const Spline_function& function,
+                                                     const std::vector<Exact_rational>& point, int order,
+                                                     Taylor_terms& result)
 {
   for (const Spline_term& term : function.terms()) {
     std::optional<Taylor_terms> of_term;
@@ -102,14 +144,13 @@ inline bool taylor_expansion(const Spline_function& function, const std::vector<
   return true;
 }
 
-// All exponent vectors of total degree up to an order.
-inline std::vector<std::vector<int>> exponents_up_to(std::size_t dimension, int order)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::vector<int>> exponents_up_to(std::size_t dimension, int order)
 {
   std::vector<std::vector<int>> result{std::vector<int>(dimension, 0)};
   for (std::size_t first = 0, degree = 1; degree <= static_cast<std::size_t>(order); ++degree) {
     const std::size_t last = result.size();
     for (; first < last; ++first) {
-      std::size_t leading = 0;   // raise only from the last non-zero exponent on: each vector once
+      std::size_t leading = 0; // raise only from the last non-zero exponent on: each vector once
       for (std::size_t j = 0; j < dimension; ++j)
         if (result[first][j] != 0)
           leading = j;
@@ -123,8 +164,8 @@ inline std::vector<std::vector<int>> exponents_up_to(std::size_t dimension, int 
   return result;
 }
 
-// Rank of an integer matrix modulo a prime below 2^31.
-inline std::size_t rank_modulo(const std::vector<std::vector<Big_integer>>& matrix, std::uint64_t prime)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t rank_modulo(const std::vector<std::vector<Big_integer>>& matrix,
+                                                       std::uint64_t prime)
 {
   std::vector<std::vector<std::uint64_t>> rows;
   for (const auto& source : matrix) {
@@ -132,7 +173,7 @@ inline std::size_t rank_modulo(const std::vector<std::vector<Big_integer>>& matr
     for (const Big_integer& entry : source)
       row.push_back(entry == 0 ? 0 : mpz_fdiv_ui(entry.backend().data(), prime));
   }
-  const auto inverse = [prime](std::uint64_t a) {   // Fermat
+  const auto inverse = [prime](std::uint64_t a) { // Fermat
     std::uint64_t result = 1;
     for (std::uint64_t e = prime - 2; e != 0; e >>= 1, a = a * a % prime)
       if (e & 1)
@@ -161,30 +202,10 @@ inline std::size_t rank_modulo(const std::vector<std::vector<Big_integer>>& matr
   return rank;
 }
 
-// The largest primes below 2^31, one after the other.
-class Prime_sequence
-{
-  std::uint64_t m_last = std::uint64_t(1) << 31;
-
-public:
-  std::uint64_t next()
-  {
-    const auto is_prime = [](std::uint64_t n) {
-      for (std::uint64_t d = 3; d * d <= n; d += 2)
-        if (n % d == 0)
-          return false;
-      return true;
-    };
-    for (m_last -= m_last % 2 == 0 ? 1 : 2; !is_prime(m_last);)
-      m_last -= 2;
-    return m_last;
-  }
-};
-
-// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break
-// between pieces where derivatives up to this order jump.
-inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
-                            const std::vector<std::vector<int>>& exponents, std::vector<std::vector<Big_integer>>& rows)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool macaulay_matrix(const Constraint_system_d& system,
+                                                    const std::vector<Exact_rational>& point, int order,
+                                                    const std::vector<std::vector<int>>& exponents,
+                                                    std::vector<std::vector<Big_integer>>& rows)
 {
   std::map<std::vector<int>, std::size_t> column;
   for (std::size_t i = 0; i < exponents.size(); ++i)
@@ -215,12 +236,10 @@ inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector
   return true;
 }
 
-// Whether the rank of the matrix is at most `rank`, which it is modulo some prime: a larger minor would be divisible by
-// every prime modulo which the rank is the same, and Hadamard's bound ends that. Gives up (false) when that takes too
-// many primes.
-inline bool rank_is_at_most(const std::vector<std::vector<Big_integer>>& rows, std::size_t rank, Prime_sequence primes)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool rank_is_at_most(const std::vector<std::vector<Big_integer>>& rows, std::size_t rank,
+                                                    Prime_sequence primes)
 {
-  std::vector<long> bits;   // of the row norms
+  std::vector<long> bits; // of the row norms
   for (const auto& row : rows) {
     long largest = 0;
     for (const Big_integer& entry : row)
@@ -237,6 +256,7 @@ inline bool rank_is_at_most(const std::vector<std::vector<Big_integer>>& rows, s
       return false;
   return true;
 }
+#endif
 
 } // namespace internal
 
@@ -263,7 +283,23 @@ Orders up to 500 columns are tried. A point on a break between pieces of a splin
 the order that is needed do not jump there: what is proved is then true on all sides. On the first and the last break of
 an axis, the outermost pieces count as continued.
 */
-inline Local_structure local_structure(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
+Local_structure local_structure(const Constraint_system_d& system, const std::vector<Exact_rational>& point);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE bool satisfies(const Constraint_system_d& system,
+                                              const std::vector<Exact_rational>& point)
+{
+  for (const Spline_function& function : system.equalities())
+    if (!internal::vanishes_at(function, point))
+      return false;
+  for (const auto& inequality : system.inequalities())
+    if (!is_satisfied(inequality.relation, CGAL::sign(internal::evaluate_exactly(inequality.function, point))))
+      return false;
+  return true;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Local_structure local_structure(const Constraint_system_d& system,
+                                                               const std::vector<Exact_rational>& point)
 {
   constexpr std::size_t most_columns = 500;
   std::size_t previous = 1;
@@ -279,6 +315,7 @@ inline Local_structure local_structure(const Constraint_system_d& system, const 
     previous = nullity;
   }
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

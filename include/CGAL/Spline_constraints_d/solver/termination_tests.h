@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_TERMINATION_TESTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_TERMINATION_TESTS_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/matrix_inverse.h>
@@ -29,30 +30,7 @@ derivative bounds of the node allow, in the node's local coordinates, and return
 there is no approximate inverse \f$C\f$. Below one, \f$s \mapsto s - C f(s)\f$ is a contraction of the node: it holds at
 most one solution, and \f$C\f$ is regular. Costs a pass over the coefficients per unknown, then \f$O(n^3)\f$.
 */
-inline double contraction_bound(Node_view& node, const Linear_enclosure& linear, std::vector<double>& bounds)
-{
-  if (!linear.has_inverse())
-    return HUGE_VAL;
-  bounds.resize(static_cast<std::size_t>(node.dimension()) * node.dimension());
-  const double *lower = node.derivative_lower(0), *upper = node.derivative_upper(0);
-  double largest = 0;
-  internal::run_with_constant<4>(node.equalities() == node.dimension() ? node.dimension() : 0, [&](auto size) {
-    const int n = size > 0 ? size : node.dimension(), m = size > 0 ? size : node.equalities();
-    const auto bound_rows = [&](const auto& range) {
-      for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
-        const double sum = internal::contraction_row(n, m, j, linear.inverse_row(j), range, bounds.data() + j * n);
-        largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
-      }
-    };
-    if constexpr (size > 0) {   // once for all rows
-      std::array<internal::Derivative_range, size * size> ranges;
-      internal::unroll<size * size>([&](auto entry) { ranges[entry] = {lower[entry], upper[entry]}; });
-      bound_rows([&](int i, int k) -> const internal::Derivative_range& { return ranges[i * n + k]; });
-    } else
-      bound_rows([&](int i, int k) { return internal::Derivative_range(lower[i * n + k], upper[i * n + k]); });
-  });
-  return largest;
-}
+double contraction_bound(Node_view& node, const Linear_enclosure& linear, std::vector<double>& bounds);
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -93,18 +71,7 @@ class Normal_cone_test
 
 public:
   //! `true` only when the node holds at most one solution.
-  bool has_at_most_one_solution(Node_view& node, const Linear_enclosure&)
-  {
-    const int n = node.dimension();
-    if (node.equalities() != n)
-      return false;
-    m_axes.assign(n * n, 0);
-    m_sines.assign(n, 0);
-    for (int i = 0; i < n; ++i)
-      if (!bound_normals(node, i))
-        return false;
-    return tangent_cones_meet_in_origin(n);
-  }
+  bool has_at_most_one_solution(Node_view& node, const Linear_enclosure&);
 
 private:
   bool bound_normals(Node_view& node, int function);
@@ -116,22 +83,6 @@ private:
                              const Visitor& visit);
   bool tangent_cones_meet_in_origin(int n);
 };
-
-inline bool Normal_cone_test::bound_normals(Node_view& node, int function)
-{
-  const internal::Block* only = nullptr;
-  std::size_t member = 0, blocks = 0;
-  for (const internal::Block& block : node.layout().blocks)
-    for (std::size_t m = 0; m < block.functions.size(); ++m)
-      if (block.functions[m] == function && !block.axes.empty()) {
-        only = &block;
-        member = m;
-        ++blocks;
-      }
-  double* axis = m_axes.data() + function * node.dimension();
-  return blocks == 1 ? bound_by_control_vectors(node, *only, member, axis, m_sines[function])
-                     : bound_by_ball(node, function, axis, m_sines[function]);
-}
 
 // Calls visit(g) with every control vector g of the gradient on the block's own basis: along an axis of degree d, the
 // derivative raised to degree d again has the coefficients k (b_k - b_{k-1}) + (d - k)(b_{k+1} - b_k).
@@ -156,12 +107,70 @@ void Normal_cone_test::visit_control_vectors(const Node_view& node, const intern
   }
 }
 
-inline bool Normal_cone_test::bound_by_control_vectors(Node_view& node, const internal::Block& block,
-                                                       std::size_t member, double* axis, double& sine)
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE double contraction_bound(Node_view& node, const Linear_enclosure& linear,
+                                                        std::vector<double>& bounds)
+{
+  if (!linear.has_inverse())
+    return HUGE_VAL;
+  bounds.resize(static_cast<std::size_t>(node.dimension()) * node.dimension());
+  const double *lower = node.derivative_lower(0), *upper = node.derivative_upper(0);
+  double largest = 0;
+  internal::run_with_constant<4>(node.equalities() == node.dimension() ? node.dimension() : 0, [&](auto size) {
+    const int n = size > 0 ? size : node.dimension(), m = size > 0 ? size : node.equalities();
+    const auto bound_rows = [&](const auto& range) {
+      for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
+        const double sum = internal::contraction_row(n, m, j, linear.inverse_row(j), range, bounds.data() + j * n);
+        largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
+      }
+    };
+    if constexpr (size > 0) { // once for all rows
+      std::array<internal::Derivative_range, size * size> ranges;
+      internal::unroll<size * size>([&](auto entry) { ranges[entry] = {lower[entry], upper[entry]}; });
+      bound_rows([&](int i, int k) -> const internal::Derivative_range& { return ranges[i * n + k]; });
+    } else
+      bound_rows([&](int i, int k) { return internal::Derivative_range(lower[i * n + k], upper[i * n + k]); });
+  });
+  return largest;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Normal_cone_test::has_at_most_one_solution(Node_view& node, const Linear_enclosure&)
+{
+  const int n = node.dimension();
+  if (node.equalities() != n)
+    return false;
+  m_axes.assign(n * n, 0);
+  m_sines.assign(n, 0);
+  for (int i = 0; i < n; ++i)
+    if (!bound_normals(node, i))
+      return false;
+  return tangent_cones_meet_in_origin(n);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Normal_cone_test::bound_normals(Node_view& node, int function)
+{
+  const internal::Block* only = nullptr;
+  std::size_t member = 0, blocks = 0;
+  for (const internal::Block& block : node.layout().blocks)
+    for (std::size_t m = 0; m < block.functions.size(); ++m)
+      if (block.functions[m] == function && !block.axes.empty()) {
+        only = &block;
+        member = m;
+        ++blocks;
+      }
+  double* axis = m_axes.data() + function * node.dimension();
+  return blocks == 1 ? bound_by_control_vectors(node, *only, member, axis, m_sines[function])
+                     : bound_by_ball(node, function, axis, m_sines[function]);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Normal_cone_test::bound_by_control_vectors(Node_view& node,
+                                                                               const internal::Block& block,
+                                                                               std::size_t member, double* axis,
+                                                                               double& sine)
 {
   const std::size_t axes = block.axes.size(), entry = block.first_error + member;
   const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
-  double error = 0;   // of the length of a control vector
+  double error = 0; // of the length of a control vector
   for (int d : block.degrees)
     error += 2 * d * (node.errors()[entry] + internal::analysis_error * size);
   m_sum.assign(axes, 0);
@@ -202,7 +211,8 @@ inline bool Normal_cone_test::bound_by_control_vectors(Node_view& node, const in
   return true;
 }
 
-inline bool Normal_cone_test::bound_by_ball(Node_view& node, int function, double* axis, double& sine)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Normal_cone_test::bound_by_ball(Node_view& node, int function, double* axis,
+                                                                    double& sine)
 {
   const int n = node.dimension();
   double length = 0, radius = 0;
@@ -222,13 +232,13 @@ inline bool Normal_cone_test::bound_by_ball(Node_view& node, int function, doubl
   return true;
 }
 
-inline bool Normal_cone_test::tangent_cones_meet_in_origin(int n)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Normal_cone_test::tangent_cones_meet_in_origin(int n)
 {
   m_inverse.resize(n * n);
   m_work = m_axes;
   if (!internal::invert(n, m_work, m_inverse))
     return false;
-  double defect = 0, length_sum = 0;   // Frobenius norm of I - Y V; sum of column lengths of Y times the sines
+  double defect = 0, length_sum = 0; // Frobenius norm of I - Y V; sum of column lengths of Y times the sines
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
       double entry = i == k ? 1 : 0, size = 1;
@@ -265,6 +275,7 @@ inline bool Normal_cone_test::tangent_cones_meet_in_origin(int n)
   }
   return true;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

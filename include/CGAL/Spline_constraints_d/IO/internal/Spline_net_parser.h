@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Spline_net.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
@@ -34,25 +35,12 @@ protected:
 
   explicit Spline_net_parser(const Text_source& source) : m_source(source), m_cursor(source) {}
 
-  int integer(int lower, int upper, const std::string& what)
-  {
-    m_cursor.skip_blanks();
-    return m_cursor.integer(lower, upper, what);
-  }
+  int integer(int lower, int upper, const std::string& what);
 
-  Exact_rational number(const std::string& what)
-  {
-    m_cursor.skip_blanks();
-    return m_cursor.number(what);
-  }
+  Exact_rational number(const std::string& what);
 
   // Sizes and orders are bounded by what can follow in the file.
-  int parse_size()
-  {
-    m_cursor.skip_blanks();
-    const int most = static_cast<int>((std::min)(m_cursor.rest().size(), std::size_t(1) << 30));
-    return integer(1, (std::max)(most, 1), "a number of control points that fits the file");
-  }
+  int parse_size();
 
   int parse_order(int size) { return integer(1, (std::min)(maximal_order, size), "the order"); }
 
@@ -64,21 +52,10 @@ protected:
   }
 
   // The coordinates, and the weight if there is one, in the order of the file.
-  std::vector<Exact_rational> parse_coordinates(const Spline_net& net)
-  {
-    std::vector<Exact_rational> result;
-    for (int left = net.dimension + (net.is_rational ? 1 : 0); left > 0; --left)
-      result.push_back(number("a coordinate"));
-    return result;
-  }
+  std::vector<Exact_rational> parse_coordinates(const Spline_net& net);
 
   // So that periodic axes do not make a small file large.
-  void check_size(const Spline_net& net)
-  {
-    m_cursor.skip_blanks();
-    if (net.number_of_points() > m_cursor.rest().size())
-      m_cursor.fail("the file is too short for its control points,");
-  }
+  void check_size(const Spline_net& net);
 
   // What begins at a position.
   template <SplineKernel Kernel>
@@ -91,6 +68,42 @@ protected:
     }
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE int Spline_net_parser::integer(int lower, int upper, const std::string& what)
+{
+  m_cursor.skip_blanks();
+  return m_cursor.integer(lower, upper, what);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational Spline_net_parser::number(const std::string& what)
+{
+  m_cursor.skip_blanks();
+  return m_cursor.number(what);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Spline_net_parser::parse_size()
+{
+  m_cursor.skip_blanks();
+  const int most = static_cast<int>((std::min)(m_cursor.rest().size(), std::size_t(1) << 30));
+  return integer(1, (std::max)(most, 1), "a number of control points that fits the file");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Exact_rational> Spline_net_parser::parse_coordinates(const Spline_net& net)
+{
+  std::vector<Exact_rational> result;
+  for (int left = net.dimension + (net.is_rational ? 1 : 0); left > 0; --left)
+    result.push_back(number("a coordinate"));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Spline_net_parser::check_size(const Spline_net& net)
+{
+  m_cursor.skip_blanks();
+  if (net.number_of_points() > m_cursor.rest().size())
+    m_cursor.fail("the file is too short for its control points,");
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

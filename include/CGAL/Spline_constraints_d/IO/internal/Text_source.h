@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/Parse_error.h>
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_number.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 
 #include <algorithm>
@@ -34,54 +35,66 @@ class Text_source
   std::vector<std::size_t> m_line_begins{0};
 
 public:
-  Text_source(std::string content, std::string file_name)
-    : m_content(std::move(content)), m_file_name(std::move(file_name))
-  {
-    if (m_content.substr(0, 3) == "\xEF\xBB\xBF")   // a byte order mark
-      m_content.erase(0, 3);
-    for (std::size_t i = 0; i < m_content.size(); ++i)
-      if (m_content[i] == '\n' || (m_content[i] == '\r' && m_content.substr(i + 1, 1) != "\n"))
-        m_line_begins.push_back(i + 1);
-  }
+  Text_source(std::string content, std::string file_name);
 
-  static Text_source read(std::istream& in, const std::string& file_name)
-  {
-    if (!in)
-      throw Parse_error(file_name, 0, 0, "cannot be read", "");
-    std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (in.bad())
-      throw Parse_error(file_name, 0, 0, "cannot be read", "");
-    return Text_source(std::move(content), file_name);
-  }
+  static Text_source read(std::istream& in, const std::string& file_name);
 
-  static Text_source read(const std::string& path)
-  {
-    std::ifstream in(path, std::ios::binary);
-    if (!in)
-      throw Parse_error(path, 0, 0, "cannot be opened", "");
-    in.peek();   // a directory opens, but cannot be read
-    if (in.bad())
-      throw Parse_error(path, 0, 0, "cannot be read", "");
-    in.clear();
-    return read(in, path);
-  }
+  static Text_source read(const std::string& path);
 
   std::string_view content() const { return m_content; }
 
   // Line and column of a byte, both from 1.
-  std::pair<int, int> place(std::size_t position) const
-  {
-    const auto line = std::upper_bound(m_line_begins.begin(), m_line_begins.end(), position);
-    return {static_cast<int>(line - m_line_begins.begin()), static_cast<int>(position - *(line - 1)) + 1};
-  }
+  std::pair<int, int> place(std::size_t position) const;
 
-  [[noreturn]] void fail(std::size_t position, std::size_t size, const std::string& message) const
-  {
-    const auto [line, column] = place(position);
-    throw Parse_error(m_file_name, line, column, message,
-                      m_content.substr(position, (std::min)(size, std::size_t(60))));
-  }
+  [[noreturn]] void fail(std::size_t position, std::size_t size, const std::string& message) const;
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Text_source::Text_source(std::string content, std::string file_name)
+  : m_content(std::move(content)), m_file_name(std::move(file_name))
+{
+  if (m_content.substr(0, 3) == "\xEF\xBB\xBF") // a byte order mark
+    m_content.erase(0, 3);
+  for (std::size_t i = 0; i < m_content.size(); ++i)
+    if (m_content[i] == '\n' || (m_content[i] == '\r' && m_content.substr(i + 1, 1) != "\n"))
+      m_line_begins.push_back(i + 1);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Text_source Text_source::read(std::istream& in, const std::string& file_name)
+{
+  if (!in)
+    throw Parse_error(file_name, 0, 0, "cannot be read", "");
+  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad())
+    throw Parse_error(file_name, 0, 0, "cannot be read", "");
+  return Text_source(std::move(content), file_name);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Text_source Text_source::read(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw Parse_error(path, 0, 0, "cannot be opened", "");
+  in.peek(); // a directory opens, but cannot be read
+  if (in.bad())
+    throw Parse_error(path, 0, 0, "cannot be read", "");
+  in.clear();
+  return read(in, path);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<int, int> Text_source::place(std::size_t position) const
+{
+  const auto line = std::upper_bound(m_line_begins.begin(), m_line_begins.end(), position);
+  return {static_cast<int>(line - m_line_begins.begin()), static_cast<int>(position - *(line - 1)) + 1};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Text_source::fail(std::size_t position, std::size_t size,
+                                                      const std::string& message) const
+{
+  const auto [line, column] = place(position);
+  throw Parse_error(m_file_name, line, column, message, m_content.substr(position, (std::min)(size, std::size_t(60))));
+}
+#endif
 
 // Reads a part of a source from its begin to its end.
 class Text_cursor
@@ -111,18 +124,9 @@ public:
   void advance(std::size_t size = 1) { m_position += size; }
   std::string_view rest() const { return m_source->content().substr(m_position, m_end - m_position); }
 
-  void skip_blanks()
-  {
-    while (is_blank(peek()))
-      advance();
-  }
+  void skip_blanks();
 
-  bool skip(char c)
-  {
-    const bool found = peek() == c && !is_at_end();
-    advance(found ? 1 : 0);
-    return found;
-  }
+  bool skip(char c);
 
   // The next word, up to a blank or one of the given characters, is what is wrong.
   [[noreturn]] void fail(const std::string& message, std::string_view stops = "") const
@@ -130,66 +134,92 @@ public:
     fail_at(m_position, message, stops);
   }
 
-  [[noreturn]] void fail_at(std::size_t position, const std::string& message, std::string_view stops = "") const
-  {
-    const std::string_view text = m_source->content().substr(position, m_end - position);
-    std::size_t size = text.empty() ? 0 : 1;
-    while (size < text.size() && !is_blank(text[size]) && stops.find(text[size]) == std::string_view::npos)
-      ++size;
-    m_source->fail(position, size, message);
-  }
+  [[noreturn]] void fail_at(std::size_t position, const std::string& message, std::string_view stops = "") const;
 
-  bool is_at_number() const
-  {
-    const std::size_t sign = peek() == '+' || peek() == '-' ? 1 : 0;
-    return is_digit(peek(sign)) || (peek(sign) == '.' && is_digit(peek(sign + 1)));
-  }
+  bool is_at_number() const;
 
   // A decimal number, exactly.
-  Exact_rational number(const std::string& what)
-  {
-    if (!is_at_number())
-      fail("expected " + what);
-    const std::size_t begin = m_position;
-    const bool is_negative = peek() == '-';
-    advance(peek() == '-' || peek() == '+' ? 1 : 0);
-    const std::size_t first = m_position;
-    skip_digits();
-    if (skip('.'))
-      skip_digits();
-    int exponent = 0;
-    const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
-    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign)))
-      for (advance(1 + sign); is_digit(peek()); advance())
-        exponent = (std::min)(10 * exponent + (peek() - '0'), maximal_exponent + 1);
-    if (m_position - begin > maximal_size_of_number || exponent > maximal_exponent)
-      fail_at(begin, "a number of too many digits");
-    Expansion_budget budget(1e9);   // the limits are above
-    const Exact_rational value = decimal_number(m_source->content().substr(first, m_position - first), budget);
-    return is_negative ? Exact_rational(-value) : value;
-  }
+  Exact_rational number(const std::string& what);
 
   // An integer from a range.
-  int integer(int lower, int upper, const std::string& what)
-  {
-    const std::size_t begin = m_position;
-    const Exact_rational value = number(what);
-    for (std::size_t i = begin; i < m_position; ++i)
-      if (!is_digit(m_source->content()[i]) &&
-          !(i == begin && !is_letter(m_source->content()[i]) && m_source->content()[i] != '.'))
-        fail_at(begin, "expected " + what + ", an integer");
-    if (value < lower || value > upper)
-      fail_at(begin, what + " is not between " + std::to_string(lower) + " and " + std::to_string(upper));
-    return std::stoi(std::string(m_source->content().substr(begin, m_position - begin)));
-  }
+  int integer(int lower, int upper, const std::string& what);
 
 private:
-  void skip_digits()
-  {
-    while (is_digit(peek()))
-      advance();
-  }
+  void skip_digits();
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Text_cursor::skip_blanks()
+{
+  while (is_blank(peek()))
+    advance();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Text_cursor::skip(char c)
+{
+  const bool found = peek() == c && !is_at_end();
+  advance(found ? 1 : 0);
+  return found;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Text_cursor::fail_at(std::size_t position, const std::string& message,
+                                                         std::string_view stops) const
+{
+  const std::string_view text = m_source->content().substr(position, m_end - position);
+  std::size_t size = text.empty() ? 0 : 1;
+  while (size < text.size() && !is_blank(text[size]) && stops.find(text[size]) == std::string_view::npos)
+    ++size;
+  m_source->fail(position, size, message);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Text_cursor::is_at_number() const
+{
+  const std::size_t sign = peek() == '+' || peek() == '-' ? 1 : 0;
+  return is_digit(peek(sign)) || (peek(sign) == '.' && is_digit(peek(sign + 1)));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational Text_cursor::number(const std::string& what)
+{
+  if (!is_at_number())
+    fail("expected " + what);
+  const std::size_t begin = m_position;
+  const bool is_negative = peek() == '-';
+  advance(peek() == '-' || peek() == '+' ? 1 : 0);
+  const std::size_t first = m_position;
+  skip_digits();
+  if (skip('.'))
+    skip_digits();
+  int exponent = 0;
+  const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+  if ((peek() == 'e' || peek() == 'E') && is_digit(peek(1 + sign)))
+    for (advance(1 + sign); is_digit(peek()); advance())
+      exponent = (std::min)(10 * exponent + (peek() - '0'), maximal_exponent + 1);
+  if (m_position - begin > maximal_size_of_number || exponent > maximal_exponent)
+    fail_at(begin, "a number of too many digits");
+  Expansion_budget budget(1e9); // the limits are above
+  const Exact_rational value = decimal_number(m_source->content().substr(first, m_position - first), budget);
+  return is_negative ? Exact_rational(-value) : value;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Text_cursor::integer(int lower, int upper, const std::string& what)
+{
+  const std::size_t begin = m_position;
+  const Exact_rational value = number(what);
+  for (std::size_t i = begin; i < m_position; ++i)
+    if (!is_digit(m_source->content()[i]) &&
+        !(i == begin && !is_letter(m_source->content()[i]) && m_source->content()[i] != '.'))
+      fail_at(begin, "expected " + what + ", an integer");
+  if (value < lower || value > upper)
+    fail_at(begin, what + " is not between " + std::to_string(lower) + " and " + std::to_string(upper));
+  return std::stoi(std::string(m_source->content().substr(begin, m_position - begin)));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Text_cursor::skip_digits()
+{
+  while (is_digit(peek()))
+    advance();
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

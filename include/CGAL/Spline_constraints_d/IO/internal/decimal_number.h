@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_DECIMAL_NUMBER_H
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -30,7 +31,10 @@ inline constexpr long maximal_number_of_digits = 20000;
 The exact value of an unsigned decimal number: digits with at most one point among them, then, possibly, an exponent (e
 or E). Throws Invalid_input when it has too many digits or the budget is used up.
 */
-inline Exact_rational decimal_number(std::string_view text, Expansion_budget& budget)
+Exact_rational decimal_number(std::string_view text, Expansion_budget& budget);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational decimal_number(std::string_view text, Expansion_budget& budget)
 {
   const std::size_t e = text.find_first_of("eE");
   std::string digits;
@@ -53,8 +57,8 @@ inline Exact_rational decimal_number(std::string_view text, Expansion_budget& bu
         exponent = 10 * exponent + (c - '0');
     exponent = is_negative ? -exponent : exponent;
   }
-  if (static_cast<long>(digits.size()) > maximal_number_of_digits || decimals > maximal_number_of_digits
-      || exponent > maximal_number_of_digits || exponent < -maximal_number_of_digits)
+  if (static_cast<long>(digits.size()) > maximal_number_of_digits || decimals > maximal_number_of_digits ||
+      exponent > maximal_number_of_digits || exponent < -maximal_number_of_digits)
     throw Invalid_input("a number of more than " + std::to_string(maximal_number_of_digits) + " digits");
   if (digits.empty())
     return Exact_rational(0);
@@ -69,6 +73,7 @@ inline Exact_rational decimal_number(std::string_view text, Expansion_budget& bu
     return scaled_rational(mantissa, 0) / scaled_rational(power, 0);
   return scaled_rational(mantissa * power, 0);
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

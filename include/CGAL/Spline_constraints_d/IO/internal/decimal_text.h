@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_DECIMAL_TEXT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_DECIMAL_TEXT_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
@@ -23,15 +24,20 @@ namespace Spline_constraints {
 namespace internal {
 
 // The shortest decimal number that is read back as the same double, whatever the locale.
-inline std::string double_text(double x)
+std::string double_text(double x);
+
+// A number as a decimal: exactly if it has 60 decimals at most, else the text of the nearest double.
+std::string decimal_text(const Exact_rational& x);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string double_text(double x)
 {
   std::array<char, 40> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
   return std::string(text.data(), end);
 }
 
-// A number as a decimal: exactly if it has 60 decimals at most, else the text of the nearest double.
-inline std::string decimal_text(const Exact_rational& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string decimal_text(const Exact_rational& x)
 {
   constexpr int most_decimals = 60;
   Big_integer mantissa = abs(numerator_of(x));
@@ -50,6 +56,7 @@ inline std::string decimal_text(const Exact_rational& x)
     digits.insert(digits.size() - decimals, 1, '.');
   return x < 0 ? '-' + digits : digits;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_EXPANSION_BUDGET_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_EXPANSION_BUDGET_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -28,12 +29,7 @@ class Expansion_budget
 public:
   explicit Expansion_budget(double amount) : m_left(amount) {}
 
-  void spend(double amount)
-  {
-    m_left -= amount;
-    if (m_left < 0)
-      throw Invalid_input("Power_polynomial: the expression takes too much work to expand");
-  }
+  void spend(double amount);
 };
 
 // The size of a coefficient in machine words, numerator and denominator together.
@@ -44,6 +40,15 @@ inline double size_in_words(const Exact_rational& value)
 
 // The work of an operation on coefficients of these sizes (in words), as schoolbook arithmetic costs it.
 inline double arithmetic_work(double words_a, double words_b) { return 1 + words_a * words_b / 64; }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Expansion_budget::spend(double amount)
+{
+  m_left -= amount;
+  if (m_left < 0)
+    throw Invalid_input("Power_polynomial: the expression takes too much work to expand");
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

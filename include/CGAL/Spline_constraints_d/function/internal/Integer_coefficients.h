@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_INTEGER_COEFFICIENTS_H
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -27,7 +28,43 @@ namespace internal {
 using Integer_coefficients = std::vector<Big_integer>;
 
 // sum += factor a
-inline void add_multiple(Integer_coefficients& sum, const Integer_coefficients& a, const Big_integer& factor)
+void add_multiple(Integer_coefficients& sum, const Integer_coefficients& a, const Big_integer& factor);
+
+// sum += sign a b
+void add_signed_product(Integer_coefficients& sum, const Integer_coefficients& a, const Integer_coefficients& b,
+                        int sign);
+
+// Without zeros at the end.
+Integer_coefficients trimmed(Integer_coefficients f);
+
+Integer_coefficients product_of(const Integer_coefficients& a, const Integer_coefficients& b);
+
+// The first `count` powers of a polynomial.
+std::vector<Integer_coefficients> powers_of(const Integer_coefficients& f, std::size_t count);
+
+Integer_coefficients derivative_of(const Integer_coefficients& f);
+
+// a' b - a b', the numerator of the derivative of a/b.
+Integer_coefficients numerator_of_derivative(const Integer_coefficients& a, const Integer_coefficients& b);
+
+// The value at p/q, times q^n where the degree is taken to be n: at q = 0, the coefficient of that power.
+Big_integer homogeneous_value(const Integer_coefficients& f, std::size_t n, const Big_integer& p, const Big_integer& q);
+
+// Divides polynomials by what all their coefficients have in common.
+void divide_by_common_content(std::vector<Integer_coefficients>& polynomials);
+
+// Rational polynomials in one unknown, times the least positive number that makes all coefficients integers.
+std::vector<Integer_coefficients> with_integers(const std::vector<std::vector<Exact_rational>>& polynomials);
+
+// The coefficients of a polynomial in one unknown, whichever it is. \throws Invalid_input when there are more.
+std::vector<Exact_rational> coefficients_in_one_unknown(const Power_polynomial& f, const std::string& who);
+
+// As a polynomial in this unknown.
+Power_polynomial polynomial_in(int unknown, const Integer_coefficients& f);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void add_multiple(Integer_coefficients& sum, const Integer_coefficients& a,
+                                                 const Big_integer& factor)
 {
   if (factor == 0)
     return;
@@ -37,9 +74,8 @@ inline void add_multiple(Integer_coefficients& sum, const Integer_coefficients& 
     add_product(sum[i], a[i], factor);
 }
 
-// sum += sign a b
-inline void add_signed_product(Integer_coefficients& sum, const Integer_coefficients& a, const Integer_coefficients& b,
-                               int sign)
+CGAL_SPLINE_CONSTRAINTS_INLINE void add_signed_product(Integer_coefficients& sum, const Integer_coefficients& a,
+                                                       const Integer_coefficients& b, int sign)
 {
   if (a.empty() || b.empty())
     return;
@@ -52,23 +88,23 @@ inline void add_signed_product(Integer_coefficients& sum, const Integer_coeffici
   }
 }
 
-// Without zeros at the end.
-inline Integer_coefficients trimmed(Integer_coefficients f)
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_coefficients trimmed(Integer_coefficients f)
 {
   while (!f.empty() && f.back() == 0)
     f.pop_back();
   return f;
 }
 
-inline Integer_coefficients product_of(const Integer_coefficients& a, const Integer_coefficients& b)
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_coefficients product_of(const Integer_coefficients& a,
+                                                               const Integer_coefficients& b)
 {
   Integer_coefficients result;
   add_signed_product(result, a, b, 1);
   return result;
 }
 
-// The first `count` powers of a polynomial.
-inline std::vector<Integer_coefficients> powers_of(const Integer_coefficients& f, std::size_t count)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Integer_coefficients> powers_of(const Integer_coefficients& f,
+                                                                           std::size_t count)
 {
   std::vector<Integer_coefficients> result(1, Integer_coefficients(1, Big_integer(1)));
   while (result.size() < count)
@@ -76,7 +112,7 @@ inline std::vector<Integer_coefficients> powers_of(const Integer_coefficients& f
   return result;
 }
 
-inline Integer_coefficients derivative_of(const Integer_coefficients& f)
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_coefficients derivative_of(const Integer_coefficients& f)
 {
   Integer_coefficients result;
   for (std::size_t k = 1; k < f.size(); ++k)
@@ -84,17 +120,16 @@ inline Integer_coefficients derivative_of(const Integer_coefficients& f)
   return result;
 }
 
-// a' b - a b', the numerator of the derivative of a/b.
-inline Integer_coefficients numerator_of_derivative(const Integer_coefficients& a, const Integer_coefficients& b)
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_coefficients numerator_of_derivative(const Integer_coefficients& a,
+                                                                            const Integer_coefficients& b)
 {
   Integer_coefficients result = product_of(derivative_of(a), b);
   add_signed_product(result, a, derivative_of(b), -1);
   return trimmed(std::move(result));
 }
 
-// The value at p/q, times q^n where the degree is taken to be n: at q = 0, the coefficient of that power.
-inline Big_integer homogeneous_value(const Integer_coefficients& f, std::size_t n, const Big_integer& p,
-                                     const Big_integer& q)
+CGAL_SPLINE_CONSTRAINTS_INLINE Big_integer homogeneous_value(const Integer_coefficients& f, std::size_t n,
+                                                             const Big_integer& p, const Big_integer& q)
 {
   Big_integer sum(0), power(1);
   for (std::size_t k = n + 1; k-- > 0;) {
@@ -106,8 +141,7 @@ inline Big_integer homogeneous_value(const Integer_coefficients& f, std::size_t 
   return sum;
 }
 
-// Divides polynomials by what all their coefficients have in common.
-inline void divide_by_common_content(std::vector<Integer_coefficients>& polynomials)
+CGAL_SPLINE_CONSTRAINTS_INLINE void divide_by_common_content(std::vector<Integer_coefficients>& polynomials)
 {
   Big_integer content(0);
   for (const Integer_coefficients& f : polynomials)
@@ -119,8 +153,8 @@ inline void divide_by_common_content(std::vector<Integer_coefficients>& polynomi
         mpz_divexact(x.backend().data(), x.backend().data(), content.backend().data());
 }
 
-// Rational polynomials in one unknown, times the least positive number that makes all coefficients integers.
-inline std::vector<Integer_coefficients> with_integers(const std::vector<std::vector<Exact_rational>>& polynomials)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Integer_coefficients>
+with_integers(const std::vector<std::vector<Exact_rational>>& polynomials)
 {
   Big_integer denominator(1);
   for (const auto& f : polynomials)
@@ -137,8 +171,8 @@ inline std::vector<Integer_coefficients> with_integers(const std::vector<std::ve
   return result;
 }
 
-// The coefficients of a polynomial in one unknown, whichever it is. \throws Invalid_input when there are more.
-inline std::vector<Exact_rational> coefficients_in_one_unknown(const Power_polynomial& f, const std::string& who)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Exact_rational> coefficients_in_one_unknown(const Power_polynomial& f,
+                                                                                       const std::string& who)
 {
   const std::vector<int> unknowns = f.variables();
   if (unknowns.size() > 1)
@@ -149,8 +183,7 @@ inline std::vector<Exact_rational> coefficients_in_one_unknown(const Power_polyn
   return result;
 }
 
-// As a polynomial in this unknown.
-inline Power_polynomial polynomial_in(int unknown, const Integer_coefficients& f)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_in(int unknown, const Integer_coefficients& f)
 {
   Power_polynomial result;
   const Power_polynomial x = Power_polynomial::variable(unknown);
@@ -159,6 +192,7 @@ inline Power_polynomial polynomial_in(int unknown, const Integer_coefficients& f
       result += Power_polynomial(scaled_rational(f[k], 0)) * pow(x, static_cast<int>(k));
   return result;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

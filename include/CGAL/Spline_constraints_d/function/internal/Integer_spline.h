@@ -213,23 +213,11 @@ public:
   // On the face where an axis has a value, as a function that is constant along it.
   Integer_spline face(int axis, const Exact_rational& value) const;
 
-  Integer_spline operator-() const
-  {
-    Integer_spline result(*this);
-    for (auto& piece : result.m_pieces.pieces)
-      for (Big_integer& coefficient : piece)
-        coefficient = -coefficient;
-    return result;
-  }
+  Integer_spline operator-() const;
 
   // The piece of a cell of finer breaks.
-  const std::vector<Big_integer>& piece_on(const std::vector<Breaks_of_axis>& finer, const std::vector<int>& cell) const
-  {
-    std::size_t index = 0;
-    for (std::size_t j = 0; j < cell.size(); ++j)
-      index = index * cells_between(breaks()[j]) + (finer[j].empty() ? 0 : cell_at(breaks()[j], finer[j][cell[j]]));
-    return m_pieces.pieces[index];
-  }
+  const std::vector<Big_integer>& piece_on(const std::vector<Breaks_of_axis>& finer,
+                                           const std::vector<int>& cell) const;
 
   // The derivative of the pieces, which need not be continuous.
   Integer_spline piecewise_derivative(int axis) const;
@@ -257,24 +245,12 @@ public:
   void check_continuity(const std::string& what) const;
 
 private:
-  static std::vector<Breaks_of_axis> common_breaks(const Integer_spline& a, const Integer_spline& b)
-  {
-    std::vector<Breaks_of_axis> result;
-    for (int j = 0; j < a.dimension(); ++j)
-      result.push_back(united(a.breaks()[j], b.breaks()[j]));
-    return result;
-  }
+  static std::vector<Breaks_of_axis> common_breaks(const Integer_spline& a, const Integer_spline& b);
 
   // To lowest terms.
   static void reduce(Power_form& form);
 
-  std::vector<Exact_rational> rational(std::size_t piece) const
-  {
-    std::vector<Exact_rational> result;
-    for (const Big_integer& coefficient : pieces()[piece])
-      result.push_back(scaled_rational(coefficient, 0));
-    return result;
-  }
+  std::vector<Exact_rational> rational(std::size_t piece) const;
 
   static std::string text_of(const Exact_rational& x)
   {
@@ -307,7 +283,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline::Integer_spline(const Bspline_func
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::restricted(int axis, const Exact_rational& begin,
-                                                                        const Exact_rational& end) const
+                                                                         const Exact_rational& end) const
 {
   const Breaks_of_axis& own = breaks()[axis];
   const std::size_t first = cell_at(own, begin);
@@ -325,7 +301,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::restricted(int axi
     result.breaks[axis].front() = begin;
     result.breaks[axis].back() = end;
   }
-  for (std::size_t o = 0; o < cells.outer; ++o) {   // only the cells of the part are touched
+  for (std::size_t o = 0; o < cells.outer; ++o) { // only the cells of the part are touched
     const auto row = pieces().begin() + o * (cells.degree + 1) * cells.inner;
     result.pieces.insert(result.pieces.end(), row + first * cells.inner, row + last * cells.inner);
   }
@@ -384,7 +360,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline operator*(const Integer_spline& a,
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::difference(const Integer_spline& a,
-                                                                        const Integer_spline& b, int factor)
+                                                                         const Integer_spline& b, int factor)
 {
   Integer_pieces<Big_integer> result{a.degrees(), common_breaks(a, b), {}};
   for (std::size_t j = 0; j < result.degrees.size(); ++j)
@@ -429,6 +405,43 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Integer_spline::reduce(Power_form& form)
   form.denominator /= common;
   for (Short_integer& coefficient : form.numerators)
     coefficient /= common;
+}
+#endif
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_spline Integer_spline::operator-() const
+{
+  Integer_spline result(*this);
+  for (auto& piece : result.m_pieces.pieces)
+    for (Big_integer& coefficient : piece)
+      coefficient = -coefficient;
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const std::vector<Big_integer>&
+Integer_spline::piece_on(const std::vector<Breaks_of_axis>& finer, const std::vector<int>& cell) const
+{
+  std::size_t index = 0;
+  for (std::size_t j = 0; j < cell.size(); ++j)
+    index = index * cells_between(breaks()[j]) + (finer[j].empty() ? 0 : cell_at(breaks()[j], finer[j][cell[j]]));
+  return m_pieces.pieces[index];
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Breaks_of_axis> Integer_spline::common_breaks(const Integer_spline& a,
+                                                                                         const Integer_spline& b)
+{
+  std::vector<Breaks_of_axis> result;
+  for (int j = 0; j < a.dimension(); ++j)
+    result.push_back(united(a.breaks()[j], b.breaks()[j]));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Exact_rational> Integer_spline::rational(std::size_t piece) const
+{
+  std::vector<Exact_rational> result;
+  for (const Big_integer& coefficient : pieces()[piece])
+    result.push_back(scaled_rational(coefficient, 0));
+  return result;
 }
 #endif
 

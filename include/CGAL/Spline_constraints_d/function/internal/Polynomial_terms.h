@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_POLYNOMIAL_TERMS_H
 
 #include <CGAL/Spline_constraints_d/function/Monomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -31,26 +32,10 @@ namespace internal {
 using Polynomial_terms = std::map<Monomial, Exact_rational>;
 
 // The unknown with the largest index; -1 when there is none.
-inline int largest_variable(const Polynomial_terms& terms)
-{
-  int result = -1;
-  for (const auto& [monomial, coefficient] : terms)
-    if (!monomial.powers.empty())
-      result = (std::max)(result, monomial.powers.back().first);
-  return result;
-}
+int largest_variable(const Polynomial_terms& terms);
 
 // The largest exponent of every unknown that occurs.
-inline std::map<int, int> degrees_of(const Polynomial_terms& terms)
-{
-  std::map<int, int> result;
-  for (const auto& [monomial, coefficient] : terms)
-    for (const auto& [variable, exponent] : monomial.powers) {
-      int& largest = result[variable];
-      largest = (std::max)(largest, exponent);
-    }
-  return result;
-}
+std::map<int, int> degrees_of(const Polynomial_terms& terms);
 
 // The value at a point, in the numbers of a ring that rationals convert to.
 template <class NT>
@@ -83,7 +68,30 @@ NT value_of(const Polynomial_terms& terms, std::span<const NT> point)
 }
 
 // The formula with the given names of the unknowns.
-inline std::string formula_of(const Polynomial_terms& terms, std::span<const std::string> names)
+std::string formula_of(const Polynomial_terms& terms, std::span<const std::string> names);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE int largest_variable(const Polynomial_terms& terms)
+{
+  int result = -1;
+  for (const auto& [monomial, coefficient] : terms)
+    if (!monomial.powers.empty())
+      result = (std::max)(result, monomial.powers.back().first);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::map<int, int> degrees_of(const Polynomial_terms& terms)
+{
+  std::map<int, int> result;
+  for (const auto& [monomial, coefficient] : terms)
+    for (const auto& [variable, exponent] : monomial.powers) {
+      int& largest = result[variable];
+      largest = (std::max)(largest, exponent);
+    }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string formula_of(const Polynomial_terms& terms, std::span<const std::string> names)
 {
   if (const int last = largest_variable(terms); last >= 0 && static_cast<std::size_t>(last) >= names.size())
     throw Invalid_input("Power_polynomial: " + std::to_string(names.size()) + " names, but unknown " +
@@ -110,6 +118,7 @@ inline std::string formula_of(const Polynomial_terms& terms, std::span<const std
   }
   return terms.empty() ? "0" : out.str();
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <cstddef>
@@ -63,99 +64,29 @@ class Symbol_table
   std::deque<Symbol> m_symbols;
 
 public:
-  explicit Symbol_table(Unknown_domains domains)
-    : m_domains(std::move(domains))
-  {
-    for (const auto& [lower, upper] : m_domains)
-      add(Symbol::Kind::UNKNOWN).sign = lower > 0 ? 1 : upper < 0 ? -1 : 0;
-  }
+  explicit Symbol_table(Unknown_domains domains);
 
   const Unknown_domains& domains() const { return m_domains; }
 
   bool is_unknown(int index) const { return static_cast<std::size_t>(index) < m_domains.size(); }
 
-  const Symbol& operator[](int index) const
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    return m_symbols[index];
-  }
+  const Symbol& operator[](int index) const;
 
-  int size() const
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    return static_cast<int>(m_symbols.size());
-  }
+  int size() const;
 
   // A spline with an unknown for each of its axes, whose ranges lie within its domain: a symbol, or a constant. `sign`,
   // unless 0, was proved of it.
   Power_polynomial spline_of_unknowns(const std::shared_ptr<const Integer_spline>& source,
-                                      const std::vector<int>& unknowns, int sign)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    const auto position = std::find_if(m_symbols.begin(), m_symbols.end(), [&](const Symbol& s) {
-      return s.source == source && s.source_unknowns == unknowns && s.sign == sign;
-    });
-    if (position != m_symbols.end())
-      return Power_polynomial::variable(static_cast<int>(position - m_symbols.begin()));
+                                      const std::vector<int>& unknowns, int sign);
 
-    Integer_spline restricted = *source;
-    for (std::size_t j = 0; j < unknowns.size(); ++j)
-      restricted =
-          restricted.restricted(static_cast<int>(j), m_domains[unknowns[j]].first, m_domains[unknowns[j]].second);
-    if (restricted.is_constant())
-      return restricted.constant();
-    auto [axes, spline] = restricted.without_trivial_axes();
-    std::vector<int> own_unknowns;
-    for (int axis : axes)
-      own_unknowns.push_back(unknowns[axis]);
-    for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
-      if (m_symbols[i].kind == Symbol::Kind::SPLINE && m_symbols[i].unknowns == own_unknowns &&
-          m_symbols[i].sign == sign && *m_symbols[i].spline == spline)
-        return Power_polynomial::variable(static_cast<int>(i));
-    Symbol& symbol = add(Symbol::Kind::SPLINE);
-    symbol.unknowns = std::move(own_unknowns);
-    symbol.spline = std::make_shared<const Integer_spline>(std::move(spline));
-    symbol.source = source;
-    symbol.source_unknowns = unknowns;
-    symbol.sign = sign;
-    return Power_polynomial::variable(static_cast<int>(m_symbols.size()) - 1);
-  }
+  int enter_formula(const Power_polynomial& formula);
 
-  int enter_formula(const Power_polynomial& formula)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
-      if (m_symbols[i].kind == Symbol::Kind::FORMULA && m_symbols[i].formula == formula)
-        return static_cast<int>(i);
-    add(Symbol::Kind::FORMULA).formula = formula;
-    return static_cast<int>(m_symbols.size()) - 1;
-  }
-
-  int enter_unknown_without_range()
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    add(Symbol::Kind::WITHOUT_RANGE);
-    return static_cast<int>(m_symbols.size()) - 1;
-  }
+  int enter_unknown_without_range();
 
   // The polynomial with formulas in place of the symbols that stand for them.
-  Power_polynomial without_formulas(Power_polynomial polynomial) const
-  {
-    for (;;) {
-      const std::vector<int> symbols = polynomial.variables();
-      const auto last = std::find_if(symbols.rbegin(), symbols.rend(),
-                                     [&](int s) { return (*this)[s].kind == Symbol::Kind::FORMULA; });
-      if (last == symbols.rend())
-        return polynomial;
-      polynomial = polynomial.substituted(*last, (*this)[*last].formula);
-    }
-  }
+  Power_polynomial without_formulas(Power_polynomial polynomial) const;
 
-  bool has_only_unknowns(const Power_polynomial& polynomial) const
-  {
-    const std::vector<int> symbols = polynomial.variables();
-    return symbols.empty() || is_unknown(symbols.back());
-  }
+  bool has_only_unknowns(const Power_polynomial& polynomial) const;
 
   // The value at a point. Throws when a symbol has none.
   Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const
@@ -176,12 +107,7 @@ public:
   }
 
 private:
-  Symbol& add(Symbol::Kind kind)
-  {
-    Symbol& result = m_symbols.emplace_back();
-    result.kind = kind;
-    return result;
-  }
+  Symbol& add(Symbol::Kind kind);
 
   template <class NT>
   NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place,
@@ -214,6 +140,101 @@ private:
     return symbol.spline->value(std::span<const Exact_rational>(place_of_parameters), std::span<const NT>(parameters));
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Symbol_table::Symbol_table(Unknown_domains domains) : m_domains(std::move(domains))
+{
+  for (const auto& [lower, upper] : m_domains)
+    add(Symbol::Kind::UNKNOWN).sign = lower > 0 ? 1 : upper < 0 ? -1 : 0;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const Symbol& Symbol_table::operator[](int index) const
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  return m_symbols[index];
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Symbol_table::size() const
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  return static_cast<int>(m_symbols.size());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::spline_of_unknowns(
+    const std::shared_ptr<const Integer_spline>& source, const std::vector<int>& unknowns, int sign)
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  const auto position = std::find_if(m_symbols.begin(), m_symbols.end(), [&](const Symbol& s) {
+    return s.source == source && s.source_unknowns == unknowns && s.sign == sign;
+  });
+  if (position != m_symbols.end())
+    return Power_polynomial::variable(static_cast<int>(position - m_symbols.begin()));
+
+  Integer_spline restricted = *source;
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    restricted =
+        restricted.restricted(static_cast<int>(j), m_domains[unknowns[j]].first, m_domains[unknowns[j]].second);
+  if (restricted.is_constant())
+    return restricted.constant();
+  auto [axes, spline] = restricted.without_trivial_axes();
+  std::vector<int> own_unknowns;
+  for (int axis : axes)
+    own_unknowns.push_back(unknowns[axis]);
+  for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
+    if (m_symbols[i].kind == Symbol::Kind::SPLINE && m_symbols[i].unknowns == own_unknowns &&
+        m_symbols[i].sign == sign && *m_symbols[i].spline == spline)
+      return Power_polynomial::variable(static_cast<int>(i));
+  Symbol& symbol = add(Symbol::Kind::SPLINE);
+  symbol.unknowns = std::move(own_unknowns);
+  symbol.spline = std::make_shared<const Integer_spline>(std::move(spline));
+  symbol.source = source;
+  symbol.source_unknowns = unknowns;
+  symbol.sign = sign;
+  return Power_polynomial::variable(static_cast<int>(m_symbols.size()) - 1);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Symbol_table::enter_formula(const Power_polynomial& formula)
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
+    if (m_symbols[i].kind == Symbol::Kind::FORMULA && m_symbols[i].formula == formula)
+      return static_cast<int>(i);
+  add(Symbol::Kind::FORMULA).formula = formula;
+  return static_cast<int>(m_symbols.size()) - 1;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Symbol_table::enter_unknown_without_range()
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  add(Symbol::Kind::WITHOUT_RANGE);
+  return static_cast<int>(m_symbols.size()) - 1;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::without_formulas(Power_polynomial polynomial) const
+{
+  for (;;) {
+    const std::vector<int> symbols = polynomial.variables();
+    const auto last =
+        std::find_if(symbols.rbegin(), symbols.rend(), [&](int s) { return (*this)[s].kind == Symbol::Kind::FORMULA; });
+    if (last == symbols.rend())
+      return polynomial;
+    polynomial = polynomial.substituted(*last, (*this)[*last].formula);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Symbol_table::has_only_unknowns(const Power_polynomial& polynomial) const
+{
+  const std::vector<int> symbols = polynomial.variables();
+  return symbols.empty() || is_unknown(symbols.back());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Symbol& Symbol_table::add(Symbol::Kind kind)
+{
+  Symbol& result = m_symbols.emplace_back();
+  result.kind = kind;
+  return result;
+}
+#endif
 
 // The symbols of two formulas, at least one of which may have none. Throws when they have different ones.
 inline const std::shared_ptr<Symbol_table>& common_symbols(const std::shared_ptr<Symbol_table>& a,

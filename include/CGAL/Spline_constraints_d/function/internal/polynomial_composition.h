@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_POLYNOMIAL_COMPOSITION_H
 
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
 #include <map>
 #include <optional>
@@ -21,7 +22,16 @@ namespace Spline_constraints {
 namespace internal {
 
 // The numerator of a formula whose splines have one piece each, without splines: weights are positive.
-inline Power_polynomial numerator_polynomial(const Expression& formula)
+Power_polynomial numerator_polynomial(const Expression& formula);
+
+// A polynomial at polynomials: `values[i]` for the unknown i. Horner's scheme in one unknown after the other.
+Power_polynomial composed(const Power_polynomial& polynomial, const std::vector<Power_polynomial>& values);
+
+// Divided by a factor as often as there is no remainder.
+Power_polynomial without_factor(Power_polynomial polynomial, const Power_polynomial& factor);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial numerator_polynomial(const Expression& formula)
 {
   if (formula.numerator().is_constant())
     return formula.numerator();
@@ -30,8 +40,8 @@ inline Power_polynomial numerator_polynomial(const Expression& formula)
       Power_polynomial(scaled_rational(expansion.denominator(), 0));
 }
 
-// A polynomial at polynomials: `values[i]` for the unknown i. Horner's scheme in one unknown after the other.
-inline Power_polynomial composed(const Power_polynomial& polynomial, const std::vector<Power_polynomial>& values)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial composed(const Power_polynomial& polynomial,
+                                                         const std::vector<Power_polynomial>& values)
 {
   if (polynomial.is_constant())
     return polynomial;
@@ -49,8 +59,8 @@ inline Power_polynomial composed(const Power_polynomial& polynomial, const std::
   return result;
 }
 
-// Divided by a factor as often as there is no remainder.
-inline Power_polynomial without_factor(Power_polynomial polynomial, const Power_polynomial& factor)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial without_factor(Power_polynomial polynomial,
+                                                               const Power_polynomial& factor)
 {
   const Polynomial_divisor divisor(factor);
   while (!polynomial.is_zero())
@@ -60,6 +70,7 @@ inline Power_polynomial without_factor(Power_polynomial polynomial, const Power_
       break;
   return polynomial;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

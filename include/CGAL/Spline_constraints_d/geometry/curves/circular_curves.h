@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Vector_function.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/enum.h>
@@ -128,15 +129,8 @@ void check_positive(const FT& x, const std::string& what)
 }
 
 // A product of two vectors divided by their lengths: these are equal, up to rounding.
-inline Exact_rational divided_by_lengths(const Exact_rational& product, const Exact_rational& square,
-                                         const Exact_rational& other_square)
-{
-  if (square == other_square)
-    return Exact_rational(product / square);
-  const Exact_rational root =
-      to_rational(std::sqrt(to_nearest_double(Exact_rational(product * product / (square * other_square)))));
-  return product < 0 ? Exact_rational(-root) : root;
-}
+Exact_rational divided_by_lengths(const Exact_rational& product, const Exact_rational& square,
+                                  const Exact_rational& other_square);
 
 // 1 + cos, which near a half turn is more accurate from the sine, where numbers are rounded.
 inline Exact_rational one_plus_cosine(const Exact_rational& cosine, const Exact_rational& squared_sine)
@@ -146,7 +140,27 @@ inline Exact_rational one_plus_cosine(const Exact_rational& cosine, const Exact_
 
 // Where on the half round of height 1 the rotation by an angle is, 0 <= angle < 4 quarters, from 1 + cos and sin: its
 // point is in the direction of the half angle.
-inline Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, const Exact_rational& sine)
+Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, const Exact_rational& sine);
+
+// The circle that a point describes around an axis.
+Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center,
+                                            const Exact_kernel::Vector_3& direction,
+                                            const Exact_kernel::Point_3& source);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational divided_by_lengths(const Exact_rational& product,
+                                                                 const Exact_rational& square,
+                                                                 const Exact_rational& other_square)
+{
+  if (square == other_square)
+    return Exact_rational(product / square);
+  const Exact_rational root =
+      to_rational(std::sqrt(to_nearest_double(Exact_rational(product * product / (square * other_square)))));
+  return product < 0 ? Exact_rational(-root) : root;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational turn_parameter(const Exact_rational& one_plus_cosine,
+                                                             const Exact_rational& sine)
 {
   Exact_rational sigma = one_plus_cosine, tau = sine;
   if (sigma == 0)
@@ -160,10 +174,9 @@ inline Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, cons
   return Exact_rational(tau >= -sigma ? Exact_rational(2 - sigma / tau) : Exact_rational(4 + tau / sigma));
 }
 
-// The circle that a point describes around an axis.
-inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center,
-                                                   const Exact_kernel::Vector_3& direction,
-                                                   const Exact_kernel::Point_3& source)
+CGAL_SPLINE_CONSTRAINTS_INLINE Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center,
+                                                                           const Exact_kernel::Vector_3& direction,
+                                                                           const Exact_kernel::Point_3& source)
 {
   const auto from_center = source - center;
   if (are_parallel(direction, from_center))
@@ -172,6 +185,7 @@ inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& 
   const Vector_function<3> axis(path.domain(), direction), arm(path.domain(), from_center);
   return object_around<Bspline_curve_3<Exact_kernel>>(center, rotated(arm, axis, path), rotation_weight(axis, path));
 }
+#endif
 
 } // namespace internal
 

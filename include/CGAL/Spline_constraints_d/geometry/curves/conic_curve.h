@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Vector_function.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
@@ -73,7 +74,18 @@ struct Conic_through_origin
 };
 
 // The null space of four equations in five unknowns, if it is a line: Gauss-Jordan elimination in exact numbers.
-inline std::array<Exact_rational, 5> null_vector(std::array<std::array<Exact_rational, 5>, 4> rows)
+std::array<Exact_rational, 5> null_vector(std::array<std::array<Exact_rational, 5>, 4> rows);
+
+Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_2, 4>& points);
+
+// The points -2 tau l(b) (sigma a + tau b) / (A sigma^2 + B tau^2), where a is the tangent at the origin, b conjugate
+// to it, and A, B their quadratic forms.
+Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin,
+                                        std::span<const Exact_kernel::Vector_2> others);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<Exact_rational, 5>
+null_vector(std::array<std::array<Exact_rational, 5>, 4> rows)
 {
   std::array<std::size_t, 4> pivots{};
   std::size_t rank = 0;
@@ -106,7 +118,7 @@ inline std::array<Exact_rational, 5> null_vector(std::array<std::array<Exact_rat
   return result;
 }
 
-inline Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_2, 4>& points)
+CGAL_SPLINE_CONSTRAINTS_INLINE Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_2, 4>& points)
 {
   std::array<std::array<Exact_rational, 5>, 4> rows;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -120,10 +132,9 @@ inline Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_
   return conic;
 }
 
-// The points -2 tau l(b) (sigma a + tau b) / (A sigma^2 + B tau^2), where a is the tangent at the origin, b conjugate
-// to it, and A, B their quadratic forms.
-inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin,
-                                               std::span<const Exact_kernel::Vector_2> others)
+CGAL_SPLINE_CONSTRAINTS_INLINE Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic,
+                                                                       const Exact_kernel::Point_2& origin,
+                                                                       std::span<const Exact_kernel::Vector_2> others)
 {
   using Vector = Exact_kernel::Vector_2;
   const Vector tangent = conic.tangent(), conjugate = conic.conjugate();
@@ -150,6 +161,7 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
   }
   return curve_on(Direction_path::line(first, last));
 }
+#endif
 
 } // namespace internal
 

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_of_powers.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 
 #include <array>
@@ -28,14 +29,30 @@ namespace internal {
 using Homogeneous_polynomials = std::vector<Power_polynomial>;
 
 // In parameters that are numbered from `first` on.
-inline Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& piece, int first = 0)
+Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& piece, int first = 0);
+
+Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, const std::vector<int>& degrees);
+
+inline Exact_rational value_at(const Power_polynomial& f, const Exact_rational& u, const Exact_rational& v)
+{
+  return f(std::array<Exact_rational, 2>{u, v});
+}
+
+std::vector<Power_polynomial> without_common_factors(std::vector<Power_polynomial> polynomials);
+
+// The cross product of the derivatives of P / w, times w^3.
+std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_of(const Bernstein_tensor<Exact_rational>& piece, int first)
 {
   return polynomial_of_powers(piece.degrees(), piece.power_coefficients(), [&](std::size_t axis) {
     return Power_polynomial::variable(first + static_cast<int>(axis));
   });
 }
 
-inline Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, const std::vector<int>& degrees)
+CGAL_SPLINE_CONSTRAINTS_INLINE Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f,
+                                                                          const std::vector<int>& degrees)
 {
   const std::size_t columns = static_cast<std::size_t>(degrees[1]) + 1;
   std::vector<Exact_rational> coefficients((static_cast<std::size_t>(degrees[0]) + 1) * columns, Exact_rational(0));
@@ -45,20 +62,15 @@ inline Bernstein_tensor<Exact_rational> tensor_of(const Power_polynomial& f, con
   return Bernstein_tensor<Exact_rational>::from_power(degrees, std::move(coefficients));
 }
 
-inline Exact_rational value_at(const Power_polynomial& f, const Exact_rational& u, const Exact_rational& v)
-{
-  return f(std::array<Exact_rational, 2>{u, v});
-}
-
-inline std::vector<Power_polynomial> without_common_factors(std::vector<Power_polynomial> polynomials)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Power_polynomial>
+without_common_factors(std::vector<Power_polynomial> polynomials)
 {
   while (auto common = common_factor(polynomials))
     polynomials = std::move(common->cofactors);
   return polynomials;
 }
 
-// The cross product of the derivatives of P / w, times w^3.
-inline std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
 {
   const auto derivative = [&](int axis) {
     Homogeneous_polynomials result;
@@ -75,6 +87,7 @@ inline std::vector<Power_polynomial> normal_of(const Homogeneous_polynomials& p)
   }
   return result;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

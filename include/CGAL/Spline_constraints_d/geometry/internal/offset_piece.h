@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/function/expression_bounds.h>
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
@@ -38,46 +39,16 @@ Vector_formula<d> constant_formula(const std::array<Exact_rational, d>& x)
   return [x](std::span<const Unknown>) { return vector_of<d>([&](std::size_t i) { return Expression(x[i]); }); };
 }
 
-inline std::vector<Unknown> unknowns_in(const Unknown_domains& ranges)
-{
-  std::vector<std::array<Bound, 2>> bounds;
-  for (const auto& [lower, upper] : ranges)
-    bounds.push_back({Bound(lower), Bound(upper)});
-  return bounds.empty() ? std::vector<Unknown>() : unknowns(bounds);
-}
+std::vector<Unknown> unknowns_in(const Unknown_domains& ranges);
 
 // Positive bounds of a formula, from parts of the box that are halved until those of each part are positive. Throws
 // when some part is tiny.
-inline Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box,
-                                   const std::string& what, int depth = 0)
-{
-  constexpr int maximal_depth = 100;
-  if (const std::optional<Exact_range> own = formula(box, 0); own && own->first > 0)
-    return *own;
-  if (depth == maximal_depth) {
-    std::string place;
-    for (const auto& range : box)
-      place += (place.empty() ? " near the parameter " : ", ") + shortest_text(to_nearest_double(range.first));
-    throw Invalid_input(what + " is zero, or too small to be told from it," + place);
-  }
-  const auto [first, second] = halves_of(box);
-  return hull_of(positive_bounds(formula, first, what, depth + 1), positive_bounds(formula, second, what, depth + 1));
-}
+Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box, const std::string& what,
+                            int depth = 0);
 
 // Powers of two around the square roots of the numbers in a range, none of which is one of its ends: curves of
 // solutions could lie in the boundary of the domain there. \pre the range is positive
-inline Exact_range root_range_in_powers_of_two(const Exact_range& squares)
-{
-  Exact_range result(1, 1);
-  while (result.first * result.first >= squares.first)
-    result.first /= 2;
-  while (4 * result.first * result.first < squares.first)
-    result.first *= 2;
-  result.second = result.first;
-  while (result.second * result.second <= squares.second)
-    result.second *= 2;
-  return result;
-}
+Exact_range root_range_in_powers_of_two(const Exact_range& squares);
 
 // A range of the length of a vector. \throws Invalid_input when it may be zero; the message says `what` and where.
 template <int d>
@@ -124,6 +95,45 @@ Locus_piece<d> offset_piece(const Vector_formula<d>& base, const std::vector<Vec
   };
   return piece;
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Unknown> unknowns_in(const Unknown_domains& ranges)
+{
+  std::vector<std::array<Bound, 2>> bounds;
+  for (const auto& [lower, upper] : ranges)
+    bounds.push_back({Bound(lower), Bound(upper)});
+  return bounds.empty() ? std::vector<Unknown>() : unknowns(bounds);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box,
+                                                           const std::string& what, int depth)
+{
+  constexpr int maximal_depth = 100;
+  if (const std::optional<Exact_range> own = formula(box, 0); own && own->first > 0)
+    return *own;
+  if (depth == maximal_depth) {
+    std::string place;
+    for (const auto& range : box)
+      place += (place.empty() ? " near the parameter " : ", ") + shortest_text(to_nearest_double(range.first));
+    throw Invalid_input(what + " is zero, or too small to be told from it," + place);
+  }
+  const auto [first, second] = halves_of(box);
+  return hull_of(positive_bounds(formula, first, what, depth + 1), positive_bounds(formula, second, what, depth + 1));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_range root_range_in_powers_of_two(const Exact_range& squares)
+{
+  Exact_range result(1, 1);
+  while (result.first * result.first >= squares.first)
+    result.first /= 2;
+  while (4 * result.first * result.first < squares.first)
+    result.first *= 2;
+  result.second = result.first;
+  while (result.second * result.second <= squares.second)
+    result.second *= 2;
+  return result;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

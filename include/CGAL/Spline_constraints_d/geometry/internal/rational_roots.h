@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_RATIONAL_ROOTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_RATIONAL_ROOTS_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
@@ -22,22 +23,10 @@ namespace Spline_constraints {
 namespace internal {
 
 // The root of an integer that is a square.
-inline std::optional<Big_integer> integer_square_root(const Big_integer& n)
-{
-  if (n < 0 || !mpz_perfect_square_p(n.backend().data()))
-    return std::nullopt;
-  return Big_integer(boost::multiprecision::sqrt(n));
-}
+std::optional<Big_integer> integer_square_root(const Big_integer& n);
 
 // The root of a rational number that is the square of one.
-inline std::optional<Exact_rational> rational_square_root(const Exact_rational& x)
-{
-  const Big_integer denominator = denominator_of(x);
-  const std::optional<Big_integer> root = integer_square_root(Big_integer(numerator_of(x) * denominator));
-  if (!root)
-    return std::nullopt;
-  return quotient(*root, denominator);
-}
+std::optional<Exact_rational> rational_square_root(const Exact_rational& x);
 
 /*
 Rational numbers whose squares add up to x, where there are any, ascending: n/d is a sum of m rational squares exactly
@@ -53,7 +42,40 @@ struct Sum_of_squares
 
 // The least integer a >= 0 with a^2 <= n / 2 and n - a^2 a square, up to a limit; -1 if there is none. `is_complete`
 // becomes false where the limit ends the search.
-inline int least_of_two_squares(const Big_integer& n, int limit, bool& is_complete)
+int least_of_two_squares(const Big_integer& n, int limit, bool& is_complete);
+
+Sum_of_squares<2> sum_of_two_squares(const Exact_rational& x);
+
+Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x);
+
+/*
+Rational numbers x, y with a x^2 + 2 b x y + c y^2 = value: a rational point of a conic around the origin. It is
+searched for in the directions of small integers; for multiples of x^2 + y^2 the search is that for two squares.
+*/
+Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const Exact_rational& b, const Exact_rational& c,
+                                         const Exact_rational& value);
+
+// A positive number near 1 / sqrt(x), of few digits unless it is the root exactly.
+Exact_rational near_inverse_root(const Exact_rational& x);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Big_integer> integer_square_root(const Big_integer& n)
+{
+  if (n < 0 || !mpz_perfect_square_p(n.backend().data()))
+    return std::nullopt;
+  return Big_integer(boost::multiprecision::sqrt(n));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Exact_rational> rational_square_root(const Exact_rational& x)
+{
+  const Big_integer denominator = denominator_of(x);
+  const std::optional<Big_integer> root = integer_square_root(Big_integer(numerator_of(x) * denominator));
+  if (!root)
+    return std::nullopt;
+  return quotient(*root, denominator);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int least_of_two_squares(const Big_integer& n, int limit, bool& is_complete)
 {
   for (int a = 0; a < limit; ++a) {
     const Big_integer square = Big_integer(a) * a;
@@ -66,7 +88,7 @@ inline int least_of_two_squares(const Big_integer& n, int limit, bool& is_comple
   return -1;
 }
 
-inline Sum_of_squares<2> sum_of_two_squares(const Exact_rational& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Sum_of_squares<2> sum_of_two_squares(const Exact_rational& x)
 {
   constexpr int limit = 1 << 17;
   const Big_integer denominator = denominator_of(x), n = numerator_of(x) * denominator;
@@ -78,7 +100,7 @@ inline Sum_of_squares<2> sum_of_two_squares(const Exact_rational& x)
   return result;
 }
 
-inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
 {
   constexpr int limit = 1 << 10;
   const Big_integer denominator = denominator_of(x), n = numerator_of(x) * denominator;
@@ -99,12 +121,10 @@ inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
   return result;
 }
 
-/*
-Rational numbers x, y with a x^2 + 2 b x y + c y^2 = value: a rational point of a conic around the origin. It is
-searched for in the directions of small integers; for multiples of x^2 + y^2 the search is that for two squares.
-*/
-inline Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const Exact_rational& b,
-                                                const Exact_rational& c, const Exact_rational& value)
+CGAL_SPLINE_CONSTRAINTS_INLINE Sum_of_squares<2> rational_point_of_form(const Exact_rational& a,
+                                                                        const Exact_rational& b,
+                                                                        const Exact_rational& c,
+                                                                        const Exact_rational& value)
 {
   if (b == 0 && a == c)
     return sum_of_two_squares(Exact_rational(value / a));
@@ -125,8 +145,7 @@ inline Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const E
   return result;
 }
 
-// A positive number near 1 / sqrt(x), of few digits unless it is the root exactly.
-inline Exact_rational near_inverse_root(const Exact_rational& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational near_inverse_root(const Exact_rational& x)
 {
   if (const std::optional<Exact_rational> root = rational_square_root(x))
     return Exact_rational(Exact_rational(1) / *root);
@@ -135,6 +154,7 @@ inline Exact_rational near_inverse_root(const Exact_rational& x)
     return Exact_rational(1);
   return simplest_rational_between(to_rational(0.875 * approximation), to_rational(1.125 * approximation));
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

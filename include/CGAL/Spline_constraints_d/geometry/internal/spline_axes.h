@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -131,41 +132,11 @@ Bspline_function<NT> transposed(const Bspline_function<NT>& f)
 The function on one occurrence of a knot less, where it is one. Its control points are the blossoms at the knots that
 are left; whether they stand for the same function, refinement back to all knots tells.
 */
-inline std::optional<Exact_function> without_knot(const Exact_function& f, int axis, const Exact_rational& t)
-{
-  const Knot_axis<Exact_rational> fine{f.degree(axis), f.knots(axis)};
-  std::vector<Exact_rational> fewer = *fine.knots;
-  fewer.erase(std::find(fewer.begin(), fewer.end(), t));
-  const Knot_axis<Exact_rational> coarse{fine.degree, std::move(fewer)};
-
-  std::vector<int> extents = control_extents(f);
-  const std::vector<Exact_rational> candidate =
-      transform_axis(f.coefficients(), axis_view(extents, axis), refinement_matrix(fine, coarse));
-  extents[axis] = static_cast<int>(coarse.size()) - 1;
-  if (transform_axis(candidate, axis_view(extents, axis), refinement_matrix(coarse, fine)) != f.coefficients())
-    return std::nullopt;
-  std::vector<std::vector<Exact_rational>> knots = all_knots(f);
-  knots[axis] = *coarse.knots;
-  return Exact_function(f.degrees(), std::move(knots), candidate);
-}
+std::optional<Exact_function> without_knot(const Exact_function& f, int axis, const Exact_rational& t);
 
 // The continuous function of one parameter with these pieces between breaks.
-inline Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces,
-                             const std::vector<Exact_rational>& breaks, const std::string& discontinuity)
-{
-  const int degree = pieces[0].degree(0);
-  std::vector<Exact_rational> knots(1, breaks[0]), coefficients = pieces[0].coefficients();
-  for (const Exact_rational& t : breaks)
-    knots.insert(knots.end(), static_cast<std::size_t>(degree), t);
-  knots.push_back(breaks.back());
-  for (std::size_t c = 1; c < pieces.size(); ++c) {
-    const std::vector<Exact_rational>& next = pieces[c].coefficients();
-    if (next.front() != coefficients.back())
-      throw Invalid_input(discontinuity);
-    coefficients.insert(coefficients.end(), next.begin() + 1, next.end());
-  }
-  return Exact_function({degree}, {knots}, std::move(coefficients));
-}
+Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces,
+                      const std::vector<Exact_rational>& breaks, const std::string& discontinuity);
 
 // The functions on common degrees and knots: adding zero times each of the others brings them there.
 template <class NT>
@@ -183,6 +154,45 @@ void bring_to_common_knots(std::vector<Bspline_function<NT>>& functions)
   for (Bspline_function<NT>& f : functions)
     f = f + nothing;
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Exact_function> without_knot(const Exact_function& f, int axis,
+                                                                          const Exact_rational& t)
+{
+  const Knot_axis<Exact_rational> fine{f.degree(axis), f.knots(axis)};
+  std::vector<Exact_rational> fewer = *fine.knots;
+  fewer.erase(std::find(fewer.begin(), fewer.end(), t));
+  const Knot_axis<Exact_rational> coarse{fine.degree, std::move(fewer)};
+
+  std::vector<int> extents = control_extents(f);
+  const std::vector<Exact_rational> candidate =
+      transform_axis(f.coefficients(), axis_view(extents, axis), refinement_matrix(fine, coarse));
+  extents[axis] = static_cast<int>(coarse.size()) - 1;
+  if (transform_axis(candidate, axis_view(extents, axis), refinement_matrix(coarse, fine)) != f.coefficients())
+    return std::nullopt;
+  std::vector<std::vector<Exact_rational>> knots = all_knots(f);
+  knots[axis] = *coarse.knots;
+  return Exact_function(f.degrees(), std::move(knots), candidate);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces,
+                                                     const std::vector<Exact_rational>& breaks,
+                                                     const std::string& discontinuity)
+{
+  const int degree = pieces[0].degree(0);
+  std::vector<Exact_rational> knots(1, breaks[0]), coefficients = pieces[0].coefficients();
+  for (const Exact_rational& t : breaks)
+    knots.insert(knots.end(), static_cast<std::size_t>(degree), t);
+  knots.push_back(breaks.back());
+  for (std::size_t c = 1; c < pieces.size(); ++c) {
+    const std::vector<Exact_rational>& next = pieces[c].coefficients();
+    if (next.front() != coefficients.back())
+      throw Invalid_input(discontinuity);
+    coefficients.insert(coefficients.end(), next.begin() + 1, next.end());
+  }
+  return Exact_function({degree}, {knots}, std::move(coefficients));
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

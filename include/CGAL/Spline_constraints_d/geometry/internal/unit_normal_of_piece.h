@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 
 #include <array>
@@ -26,7 +27,39 @@ namespace Spline_constraints {
 namespace internal {
 
 // A polynomial with the square f, if there is one and its factors are found. \pre f is not zero.
-inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
+std::optional<Power_polynomial> square_root(const Power_polynomial& f);
+
+inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n)
+{
+  return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+}
+
+// The unit normal direction / length of a polynomial piece of a surface, in the lowest degree.
+struct Unit_normal
+{
+  std::vector<Power_polynomial> direction;
+  Power_polynomial length;
+};
+
+// Parameters where not all of some polynomials are zero. \pre one of them is not.
+std::array<Exact_rational, 2> parameters_off_zeros(const std::vector<Power_polynomial>& polynomials);
+
+// A cross product of derivatives in the lowest degree, on its own side in one point. \pre it is not zero.
+std::vector<Power_polynomial> oriented_normal(const std::vector<Power_polynomial>& normal);
+
+/*
+On the side of the cross product of the derivatives, in one point. What this cross product has in common with the
+normal, as the distance to a pole of a sphere or the tip of a cone, is divided out first: so the normal is there, too.
+None if its coordinates are not rational, or the piece is a curve.
+*/
+std::optional<Unit_normal> unit_normal(const Homogeneous_polynomials& surface);
+
+// The piece at a distance along its unit normal.
+Homogeneous_polynomials piece_at_distance(const Homogeneous_polynomials& surface, const Unit_normal& normal,
+                                          const Exact_rational& distance);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Power_polynomial> square_root(const Power_polynomial& f)
 {
   Power_polynomial root(1);
   const std::vector<Power_polynomial> factors = square_free_factors(f);
@@ -42,20 +75,8 @@ inline std::optional<Power_polynomial> square_root(const Power_polynomial& f)
   return scale && square * Power_polynomial(ratio) == f ? std::optional(root * Power_polynomial(*scale)) : std::nullopt;
 }
 
-inline Power_polynomial squared_length(const std::vector<Power_polynomial>& n)
-{
-  return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-}
-
-// The unit normal direction / length of a polynomial piece of a surface, in the lowest degree.
-struct Unit_normal
-{
-  std::vector<Power_polynomial> direction;
-  Power_polynomial length;
-};
-
-// Parameters where not all of some polynomials are zero. \pre one of them is not.
-inline std::array<Exact_rational, 2> parameters_off_zeros(const std::vector<Power_polynomial>& polynomials)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<Exact_rational, 2>
+parameters_off_zeros(const std::vector<Power_polynomial>& polynomials)
 {
   const Exact_rational half = Exact_rational(1) / 2;
   for (const Power_polynomial& f : polynomials)
@@ -71,8 +92,8 @@ inline std::array<Exact_rational, 2> parameters_off_zeros(const std::vector<Powe
       }
 }
 
-// A cross product of derivatives in the lowest degree, on its own side in one point. \pre it is not zero.
-inline std::vector<Power_polynomial> oriented_normal(const std::vector<Power_polynomial>& normal)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Power_polynomial>
+oriented_normal(const std::vector<Power_polynomial>& normal)
 {
   std::vector<Power_polynomial> result = without_common_factors(normal);
   const auto [u, v] = parameters_off_zeros(normal);
@@ -85,12 +106,7 @@ inline std::vector<Power_polynomial> oriented_normal(const std::vector<Power_pol
   return result;
 }
 
-/*
-On the side of the cross product of the derivatives, in one point. What this cross product has in common with the
-normal, as the distance to a pole of a sphere or the tip of a cone, is divided out first: so the normal is there, too.
-None if its coordinates are not rational, or the piece is a curve.
-*/
-inline std::optional<Unit_normal> unit_normal(const Homogeneous_polynomials& surface)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Unit_normal> unit_normal(const Homogeneous_polynomials& surface)
 {
   const std::vector<Power_polynomial> normal = normal_of(surface);
   if (normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero())
@@ -107,9 +123,9 @@ inline std::optional<Unit_normal> unit_normal(const Homogeneous_polynomials& sur
   return Unit_normal{direction, value_at(*length, u, v) < 0 ? -*length : *length};
 }
 
-// The piece at a distance along its unit normal.
-inline Homogeneous_polynomials piece_at_distance(const Homogeneous_polynomials& surface, const Unit_normal& normal,
-                                                 const Exact_rational& distance)
+CGAL_SPLINE_CONSTRAINTS_INLINE Homogeneous_polynomials piece_at_distance(const Homogeneous_polynomials& surface,
+                                                                         const Unit_normal& normal,
+                                                                         const Exact_rational& distance)
 {
   Homogeneous_polynomials result;
   for (std::size_t i = 0; i < 3; ++i)
@@ -117,6 +133,7 @@ inline Homogeneous_polynomials piece_at_distance(const Homogeneous_polynomials& 
   result.push_back(surface[3] * normal.length);
   return result;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/spline_axes.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <cstddef>
@@ -28,7 +29,16 @@ namespace internal {
 
 // A multiple of the first derivative of a curve that is a piecewise polynomial: the derivative itself, of rational
 // curves times the square of the weight.
-inline Vector_function<3> direction_function(const Exact_space_curve& curve, const std::string& who)
+Vector_function<3> direction_function(const Exact_space_curve& curve, const std::string& who);
+
+// The arm, a vector from the spine to the surface, turned once around the tangent of the spine.
+Exact_surface canal(const Exact_space_curve& spine, const Exact_space_curve& arm, const std::string& who);
+
+Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curve& normal);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_function<3> direction_function(const Exact_space_curve& curve,
+                                                                     const std::string& who)
 {
   const auto coordinates = curve.homogeneous_coordinates();
   const std::vector<Exact_rational> breaks = curve.breaks();
@@ -46,8 +56,8 @@ inline Vector_function<3> direction_function(const Exact_space_curve& curve, con
   });
 }
 
-// The arm, a vector from the spine to the surface, turned once around the tangent of the spine.
-inline Exact_surface canal(const Exact_space_curve& spine, const Exact_space_curve& arm, const std::string& who)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_surface canal(const Exact_space_curve& spine, const Exact_space_curve& arm,
+                                                   const std::string& who)
 {
   if (spine.domain() != arm.domain())
     throw Invalid_input(who + ": the spine and the arm have different domains");
@@ -75,7 +85,7 @@ inline Exact_surface canal(const Exact_space_curve& spine, const Exact_space_cur
                           center.weight * weight);
 }
 
-inline Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curve& normal)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curve& normal)
 {
   const Vector_function<3> m(normal.homogeneous_coordinates());
   const Scalar_function weight(normal.weight());
@@ -84,6 +94,7 @@ inline Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curv
     throw Invalid_input("pipe_surface: the normal is zero or its length is not constant");
   return canal(spine, normal, "pipe_surface");
 }
+#endif
 
 } // namespace internal
 

@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/Vector_function.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <string>
@@ -27,8 +28,22 @@ namespace internal {
 using Exact_space_curve = Bspline_curve_3<Exact_kernel>;
 
 // The whole turn of a curve around the line through a point in a direction.
-inline Exact_surface revolved(const Exact_space_curve& profile, const Exact_kernel::Point_3& center,
-                              const Exact_kernel::Vector_3& direction, const std::string& who)
+Exact_surface revolved(const Exact_space_curve& profile, const Exact_kernel::Point_3& center,
+                       const Exact_kernel::Vector_3& direction, const std::string& who);
+
+// A vector at a right angle to a given one that is not zero: rational, of any length.
+inline Exact_kernel::Vector_3 perpendicular(const Exact_kernel::Vector_3& v)
+{
+  return v.x() == 0 && v.y() == 0 ? Exact_kernel::Vector_3(v.z(), 0, 0) : Exact_kernel::Vector_3(-v.y(), v.x(), 0);
+}
+
+// The sphere around a point through center + pole, to the pole from the opposite one along axis 1.
+Exact_surface sphere(const Exact_kernel::Point_3& center, const Exact_kernel::Vector_3& pole);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_surface revolved(const Exact_space_curve& profile,
+                                                      const Exact_kernel::Point_3& center,
+                                                      const Exact_kernel::Vector_3& direction, const std::string& who)
 {
   if (direction == CGAL::NULL_VECTOR)
     throw Invalid_input(who + ": the direction of the axis is zero");
@@ -43,14 +58,8 @@ inline Exact_surface revolved(const Exact_space_curve& profile, const Exact_kern
                                       rotation_weight(axis, path) * curve.weight);
 }
 
-// A vector at a right angle to a given one that is not zero: rational, of any length.
-inline Exact_kernel::Vector_3 perpendicular(const Exact_kernel::Vector_3& v)
-{
-  return v.x() == 0 && v.y() == 0 ? Exact_kernel::Vector_3(v.z(), 0, 0) : Exact_kernel::Vector_3(-v.y(), v.x(), 0);
-}
-
-// The sphere around a point through center + pole, to the pole from the opposite one along axis 1.
-inline Exact_surface sphere(const Exact_kernel::Point_3& center, const Exact_kernel::Vector_3& pole)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_surface sphere(const Exact_kernel::Point_3& center,
+                                                    const Exact_kernel::Vector_3& pole)
 {
   const Exact_kernel::Vector_3 direction = perpendicular(pole);
   const Direction_path path =
@@ -59,6 +68,7 @@ inline Exact_surface sphere(const Exact_kernel::Point_3& center, const Exact_ker
   const auto meridian = object_around<Exact_space_curve>(center, rotated(arm, axis, path), rotation_weight(axis, path));
   return revolved(meridian, center, pole, "sphere_surface");
 }
+#endif
 
 } // namespace internal
 

@@ -40,15 +40,42 @@ template <class Traits, class Concurrency_tag>
 std::vector<Solution_d<Coordinate_of<Traits>>>
 all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary);
 
+// The same, of a system that is made smaller before; defined in decomposition/decomposed_solutions.h.
+template <class Traits, class Concurrency_tag>
+std::vector<Solution_d<Coordinate_of<Traits>>> decomposed_solutions(const Constraint_system_d& system,
+                                                                    const Solver_options& options, Run_control& control,
+                                                                    Summary& summary);
+
+// The answers that one of these finds, with the work; defined in subdivision/solution_set.h.
+template <class Traits>
+using Solutions_finder = std::vector<Solution_d<Coordinate_of<Traits>>> (*)(const Constraint_system_d&,
+                                                                            const Solver_options&, Run_control&,
+                                                                            Summary&);
+template <class Traits, class Concurrency_tag>
+Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
+                                                   Solutions_finder<Traits> finder);
+
 // All curves of solutions of a system; defined in curves/all_curves.h.
 template <class Traits, class Concurrency_tag>
 Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control,
                                 const Curve_search& search);
 
+// The same, of a system without the unknowns that equalities of degree one give; defined in
+// decomposition/curves_after_elimination.h.
+template <class Traits, class Concurrency_tag>
+Curve_solution_set_d curves_after_elimination(const Constraint_system_d& system, const Solver_options& options,
+                                              Run_control& control);
+
 // All surfaces of solutions of a system, cut along the zeros of some functions; defined in surfaces/all_surfaces.h.
 template <class Traits>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
                                     Run_control& control, const std::vector<Spline_function>& features = {});
+
+// The same, of a system without the unknowns that equalities of degree one give; defined in
+// decomposition/surfaces_after_elimination.h.
+template <class Traits>
+Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& system, const Solver_options& options,
+                                                  Run_control& control);
 
 // Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
 Newton_result improved_point(const Constraint_system_d& system, std::vector<double> start,
@@ -114,14 +141,22 @@ constexpr void check_definitions()
 // The solvers that the compiled library has.
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, TRAITS, TAG)                                                  \
   EXTERN template std::vector<Solution_d<Coordinate_of<TRAITS>>> all_solutions<TRAITS, TAG>(                           \
-      const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
+      const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);                                      \
+  EXTERN template std::vector<Solution_d<Coordinate_of<TRAITS>>> decomposed_solutions<TRAITS, TAG>(                    \
+      const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);                                      \
+  EXTERN template Solution_set_d<Coordinate_of<TRAITS>> solution_set<TRAITS, TAG>(                                     \
+      const Constraint_system_d&, const Solver_options&, Solutions_finder<TRAITS>);
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, TRAITS, TAG)                                                  \
   EXTERN template Curve_solution_set_d all_curves<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,      \
-                                                               Run_control&, const Curve_search&);
+                                                               Run_control&, const Curve_search&);                     \
+  EXTERN template Curve_solution_set_d curves_after_elimination<TRAITS, TAG>(const Constraint_system_d&,               \
+                                                                             const Solver_options&, Run_control&);
 
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS)                                                     \
   EXTERN template Surface_solution_set_d all_surfaces<TRAITS>(const Constraint_system_d&, const Solver_options&,       \
-                                                              Run_control&, const std::vector<Spline_function>&);
+                                                              Run_control&, const std::vector<Spline_function>&);      \
+  EXTERN template Surface_solution_set_d surfaces_after_elimination<TRAITS>(const Constraint_system_d&,                \
+                                                                            const Solver_options&, Run_control&);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \

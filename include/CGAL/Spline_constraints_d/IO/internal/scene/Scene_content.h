@@ -144,22 +144,7 @@ private:
   std::vector<Mark> m_marks;
 
 public:
-  explicit Scene_content(const View_3& view)
-    : m_width(view.width), m_most_splits(view.most_splits),
-      m_right(normalized(cross(normalized(view.up), normalized(view.to_viewer)))),
-      m_to_viewer(normalized(view.to_viewer))
-  {
-    check_finite(view.to_viewer, "the direction to the viewer");
-    check_finite(view.up, "the direction that goes up");
-    constexpr double most_pixels = 260000, nearly_parallel = 1e-6;
-    if (!(view.width > 0 && view.width <= most_pixels))
-      throw Invalid_input("Scene_3: the width of the picture is not between 0 and 260000 pixels");
-    if (std::hypot(m_right[0], m_right[1], m_right[2]) < 0.5 ||
-        std::abs(product(normalized(view.up), m_to_viewer)) > 1 - nearly_parallel * nearly_parallel)
-      throw Invalid_input("Scene_3: the direction to the viewer has no length, or is the one that goes up");
-    m_up = cross(m_to_viewer, m_right);
-    m_light = normalized(sum(sum(m_to_viewer, m_up, 0.8), m_right, -0.6));
-  }
+  explicit Scene_content(const View_3& view);
 
   double width() const { return m_width; }
   std::size_t most_splits() const { return m_most_splits; }
@@ -168,106 +153,27 @@ public:
   const std::vector<Line>& lines() const { return m_lines; }
   const std::vector<Mark>& marks() const { return m_marks; }
 
-  void add(const Mesh_content& mesh, const Face_style_3& style)
-  {
-    for (const Triple& p : mesh.points)
-      check_finite(p, "a vertex of a mesh");
-    const double least_cosine = std::cos(style.crease * std::acos(-1.) / 180);
-    const std::vector<Triple> normals = normals_of(mesh), smooth = smoothed(mesh, normals, least_cosine);
-    if (style.has_edges)
-      add_edges(mesh, normals, least_cosine);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const double side = product(normals[i], m_to_viewer) > 0 ? 1 : -1;
-      const double light = 0.63 + 0.37 * side * product(smooth[i], m_light);
-      const CGAL::IO::Color back = style.back.value_or(duller(mesh.colors[i]));
-      Face face{{}, text_of(mesh.colors[i], light), text_of(back, light)};
-      for (int k = 0; k < 3; ++k)
-        face.corners[k] = seen(mesh.points[mesh.triangles[i][k]]);
-      m_faces.push_back(std::move(face));
-    }
-  }
+  void add(const Mesh_content& mesh, const Face_style_3& style);
 
-  void add_line(std::vector<Triple> points, const Line_style_3& style)
-  {
-    for (Triple& p : points) {
-      check_finite(p, "a point of a polyline");
-      p = seen(p);
-    }
-    check_style(style);
-    m_lines.push_back({std::move(points), style});
-  }
+  void add_line(std::vector<Triple> points, const Line_style_3& style);
 
-  void add_point(const Triple& point, const Line_style_3& style, const std::string& label)
-  {
-    check_finite(point, "a point");
-    check_style(style);
-    m_marks.push_back({seen(point), style, label});
-  }
+  void add_point(const Triple& point, const Line_style_3& style, const std::string& label);
 
 private:
-  static std::vector<Triple> normals_of(const Mesh_content& mesh)
-  {
-    std::vector<Triple> result;
-    for (const auto& [a, b, c] : mesh.triangles)
-      result.push_back(normalized(
-          cross(sum(mesh.points[b], mesh.points[a], -1), sum(mesh.points[c], mesh.points[a], -1))));
-    return result;
-  }
+  static std::vector<Triple> normals_of(const Mesh_content& mesh);
 
   // The mean over the corners of a triangle of the normals around them, without those beyond creases.
   static std::vector<Triple> smoothed(const Mesh_content& mesh, const std::vector<Triple>& normals,
-                                      double least_cosine)
-  {
-    std::vector<std::vector<std::size_t>> around(mesh.points.size());
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (const std::size_t corner : mesh.triangles[i])
-        around[corner].push_back(i);
-    std::vector<Triple> result;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      Triple mean{0, 0, 0};
-      for (const std::size_t corner : mesh.triangles[i]) {
-        Triple here{0, 0, 0};
-        for (const std::size_t j : around[corner])
-          if (product(normals[i], normals[j]) >= least_cosine)
-            here = sum(here, normals[j]);
-        mean = sum(mean, normalized(here));
-      }
-      result.push_back(normalized(mean));
-    }
-    return result;
-  }
+                                      double least_cosine);
 
   // Before the faces are.
-  void add_edges(const Mesh_content& mesh, const std::vector<Triple>& normals, double least_cosine)
-  {
-    for (const Edge_content& edge : mesh.edges) {
-      Edge drawn{{seen(mesh.points[edge.ends[0]]), seen(mesh.points[edge.ends[1]])}, edge.faces, false, "#404040"};
-      drawn.is_crease =
-          edge.faces.size() == 2 && product(normals[edge.faces[0]], normals[edge.faces[1]]) < least_cosine;
-      if (!edge.faces.empty())
-        drawn.color = text_of(mesh.colors[edge.faces[0]], 0.4);
-      for (std::size_t& face : drawn.faces)
-        face += m_faces.size();
-      m_edges.push_back(std::move(drawn));
-    }
-  }
+  void add_edges(const Mesh_content& mesh, const std::vector<Triple>& normals, double least_cosine);
 
   Triple seen(const Triple& p) const { return {product(p, m_right), product(p, m_up), product(p, m_to_viewer)}; }
 
-  static void check_finite(const Triple& p, const std::string& what)
-  {
-    constexpr double most = 1e100;   // squares are finite, too
-    for (const double x : p)
-      if (!(std::abs(x) <= most))
-        throw Invalid_input("Scene_3: " + what + " is not finite, or beyond 1e100");
-  }
+  static void check_finite(const Triple& p, const std::string& what);
 
-  static void check_style(const Line_style_3& style)
-  {
-    check_finite({style.width, style.nearer, 0}, "the width of a line, or how much it is nearer,");
-    if (style.width < 0)
-      throw Invalid_input("Scene_3: the width of a line is negative");
-  }
+  static void check_style(const Line_style_3& style);
 
   static CGAL::IO::Color duller(const CGAL::IO::Color& color)
   {
@@ -276,21 +182,138 @@ private:
   }
 
   // Of so much light.
-  static std::string text_of(const CGAL::IO::Color& color, double light)
-  {
-    std::string result = "#";
-    for (const unsigned char part : {color.red(), color.green(), color.blue()}) {
-      const int value = static_cast<int>(std::lround((std::min)(part * light, 255.)));
-      result += "0123456789abcdef"[value / 16];
-      result += "0123456789abcdef"[value % 16];
-    }
-    return result;
-  }
+  static std::string text_of(const CGAL::IO::Color& color, double light);
 };
 
 // Draws a scene and returns the number of pairs of faces that pass through each other still; defined in
 // Scene_painter.h.
 std::size_t paint(const Scene_content& scene, std::ostream& out);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Scene_content::Scene_content(const View_3& view)
+  : m_width(view.width), m_most_splits(view.most_splits),
+    m_right(normalized(cross(normalized(view.up), normalized(view.to_viewer)))), m_to_viewer(normalized(view.to_viewer))
+{
+  check_finite(view.to_viewer, "the direction to the viewer");
+  check_finite(view.up, "the direction that goes up");
+  constexpr double most_pixels = 260000, nearly_parallel = 1e-6;
+  if (!(view.width > 0 && view.width <= most_pixels))
+    throw Invalid_input("Scene_3: the width of the picture is not between 0 and 260000 pixels");
+  if (std::hypot(m_right[0], m_right[1], m_right[2]) < 0.5 ||
+      std::abs(product(normalized(view.up), m_to_viewer)) > 1 - nearly_parallel * nearly_parallel)
+    throw Invalid_input("Scene_3: the direction to the viewer has no length, or is the one that goes up");
+  m_up = cross(m_to_viewer, m_right);
+  m_light = normalized(sum(sum(m_to_viewer, m_up, 0.8), m_right, -0.6));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::add(const Mesh_content& mesh, const Face_style_3& style)
+{
+  for (const Triple& p : mesh.points)
+    check_finite(p, "a vertex of a mesh");
+  const double least_cosine = std::cos(style.crease * std::acos(-1.) / 180);
+  const std::vector<Triple> normals = normals_of(mesh), smooth = smoothed(mesh, normals, least_cosine);
+  if (style.has_edges)
+    add_edges(mesh, normals, least_cosine);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const double side = product(normals[i], m_to_viewer) > 0 ? 1 : -1;
+    const double light = 0.63 + 0.37 * side * product(smooth[i], m_light);
+    const CGAL::IO::Color back = style.back.value_or(duller(mesh.colors[i]));
+    Face face{{}, text_of(mesh.colors[i], light), text_of(back, light)};
+    for (int k = 0; k < 3; ++k)
+      face.corners[k] = seen(mesh.points[mesh.triangles[i][k]]);
+    m_faces.push_back(std::move(face));
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::add_line(std::vector<Triple> points, const Line_style_3& style)
+{
+  for (Triple& p : points) {
+    check_finite(p, "a point of a polyline");
+    p = seen(p);
+  }
+  check_style(style);
+  m_lines.push_back({std::move(points), style});
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::add_point(const Triple& point, const Line_style_3& style,
+                                                             const std::string& label)
+{
+  check_finite(point, "a point");
+  check_style(style);
+  m_marks.push_back({seen(point), style, label});
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Triple> Scene_content::normals_of(const Mesh_content& mesh)
+{
+  std::vector<Triple> result;
+  for (const auto& [a, b, c] : mesh.triangles)
+    result.push_back(
+        normalized(cross(sum(mesh.points[b], mesh.points[a], -1), sum(mesh.points[c], mesh.points[a], -1))));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Triple>
+Scene_content::smoothed(const Mesh_content& mesh, const std::vector<Triple>& normals, double least_cosine)
+{
+  std::vector<std::vector<std::size_t>> around(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::size_t corner : mesh.triangles[i])
+      around[corner].push_back(i);
+  std::vector<Triple> result;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    Triple mean{0, 0, 0};
+    for (const std::size_t corner : mesh.triangles[i]) {
+      Triple here{0, 0, 0};
+      for (const std::size_t j : around[corner])
+        if (product(normals[i], normals[j]) >= least_cosine)
+          here = sum(here, normals[j]);
+      mean = sum(mean, normalized(here));
+    }
+    result.push_back(normalized(mean));
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::add_edges(const Mesh_content& mesh,
+                                                             const std::vector<Triple>& normals, double least_cosine)
+{
+  for (const Edge_content& edge : mesh.edges) {
+    Edge drawn{{seen(mesh.points[edge.ends[0]]), seen(mesh.points[edge.ends[1]])}, edge.faces, false, "#404040"};
+    drawn.is_crease = edge.faces.size() == 2 && product(normals[edge.faces[0]], normals[edge.faces[1]]) < least_cosine;
+    if (!edge.faces.empty())
+      drawn.color = text_of(mesh.colors[edge.faces[0]], 0.4);
+    for (std::size_t& face : drawn.faces)
+      face += m_faces.size();
+    m_edges.push_back(std::move(drawn));
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::check_finite(const Triple& p, const std::string& what)
+{
+  constexpr double most = 1e100; // squares are finite, too
+  for (const double x : p)
+    if (!(std::abs(x) <= most))
+      throw Invalid_input("Scene_3: " + what + " is not finite, or beyond 1e100");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Scene_content::check_style(const Line_style_3& style)
+{
+  check_finite({style.width, style.nearer, 0}, "the width of a line, or how much it is nearer,");
+  if (style.width < 0)
+    throw Invalid_input("Scene_3: the width of a line is negative");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string Scene_content::text_of(const CGAL::IO::Color& color, double light)
+{
+  std::string result = "#";
+  for (const unsigned char part : {color.red(), color.green(), color.blue()}) {
+    const int value = static_cast<int>(std::lround((std::min)(part * light, 255.)));
+    result += "0123456789abcdef"[value / 16];
+    result += "0123456789abcdef"[value % 16];
+  }
+  return result;
+}
+#endif
 
 } // namespace Scene
 } // namespace internal

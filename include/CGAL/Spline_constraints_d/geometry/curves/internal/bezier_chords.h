@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_INTERNAL_BEZIER_CHORDS_H
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
 #include <algorithm>
 #include <array>
@@ -24,15 +25,35 @@ namespace internal {
 // A Bézier curve in homogeneous coordinates x, y, weight, rounded to doubles.
 using Rounded_bezier = std::vector<std::array<double, 3>>;
 
-inline double distance_from_segment(double px, double py, double qx, double qy)
+double distance_from_segment(double px, double py, double qx, double qy);
+
+// The curve is in the hull of its control points where weights are positive.
+bool is_near_its_chord(const Rounded_bezier& curve, double error);
+
+// Appends points of the curve but the first, such that chords between them have the error at most, or after 2^16 parts.
+void append_chords(std::vector<std::array<double, 2>>& points, Rounded_bezier curve, double error, int depth = 0);
+
+template <SplineKernel Kernel>
+Rounded_bezier rounded_bezier(const Bspline_curve_2<Kernel>& piece)
+{
+  const auto& map = piece.representation();
+  Rounded_bezier result;
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    result.push_back({converted_number<double>(map.numerator(0).coefficients()[k]),
+                      converted_number<double>(map.numerator(1).coefficients()[k]),
+                      converted_number<double>(map.control_weight(k))});
+  return result;
+}
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE double distance_from_segment(double px, double py, double qx, double qy)
 {
   const double square = qx * qx + qy * qy;
   const double s = square > 0 ? (std::max)(0., (std::min)(1., (px * qx + py * qy) / square)) : 0;
   return std::hypot(px - s * qx, py - s * qy);
 }
 
-// The curve is in the hull of its control points where weights are positive.
-inline bool is_near_its_chord(const Rounded_bezier& curve, double error)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool is_near_its_chord(const Rounded_bezier& curve, double error)
 {
   const auto& a = curve.front();
   const auto& b = curve.back();
@@ -43,8 +64,8 @@ inline bool is_near_its_chord(const Rounded_bezier& curve, double error)
   });
 }
 
-// Appends points of the curve but the first, such that chords between them have the error at most, or after 2^16 parts.
-inline void append_chords(std::vector<std::array<double, 2>>& points, Rounded_bezier curve, double error, int depth = 0)
+CGAL_SPLINE_CONSTRAINTS_INLINE void append_chords(std::vector<std::array<double, 2>>& points, Rounded_bezier curve,
+                                                  double error, int depth)
 {
   if (depth == 16 || is_near_its_chord(curve, error)) {
     const auto& p = curve.back();
@@ -61,18 +82,7 @@ inline void append_chords(std::vector<std::array<double, 2>>& points, Rounded_be
   append_chords(points, left, error, depth + 1);
   append_chords(points, curve, error, depth + 1);
 }
-
-template <SplineKernel Kernel>
-Rounded_bezier rounded_bezier(const Bspline_curve_2<Kernel>& piece)
-{
-  const auto& map = piece.representation();
-  Rounded_bezier result;
-  for (std::size_t k = 0; k < piece.size(); ++k)
-    result.push_back({converted_number<double>(map.numerator(0).coefficients()[k]),
-                      converted_number<double>(map.numerator(1).coefficients()[k]),
-                      converted_number<double>(map.control_weight(k))});
-  return result;
-}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_CELL_GRID_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
@@ -29,29 +30,8 @@ namespace internal {
 using Cell = std::vector<int>;
 
 // The breaks of all splines of a system, per unknown and within its domain; empty where no spline has any.
-inline std::vector<std::vector<Exact_rational>> breaks_of_splines(const Constraint_system_d& system,
-                                                                  const System_layout& layout)
-{
-  std::vector<std::vector<Exact_rational>> result(layout.dimension);
-  for (int f = 0; f < layout.functions; ++f)
-    for (const Spline_term& term : function_of(system, f).terms())
-      for (std::size_t j = 0; j < term.variables.size(); ++j) {
-        if (term.breaks[j].empty())
-          continue;
-        const auto& [lower, upper] = system.domain(term.variables[j]);
-        std::vector<Exact_rational>& breaks = result[term.variables[j]];
-        if (breaks.empty())
-          breaks = {lower, upper};   // also of a domain that is one point
-        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks),
-                     [&lower = lower, &upper = upper](const Exact_rational& b) { return lower < b && b < upper; });
-      }
-  for (std::vector<Exact_rational>& breaks : result)
-    if (breaks.size() > 2) {
-      std::sort(breaks.begin(), breaks.end());
-      breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-    }
-  return result;
-}
+std::vector<std::vector<Exact_rational>> breaks_of_splines(const Constraint_system_d& system,
+                                                           const System_layout& layout);
 
 /*
 The grid that the breaks of all splines of a system cut its domain into. Not shared between threads: the scratch cell
@@ -104,6 +84,32 @@ public:
     }
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::vector<Exact_rational>>
+breaks_of_splines(const Constraint_system_d& system, const System_layout& layout)
+{
+  std::vector<std::vector<Exact_rational>> result(layout.dimension);
+  for (int f = 0; f < layout.functions; ++f)
+    for (const Spline_term& term : function_of(system, f).terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j) {
+        if (term.breaks[j].empty())
+          continue;
+        const auto& [lower, upper] = system.domain(term.variables[j]);
+        std::vector<Exact_rational>& breaks = result[term.variables[j]];
+        if (breaks.empty())
+          breaks = {lower, upper}; // also of a domain that is one point
+        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks),
+                     [&lower = lower, &upper = upper](const Exact_rational& b) { return lower < b && b < upper; });
+      }
+  for (std::vector<Exact_rational>& breaks : result)
+    if (breaks.size() > 2) {
+      std::sort(breaks.begin(), breaks.end());
+      breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    }
+  return result;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

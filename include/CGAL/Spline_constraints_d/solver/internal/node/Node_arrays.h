@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/analysis_error.h>
 
@@ -94,7 +95,8 @@ inline std::size_t inner_size(const Block& block)
   return block.axes.empty() ? block.functions.size() : block.lengths[1];
 }
 
-inline Node_arrays::Node_arrays(const System_layout& system_layout) : layout(&system_layout)
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Node_arrays::Node_arrays(const System_layout& system_layout) : layout(&system_layout)
 {
   const std::size_t functions = layout->functions, entries = functions * layout->dimension;
   std::size_t size_over_first = 0, work_size = 1, members = 1, slope_count = 1, layer_size = 1, abscissas = 0;
@@ -140,7 +142,7 @@ inline Node_arrays::Node_arrays(const System_layout& system_layout) : layout(&sy
   index.resize(layout->dimension);
 }
 
-inline Node_arrays::Plan Node_arrays::plan_of(const Block& block, std::size_t over_first)
+CGAL_SPLINE_CONSTRAINTS_INLINE Node_arrays::Plan Node_arrays::plan_of(const Block& block, std::size_t over_first)
 {
   Plan plan{over_first, greville.size(), block.size(), 0, layer_scales.size()};
   for (std::size_t j = 0; j < block.axes.size(); ++j) {
@@ -155,7 +157,7 @@ inline Node_arrays::Plan Node_arrays::plan_of(const Block& block, std::size_t ov
   return plan;
 }
 
-inline void Node_arrays::add_enclosure(const Block& block)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_arrays::add_enclosure(const Block& block)
 {
   const std::size_t functions = block.functions.size(), axes = block.axes.size();
   for (std::size_t m = 0; m < functions; ++m) {
@@ -172,7 +174,7 @@ inline void Node_arrays::add_enclosure(const Block& block)
   }
 }
 
-inline void Node_arrays::add_derivatives(const Block& block, std::size_t axis)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Node_arrays::add_derivatives(const Block& block, std::size_t axis)
 {
   for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
     const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * layout->dimension + block.axes[axis],
@@ -183,6 +185,7 @@ inline void Node_arrays::add_derivatives(const Block& block, std::size_t axis)
     derivative_upper[entry] += block.degrees[axis] * (block_rest_upper[m] + error);
   }
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

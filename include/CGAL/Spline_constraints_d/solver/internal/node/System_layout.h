@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_SYSTEM_LAYOUT_H
 
 #include <CGAL/Spline_constraints_d/function/bernstein_kernels.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
 #include <algorithm>
@@ -72,13 +73,7 @@ struct Place_range
   std::size_t begin, end;
 };
 
-inline void append_range(std::vector<Place_range>& ranges, const Place_range& range)
-{
-  if (ranges.empty() || ranges.back().end < range.begin)
-    ranges.push_back(range);
-  else
-    ranges.back().end = range.end;
-}
+void append_range(std::vector<Place_range>& ranges, const Place_range& range);
 
 struct System_layout
 {
@@ -112,9 +107,17 @@ inline const Spline_function& function_of(const Constraint_system_d& system, int
   return index < equalities ? system.equalities()[index] : system.inequalities()[index - equalities].function;
 }
 
-inline System_layout::System_layout(const Constraint_system_d& system)
-  : dimension(system.dimension()),
-    equalities(static_cast<int>(system.equalities().size())),
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void append_range(std::vector<Place_range>& ranges, const Place_range& range)
+{
+  if (ranges.empty() || ranges.back().end < range.begin)
+    ranges.push_back(range);
+  else
+    ranges.back().end = range.end;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE System_layout::System_layout(const Constraint_system_d& system)
+  : dimension(system.dimension()), equalities(static_cast<int>(system.equalities().size())),
     functions(static_cast<int>(system.equalities().size() + system.inequalities().size()))
 {
   // Equal unknowns share a block when raising the degrees to the common ones costs at most half as much again.
@@ -153,7 +156,7 @@ inline System_layout::System_layout(const Constraint_system_d& system)
   place_blocks();
 }
 
-inline System_layout System_layout::of_combined_equalities(const System_layout& layout)
+CGAL_SPLINE_CONSTRAINTS_INLINE System_layout System_layout::of_combined_equalities(const System_layout& layout)
 {
   System_layout result;
   result.dimension = layout.dimension;
@@ -167,7 +170,7 @@ inline System_layout System_layout::of_combined_equalities(const System_layout& 
   return result;
 }
 
-inline System_layout System_layout::of_mixed_equalities(const System_layout& layout)
+CGAL_SPLINE_CONSTRAINTS_INLINE System_layout System_layout::of_mixed_equalities(const System_layout& layout)
 {
   System_layout result;
   result.dimension = layout.dimension;
@@ -194,7 +197,7 @@ inline System_layout System_layout::of_mixed_equalities(const System_layout& lay
   return result;
 }
 
-inline void System_layout::place_blocks()
+CGAL_SPLINE_CONSTRAINTS_INLINE void System_layout::place_blocks()
 {
   blocks_of_axis.resize(dimension);
   ranges_without_axis.resize(dimension);
@@ -217,6 +220,7 @@ inline void System_layout::place_blocks()
   for (std::vector<Place_range>& ranges : ranges_without_axis)
     append_range(ranges, {size, size + 2 * errors});
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/affine_kernels.h>
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Node_arrays.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/analysis_error.h>
@@ -74,21 +75,26 @@ void bound_sum_of_lines(Node_arrays& node)
   });
 }
 
-inline void enclose_line(Node_arrays& node, const Block& block, const Node_arrays::Plan&)
+void enclose_line(Node_arrays& node, const Block& block, const Node_arrays::Plan&);
+
+void bound_differences_of_line(Node_arrays& node, const Block& block, std::size_t axis);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void enclose_line(Node_arrays& node, const Block& block, const Node_arrays::Plan&)
 {
   const std::size_t functions = block.functions.size();
   if (!block.axes.empty())
     for (std::size_t m = 0; m < functions; ++m)
       node.slopes[block.functions[m] * node.layout->dimension + block.axes[0]] +=
           node.line_slopes[block.first_error + m];
-  if (node.bound_sum == nullptr)   // else the sums are there
+  if (node.bound_sum == nullptr) // else the sums are there
     for (std::size_t m = 0; m < functions; ++m) {
       node.rest_lower[block.functions[m]] += node.line_rest_lower[block.first_error + m];
       node.rest_upper[block.functions[m]] += node.line_rest_upper[block.first_error + m];
     }
 }
 
-inline void bound_differences_of_line(Node_arrays& node, const Block& block, std::size_t axis)
+CGAL_SPLINE_CONSTRAINTS_INLINE void bound_differences_of_line(Node_arrays& node, const Block& block, std::size_t axis)
 {
   const std::size_t functions = block.functions.size();
   for_each_place(functions, [&](auto type, std::size_t m) {
@@ -99,6 +105,7 @@ inline void bound_differences_of_line(Node_arrays& node, const Block& block, std
   });
   node.add_derivatives(block, axis);
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_NODE_MATRIX_INVERSE_H
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 
 #include <boost/config.hpp>
 
@@ -58,33 +59,14 @@ bool invert_fixed(int rows, double* work, double* inverse, double least_pivot)
 }
 
 // Two rows by Cramer's rule, with one division; the pivots are those of elimination.
-inline bool invert_pair(const double* a, double* inverse, double least_pivot)
-{
-  const double first = greater(std::abs(a[0]), std::abs(a[2])),
-               largest = greater(first, greater(std::abs(a[1]), std::abs(a[3])));
-  const double determinant = a[0] * a[3] - a[1] * a[2], factor = 1 / determinant;
-  inverse[0] = a[3] * factor;
-  inverse[1] = -a[1] * factor;
-  inverse[2] = -a[2] * factor;
-  inverse[3] = a[0] * factor;
-  return first > least_pivot * largest && std::abs(determinant) > least_pivot * largest * first;
-}
+bool invert_pair(const double* a, double* inverse, double least_pivot);
 
 /*
 The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation
 (Eigen's inverse makes a temporary); false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever
 uses it measures what it got wrong. `work` and `inverse` are two; the first is destroyed.
 */
-inline bool invert(int size, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
-{
-  if (size == 2)
-    return invert_pair(work.data(), inverse.data(), least_pivot);
-  bool is_regular = false;
-  run_with_constant<4>(size, [&](auto constant) {
-    is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot);
-  });
-  return is_regular;
-}
+bool invert(int size, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14);
 
 // What a bound on products needs of the range of a derivative.
 struct Derivative_range
@@ -121,6 +103,32 @@ BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inve
   }
   return sum;
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE bool invert_pair(const double* a, double* inverse, double least_pivot)
+{
+  const double first = greater(std::abs(a[0]), std::abs(a[2])),
+               largest = greater(first, greater(std::abs(a[1]), std::abs(a[3])));
+  const double determinant = a[0] * a[3] - a[1] * a[2], factor = 1 / determinant;
+  inverse[0] = a[3] * factor;
+  inverse[1] = -a[1] * factor;
+  inverse[2] = -a[2] * factor;
+  inverse[3] = a[0] * factor;
+  return first > least_pivot * largest && std::abs(determinant) > least_pivot * largest * first;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool invert(int size, std::vector<double>& work, std::vector<double>& inverse,
+                                           double least_pivot)
+{
+  if (size == 2)
+    return invert_pair(work.data(), inverse.data(), least_pivot);
+  bool is_regular = false;
+  run_with_constant<4>(size, [&](auto constant) {
+    is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot);
+  });
+  return is_regular;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

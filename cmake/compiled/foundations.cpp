@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the floors below the operations have: numbers, functions, splines, readers and writers of files; the default
+// solvers of points and of curves, on one core and on all, of surfaces, feasibility, Newton's method, proofs of answers.
+#include <CGAL/Spline_constraints_d/IO/Scene_3.h>
+#include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
+#include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/IO/read_minibex.h>
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/IO/write_minibex.h>
+#include <CGAL/Spline_constraints_d/function.h>
+#include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
+#include <CGAL/Spline_constraints_d/function/internal/decompositions.h>
+#include <CGAL/Spline_constraints_d/function/internal/expanded.h>
+#include <CGAL/Spline_constraints_d/function/internal/integer_factors.h>
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/conic_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/internal/bezier_chords.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/number.h>
+#include <CGAL/Spline_constraints_d/solver.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Newton_iteration.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_points.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/curves_after_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/feasibility/feasibility_of.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/surface_proof.h>
+
+namespace CGAL::Spline_constraints {
+
+template class Bernstein_tensor<double>;
+template class Bernstein_tensor<Exact_rational>;
+template class Bspline_function<double>;
+template class Bspline_function<Exact_rational>;
+
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Mpfr_interval)
+CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Exact_rational)
+
+namespace internal {
+
+template class Local_weights<Exact_rational>;
+template class Homogeneous_spline<double, 2>;
+template class Homogeneous_spline<double, 3>;
+template class Homogeneous_spline<Exact_rational, 2>;
+template class Homogeneous_spline<Exact_rational, 3>;
+
+CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS()
+
+} // namespace internal
+} // namespace CGAL::Spline_constraints
