@@ -14,6 +14,8 @@
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
 #include <CGAL/Spline_constraints_d/function/internal/decompositions.h>
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
+#include <CGAL/Spline_constraints_d/function/internal/graph/graph_derivatives.h>
+#include <CGAL/Spline_constraints_d/function/internal/graph/graph_operations.h>
 #include <CGAL/Spline_constraints_d/function/internal/integer_factors.h>
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>

@@ -14,7 +14,10 @@
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
+#include <CGAL/Spline_constraints_d/function/Expression_graph.h>
+#include <CGAL/Spline_constraints_d/function/Graph_evaluation.h>
 #include <CGAL/Spline_constraints_d/function/Monomial.h>
+#include <CGAL/Spline_constraints_d/function/Operation_count.h>
 #include <CGAL/Spline_constraints_d/function/Polynomial_quotient.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Rational_function.h>
