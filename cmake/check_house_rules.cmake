@@ -12,7 +12,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors number function solver geometry operations output IO)
 set(order_of_geometry . curves surfaces conversions healing)
 set(order_of_solver/internal control exact node certification subdivision curves surfaces meshing verification
-    decomposition feasibility)
+    decomposition feasibility tracking)
 set(order_of_operations/voronoi/internal sites disks candidates envelope offset diagram)
 set(ordered_folders geometry solver/internal operations/voronoi/internal)
 

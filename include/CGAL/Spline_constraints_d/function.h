@@ -35,6 +35,7 @@
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/concepts.h>
+#include <CGAL/Spline_constraints_d/function/constraint_idioms.h>
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/function/expression_bounds.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>

@@ -13,6 +13,7 @@
 // For solvers with traits of your own include solver/own_traits.h as well, which has the definitions that the compiled
 // library has for the others.
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_tracker.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
@@ -28,6 +29,8 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Tracker_options.h>
+#include <CGAL/Spline_constraints_d/solver/Tracking_step.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 #include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>

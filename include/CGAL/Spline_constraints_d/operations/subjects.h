@@ -40,7 +40,7 @@ In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves
 `disks` (one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest
 empty disks along an oriented boundary element), `offset`, `diagram`. In the same way `solver/internal/` goes from
 `control`, `exact`, `node`, `certification` and `subdivision` to `curves`, `surfaces`, `meshing`, `verification`,
-`decomposition` and `feasibility`.
+`decomposition`, `feasibility` and `tracking`.
 */
 
 namespace CGAL {

@@ -28,16 +28,18 @@ that violate their relation, the one that is the farthest from zero, as its tang
   x <- x - rho (d + delta) n,   d = f / |grad f|,   n = grad f / |grad f|,
 
 where rho in (0, 2]. With delta = 0 a curved boundary is only approached; delta > 0 leads inside. The point does not
-leave the box. Where the gradient of a function is zero, it is the turn of the next one.
+leave the box. Where the gradient of a function is zero, it is the turn of the next one. Functions are those of a family
+that has their values and gradients at a point.
 */
+template <class Family = Polynomial_family<double>>
 class Relaxation
 {
-  Polynomial_family<double>& m_family;
+  Family& m_family;
   const std::vector<Relation>& m_relations; // =, <, <= to zero; others are not looked at
   double m_factor, m_offset;
 
 public:
-  Relaxation(Polynomial_family<double>& family, const std::vector<Relation>& relations, double factor, double offset)
+  Relaxation(Family& family, const std::vector<Relation>& relations, double factor, double offset)
     : m_family(family), m_relations(relations), m_factor(factor), m_offset(offset)
   {}
 
