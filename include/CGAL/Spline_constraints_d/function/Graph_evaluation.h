@@ -32,10 +32,7 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-/*!
-\ingroup PkgSplineConstraintsDConcepts
-What formulas of a graph can be evaluated in: numbers with `+`, `-`, `*`, `/`, or `Expression`s, which expands them.
-*/
+// What formulas of a graph can be evaluated in: see doc/Spline_constraints_d/Concepts/GraphNumber.h.
 template <class NT>
 concept GraphNumber = std::copyable<NT> && requires(const NT& a, const NT& b)
 {
@@ -116,7 +113,7 @@ numbers themselves do.
 
 In exact numbers values are exact; in intervals they enclose as far as these do (`CGAL::Interval_nt<false>` under an
 `Upward_rounding_guard`); doubles round. For other numbers the header of their `Number_traits` has to be included.
-\tparam NT a number type, or `Expression`: then formulas are composed and expanded.
+\tparam NT a model of `GraphNumber`; with `Expression`, formulas are composed and expanded.
 */
 template <GraphNumber NT>
 class Graph_evaluation
@@ -180,8 +177,16 @@ public:
   //! \throws Invalid_input when an exact divisor is zero, or a function has no value in these numbers.
   void evaluate(std::size_t number = 0)
   {
+    evaluate(number, [] {});
+  }
+
+  //! the same; `check()` is called before each operation, and may end the work by an exception.
+  template <std::invocable Check>
+  void evaluate(std::size_t number, const Check& check)
+  {
     for (const int v : m_formulas[number])
       if (m_points[v] != m_point) {
+        check();
         compute(v);
         m_points[v] = m_point;
       }

@@ -27,8 +27,9 @@ struct Tracker_options
   //! \f$\rho \in (0,2]\f$: how far a step of the relaxation goes, 1 to where the tangent of the constraint is zero.
   double relaxation = 1;
 
-  //! \f$\delta > 0\f$: how much farther it goes, relative to half of the widest range of the unknowns. The second half
-  //! of the steps goes a sixteenth of it.
+  //! \f$\delta > 0\f$: how much farther it goes, relative to half of the widest range of the unknowns. At one time,
+  //! four steps each go by \f$\delta\f$, \f$\delta/4\f$, \f$\delta/16\f$ and \f$\delta/64\f$, again and again: small
+  //! regions are jumped over by large ones, and narrow corners are not left by small ones.
   double offset = 0x1p-8;
 
   //! steps of the relaxation at one time.

@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -72,6 +73,7 @@ class Tracked_formulas
   std::vector<std::vector<int>> m_coordinates;     // of each domain, as vertices
   std::vector<std::map<int, int>> m_known_symbols; // of each domain, as vertices
   std::vector<Tracked_formula> m_formulas;
+  std::set<std::pair<int, Relation>> m_known;
 
 public:
   Tracked_formulas(const std::vector<Linked_domain>& domains, int time,
@@ -129,8 +131,8 @@ private:
     for (std::size_t i = 0; i < domain.formulas.size(); ++i)
       if (coordinates[i] != m_time) {
         const Node value(m_graph.store(), coordinates[i]);
-        m_formulas.push_back({ranges[i].first - value, Relation::LESS_EQUAL});
-        m_formulas.push_back({value - ranges[i].second, Relation::LESS_EQUAL});
+        add(ranges[i].first - value, Relation::LESS_EQUAL);
+        add(value - ranges[i].second, Relation::LESS_EQUAL);
       }
   }
 
@@ -153,18 +155,24 @@ private:
     const Node function(m_graph.store(), vertex_of(constraint.function, constraint.symbols.get(), domain));
     switch (constraint.relation) {
     case Relation::GREATER:
-      m_formulas.push_back({-function, Relation::LESS});
+      add(-function, Relation::LESS);
       break;
     case Relation::GREATER_EQUAL:
-      m_formulas.push_back({-function, Relation::LESS_EQUAL});
+      add(-function, Relation::LESS_EQUAL);
       break;
     default:
-      m_formulas.push_back({function, constraint.relation});
+      add(function, constraint.relation);
       break;
     }
     for (const Power_polynomial& condition : constraint.conditions)
-      m_formulas.push_back(
-          {Node(m_graph.store(), vertex_of(condition, constraint.symbols.get(), domain)), Relation::NOT_EQUAL});
+      add(Node(m_graph.store(), vertex_of(condition, constraint.symbols.get(), domain)), Relation::NOT_EQUAL);
+  }
+
+  // Once: domains that are linked in a chain repeat the ranges of unknowns that they pass on.
+  void add(const Node& function, Relation relation)
+  {
+    if (m_known.emplace(function.index(), relation).second)
+      m_formulas.push_back({function, relation});
   }
 
   int vertex_of(const Power_polynomial& polynomial, const Symbol_table* symbols, std::size_t domain)

@@ -52,6 +52,7 @@ class Tracked_values
   Evaluation<Interval> m_interval;
   Evaluation<Exact_rational> m_exact;
   Tracking_step* m_step = nullptr;
+  bool m_is_evaluated = false;
 
 public:
   explicit Tracked_values(Tracked_formulas& tracked)
@@ -63,10 +64,10 @@ public:
       functions.push_back(function);
       m_relations.push_back(relation);
       m_own_operations.push_back(tracked.graph().operations(function));
-      m_double.values.prepare({&function, 1});
-      m_interval.values.prepare({&function, 1});
       m_exact.values.prepare({&function, 1});
     }
+    m_double.values.prepare(functions);
+    m_interval.values.prepare(functions);
     for (const std::vector<Node>& gradient : m_gradients)
       m_double.values.prepare(gradient);
     m_all_operations = tracked.graph().operations(functions);
@@ -85,18 +86,24 @@ public:
   }
 
   // As a family of functions.
-  void set_point(std::span<const double> point) { set(m_double, point); }
+  void set_point(std::span<const double> point)
+  {
+    set(m_double, point);
+    m_is_evaluated = false;
+  }
   std::size_t coefficients(std::size_t i) const { return i; }
   double value(std::size_t i)
   {
-    evaluate(i, m_step->values);
+    if (!m_is_evaluated) // all at once
+      evaluate(0, m_step->values);
+    m_is_evaluated = true;
     const double result = m_double.values[m_formulas[i].function];
     return std::isnan(result) ? HUGE_VAL : result;
   }
   std::vector<double> gradient(std::size_t i)
   {
     m_step->violated += m_own_operations[i];
-    evaluate(m_formulas.size() + i, m_step->gradients);
+    evaluate(1 + i, m_step->gradients);
     std::vector<double> result;
     for (const Node& partial : m_gradients[i])
       result.push_back(m_double.values[partial]);
@@ -110,10 +117,10 @@ public:
     for (const Exact_rational& x : point)
       enclosure.push_back(rounded_to<Interval>(x));
     set(m_interval, std::span<const Interval>(enclosure));
+    m_interval.values.evaluate();
     std::vector<std::size_t> uncertain;
     for (std::size_t i = 0; i < m_formulas.size(); ++i) {
       ++m_step->enclosures;
-      m_interval.values.evaluate(i);
       const auto sign = Number_traits<Interval>::sign(m_interval.values[m_formulas[i].function]);
       if (!is_certain(sign))
         uncertain.push_back(i);

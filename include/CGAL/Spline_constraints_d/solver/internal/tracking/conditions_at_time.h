@@ -17,6 +17,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,10 +39,12 @@ inline int sign_of_divisor(const std::shared_ptr<Symbol_table>& symbols, int ind
 
 /*
 What tracked formulas say at one time, as polynomials compared with zero on a domain in which the time has one value:
-expanded, and multiplied by their divisors. Those that may vanish must not.
+expanded, and multiplied by their divisors. Those that may vanish must not. `check()` may end the work by an exception.
 */
-inline std::vector<std::pair<Power_polynomial, Relation>>
-conditions_at_time(Tracked_formulas& tracked, const Exact_ranges& domain, const std::vector<Exact_rational>& splines)
+inline std::vector<std::pair<Power_polynomial, Relation>> conditions_at_time(Tracked_formulas& tracked,
+                                                                             const Exact_ranges& domain,
+                                                                             const std::vector<Exact_rational>& splines,
+                                                                             const std::function<void()>& check)
 {
   std::vector<std::array<Bound, 2>> ranges;
   for (const auto& [lower, upper] : domain)
@@ -55,10 +59,11 @@ conditions_at_time(Tracked_formulas& tracked, const Exact_ranges& domain, const 
     functions.push_back(formula.function);
   Graph_evaluation<Expression> expansion(tracked.graph(), functions);
   expansion.set_point(point);
-  expansion.evaluate();
+  expansion.evaluate(0, check);
 
   std::vector<std::pair<Power_polynomial, Relation>> result;
   for (const auto& [function, relation] : tracked.formulas()) {
+    check();
     const Expression& value = expansion[function];
     const std::shared_ptr<Symbol_table>& symbols = unknowns[0].symbols();
     Power_polynomial polynomial = symbols->without_formulas(value.numerator());

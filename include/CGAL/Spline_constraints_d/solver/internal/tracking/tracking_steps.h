@@ -204,7 +204,7 @@ private:
     }
     step.path.push_back(point);
     for (std::size_t k = 0; k < m_options.most_steps && !control.must_stop(true); ++k) {
-      const double offset = m_options.offset * size * (2 * k < m_options.most_steps ? 1 : 0x1p-4);
+      const double offset = m_options.offset * size * std::exp2(-2.0 * static_cast<double>(k / 4 % 4));
       Relaxation relaxation(graph().values, graph().values.relations(), m_options.relaxation, offset);
       if (!relaxation.step(point, box) ||
           !std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }))
@@ -228,7 +228,7 @@ private:
       step.undecided_parts.push_back({place_of(all), {}, reason});
     };
     try {
-      const auto conditions = conditions_at_time(graph().formulas, all, splines);
+      const auto conditions = conditions_at_time(graph().formulas, all, splines, [&] { control.check(); });
       for (const int share : {16, 4, 1}) {
         Solver_options options = control.options_of_parts(m_options.search);
         if (options.node_limit > 0)
@@ -250,6 +250,8 @@ private:
         else
           step.undecided_parts = answer.undecided();
       }
+    } catch (const Run_stopped& stopped) {
+      leave_undecided(in_words(stopped.reason));
     } catch (const Invalid_input& error) { // a formula that is too long when it is expanded
       leave_undecided(std::string("the search is not possible: ") + error.what());
     }
