@@ -16,6 +16,7 @@ can check.
 \cgalHasModelsBegin
 \cgalHasModels{double}
 \cgalHasModels{CGAL::Interval_nt<false>}
+\cgalHasModels{CGAL::Spline_constraints::Mpfr_interval}
 \cgalHasModels{CGAL::Exact_rational}
 \cgalHasModels{CGAL::Spline_constraints::Expression}
 \cgalHasModelsEnd

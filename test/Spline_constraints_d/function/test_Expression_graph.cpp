@@ -11,7 +11,9 @@
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
+#include <CGAL/Spline_constraints_d/number/Number_traits_mpfr.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 
 #include "random_graphs.h"
 
@@ -292,6 +294,20 @@ TEST(Expression_graph, enclosures)
     EXPECT_LE(Rational(evaluation[root].inf()) * Rational(evaluation[root].inf()), point[0]);
     EXPECT_GE(Rational(evaluation[root].sup()) * Rational(evaluation[root].sup()), point[0]);
   }
+  // Guarded intervals, and those of many bits.
+  const Point point{Rational(1, 3), Rational(2, 7)};
+  const Rational exact = values(graph, {f}, point)[0];
+  Graph_evaluation<CGAL::Interval_nt<true>> guarded(graph, Nodes{f});
+  guarded.set_point(
+      std::vector<CGAL::Interval_nt<true>>{SC::to_double_interval(point[0]), SC::to_double_interval(point[1])});
+  guarded.evaluate();
+  EXPECT_TRUE(Rational(guarded[f].inf()) <= exact && exact <= Rational(guarded[f].sup()));
+  Graph_evaluation<SC::Mpfr_interval> precise(graph, Nodes{f});
+  precise.set_point(std::vector<SC::Mpfr_interval>{SC::Mpfr_interval(point[0]), SC::Mpfr_interval(point[1])});
+  precise.evaluate();
+  const auto [lower, upper] = precise[f].to_double_interval();
+  EXPECT_TRUE(Rational(lower) <= exact && exact <= Rational(upper) && upper - lower < 1e-15);
+
   // A square of an interval around zero is not negative.
   Graph_evaluation<Interval> of_square(graph, Nodes{square(x)});
   of_square.set_point(std::vector<Interval>{{-1, 2}, {0, 0}});

@@ -339,6 +339,19 @@ TEST(Constraint_tracking, ranges_of_linked_domains)
   EXPECT_EQ(irrational.undecided()[0].reason, "a point exists, but no rational one was found");
 }
 
+// An unknown that is the time in a roundabout way has its range, too.
+TEST(Constraint_tracking, ranges_of_the_time)
+{
+  const auto base = SC::unknowns({{-4, 4}, {0, 1}}), middle = SC::unknowns({{-4, 4}, {-1, 1}}),
+             last = SC::unknowns({{-4, 4}, {0, fraction(1, 2)}});
+  Constraint_tracker tracker(base[1], {0, 0});
+  tracker.link(middle, {base[0], -base[1]});
+  tracker.link(last, {middle[0], -middle[1]});
+  tracker.add(last[0] >= last[1]);
+  EXPECT_TRUE(tracker.advance(0.5).has_point());
+  EXPECT_EQ(tracker.advance(0.75).status, Tracking_status::INFEASIBLE);
+}
+
 // U is at most twice the sum of the costs of the violated constraints, but not of the check, as they share it.
 TEST(Constraint_tracking, cost_of_shared_constraints)
 {

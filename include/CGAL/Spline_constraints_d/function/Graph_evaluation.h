@@ -60,8 +60,10 @@ NT graph_constant(const Exact_rational& value)
 {
   if constexpr (requires { Number_traits<NT>::from_rational(value); })
     return Number_traits<NT>::from_rational(value);
-  else
+  else if constexpr (std::constructible_from<NT, const Exact_rational&>)
     return NT(value);
+  else
+    return NT(to_double_interval(value)); // CGAL::Interval_nt<true>
 }
 
 template <class NT>
@@ -136,7 +138,7 @@ public:
     prepare(formulas);
   }
 
-  //! makes a list of what these formulas need. \return its number. A point must be set again.
+  //! makes a list of what these formulas need. \return its number. What is known at the point stays known.
   //! \throws Invalid_input when a formula is of another graph.
   std::size_t prepare(std::span<const Expression_graph::Node> formulas)
   {

@@ -125,25 +125,28 @@ private:
                                                       vertex_of(polynomial_of(formula.denominator()), symbols, from)));
     }
     m_coordinates.push_back(coordinates);
-    enter_splines(*domain.symbols);
-    // The ranges of linked unknowns are constraints, but for that of the time, which is as large.
     const Unknown_domains& ranges = domain.symbols->domains();
+    const auto& [begin, end] = domains[0].symbols->domains()[m_time];
+    std::vector<bool> is_time;
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      is_time.push_back(coordinates[i] == m_time && ranges[i].first <= begin && end <= ranges[i].second);
+    enter_splines(*domain.symbols, is_time);
+    // The ranges of linked unknowns are constraints.
     for (std::size_t i = 0; i < domain.formulas.size(); ++i)
-      if (coordinates[i] != m_time) {
+      if (!is_time[i]) {
         const Node value(m_graph.store(), coordinates[i]);
         add(ranges[i].first - value, Relation::LESS_EQUAL);
         add(value - ranges[i].second, Relation::LESS_EQUAL);
       }
   }
 
-  void enter_splines(const Symbol_table& symbols)
+  void enter_splines(const Symbol_table& symbols, const std::vector<bool>& is_time)
   {
     std::map<int, int>& known = m_known_symbols.emplace_back();
-    const std::vector<int>& coordinates = m_coordinates.back();
     for (int s = 0, size = symbols.size(); s < size; ++s) {
       const Symbol& symbol = symbols[s];
       if (symbol.kind != Symbol::Kind::SPLINE ||
-          !std::all_of(symbol.unknowns.begin(), symbol.unknowns.end(), [&](int u) { return coordinates[u] == m_time; }))
+          !std::all_of(symbol.unknowns.begin(), symbol.unknowns.end(), [&](int u) { return is_time[u]; }))
         continue;
       known[s] = static_cast<int>(m_dimension + m_splines.size());
       m_splines.push_back({symbol.spline, symbol.unknowns.size()});

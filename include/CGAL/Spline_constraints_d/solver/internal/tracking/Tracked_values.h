@@ -16,9 +16,12 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,10 +45,16 @@ class Tracked_values
     {}
   };
 
-  std::size_t m_dimension;
+  struct Gradient
+  {
+    std::vector<Node> partials;
+    std::size_t number; // of its list of operations
+  };
+
+  Tracked_formulas& m_tracked;
   std::vector<Tracked_formula> m_formulas;
   std::vector<Relation> m_relations;
-  std::vector<std::vector<Node>> m_gradients;
+  std::vector<std::optional<Gradient>> m_gradients; // made when they are needed
   std::vector<Operation_count> m_own_operations;
   Operation_count m_all_operations;
   Evaluation<double> m_double;
@@ -56,8 +65,8 @@ class Tracked_values
 
 public:
   explicit Tracked_values(Tracked_formulas& tracked)
-    : m_dimension(tracked.dimension()), m_formulas(tracked.formulas()), m_gradients(gradients_of(tracked)),
-      m_double(tracked.graph()), m_interval(tracked.graph()), m_exact(tracked.graph())
+    : m_tracked(tracked), m_formulas(tracked.formulas()), m_gradients(m_formulas.size()), m_double(tracked.graph()),
+      m_interval(tracked.graph()), m_exact(tracked.graph())
   {
     std::vector<Node> functions;
     for (const auto& [function, relation] : m_formulas) {
@@ -68,8 +77,6 @@ public:
     }
     m_double.values.prepare(functions);
     m_interval.values.prepare(functions);
-    for (const std::vector<Node>& gradient : m_gradients)
-      m_double.values.prepare(gradient);
     m_all_operations = tracked.graph().operations(functions);
   }
 
@@ -102,10 +109,12 @@ public:
   }
   std::vector<double> gradient(std::size_t i)
   {
+    if (!m_gradients[i])
+      m_gradients[i] = gradient_of(m_formulas[i].function);
     m_step->violated += m_own_operations[i];
-    evaluate(1 + i, m_step->gradients);
+    evaluate(m_gradients[i]->number, m_step->gradients);
     std::vector<double> result;
-    for (const Node& partial : m_gradients[i])
+    for (const Node& partial : m_gradients[i]->partials)
       result.push_back(m_double.values[partial]);
     return result;
   }
@@ -131,16 +140,13 @@ public:
   }
 
 private:
-  static std::vector<std::vector<Node>> gradients_of(Tracked_formulas& tracked)
+  Gradient gradient_of(const Node& function)
   {
-    std::vector<std::vector<Node>> result;
-    for (const auto& [function, relation] : tracked.formulas()) {
-      std::vector<Node> gradient = tracked.graph().gradient(function);
-      gradient.resize(tracked.dimension(), gradient[0]);
-      gradient[tracked.time()] = tracked.graph().constant(0); // is not moved
-      result.push_back(std::move(gradient));
-    }
-    return result;
+    std::vector<Node> partials = m_tracked.graph().gradient(function);
+    partials.resize(m_tracked.dimension(), partials[0]);
+    partials[m_tracked.time()] = m_tracked.graph().constant(0); // is not moved
+    const std::size_t number = m_double.values.prepare(partials);
+    return {std::move(partials), number};
   }
 
   bool are_exactly_satisfied_at(const std::vector<Exact_rational>& point, const std::vector<std::size_t>& formulas)
@@ -174,7 +180,7 @@ private:
   void set_splines(Evaluation<NT>& evaluation, const std::vector<Exact_rational>& splines)
   {
     for (std::size_t k = 0; k < splines.size(); ++k)
-      evaluation.point[m_dimension + k] = graph_constant<NT>(splines[k]);
+      evaluation.point[m_tracked.dimension() + k] = graph_constant<NT>(splines[k]);
   }
 };
 
