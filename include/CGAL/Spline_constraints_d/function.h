@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_H
 
 // All of the floor of functions: splines, polynomials and formulas in several unknowns, and constraints between them.
+#include <CGAL/Spline_constraints_d/function/Bernstein_simplex.h>
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
@@ -43,6 +44,8 @@
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 #include <CGAL/Spline_constraints_d/function/rational_decomposition.h>
 #include <CGAL/Spline_constraints_d/function/rational_factors.h>
+#include <CGAL/Spline_constraints_d/function/simplex_conversion.h>
+#include <CGAL/Spline_constraints_d/function/simplex_faces.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
 
