@@ -41,6 +41,10 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/envelope_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/Convexity.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/Function_shape.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/Patch_shape.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/patch_convexity.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection_point.h>
