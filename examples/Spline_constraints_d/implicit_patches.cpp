@@ -79,7 +79,8 @@ void draw(SC::Scene_3& scene, const SC::Simplex_function_3& patch, const SC::Pat
       scene.add_polyline(std::vector<K::Point_3>{tetrahedron[i] + place, tetrahedron[j] + place},
                          {.color = "#506080", .hidden = SC::Hidden_line::THIN});
   if (const auto& witness = shape.witness_against_convexity())
-    scene.add_point(point_on_patch(patch, *witness) + place, {.width = 8, .nearer = 1});
+    scene.add_point(point_on_patch(patch, *witness) + place,
+                    {.width = 8, .hidden = SC::Hidden_line::THIN, .nearer = 0.1});
   std::ostringstream kind;
   kind << shape.kind();
   scene.add_point(K::Point_3(-0.9, -0.75, -0.6) + place, {.width = 0.1}, kind.str());

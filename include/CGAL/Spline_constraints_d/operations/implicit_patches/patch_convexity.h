@@ -63,8 +63,8 @@ function has convex patches; the converse is not true, see `patch_convexity()`.
 the tetrahedron. Parts are counted as nodes.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: signs of minors of three rows, one for each coefficient of second derivatives, on each part. Source: Guo,
-Shape Control in Implicit Modeling, 1991, section 4, where it is the criterion for patches of degree 2 and 3.
+Complexity: an elimination of three rows for each coefficient of second derivatives, on each part. Source:
+\cgalCite{g-scim-91}, section 4, where it is the criterion for patches of degree 2 and 3.
 */
 inline Function_shape function_convexity(const Simplex_function_3& function,
                                          const Solver_options& options = {.tolerance = 0x1p-7})
@@ -91,8 +91,7 @@ the tetrahedron; it grows when `coarsening_step` parts have come to it. Parts ar
 \throws Invalid_input when the function is constant, when it has a degree above 30, and when an option makes no sense.
 
 Complexity: a subdivision of polynomials of degree \f$k\f$, \f$4k-6\f$ and \f$3k-4\f$ on each part. Source: the problem
-is that of Guo, Shape Control in Implicit Modeling, 1991, Theorem 1, whose criterion is sufficient; this one is
-necessary, too.
+is that of \cgalCite{g-scim-91}, Theorem 1, whose criterion is sufficient; this one is necessary, too.
 */
 inline Patch_shape patch_convexity(const Simplex_function_3& function,
                                    const Solver_options& options = {.tolerance = 0x1p-7})

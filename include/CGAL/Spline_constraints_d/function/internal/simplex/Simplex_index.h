@@ -16,20 +16,36 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// For few things out of not very many, as the places of coefficients are.
-constexpr std::size_t number_of_choices(std::size_t n, std::size_t k)
-{
-  std::size_t result = 1;
-  for (std::size_t i = 1; i <= k; ++i)
-    result = result * (n - k + i) / i;
-  return result;
-}
-
 // Number of coefficients on a simplex.
 constexpr std::size_t simplex_size(int degree, int dimension)
 {
-  return number_of_choices(static_cast<std::size_t>(degree) + dimension, dimension);
+  std::size_t result = 1;
+  for (int i = 1; i <= dimension; ++i)
+    result = result * static_cast<std::size_t>(degree + i) / static_cast<std::size_t>(i);
+  return result;
 }
+
+// The sizes of simplices of up to d dimensions.
+template <int d>
+class Simplex_sizes
+{
+  static constexpr int degrees = 122; // some more than polynomials have
+
+  std::array<std::array<std::size_t, d + 1>, degrees> m_sizes{};
+
+public:
+  constexpr Simplex_sizes()
+  {
+    for (int degree = 0; degree < degrees; ++degree)
+      for (int dimension = 0; dimension <= d; ++dimension)
+        m_sizes[degree][dimension] = simplex_size(degree, dimension);
+  }
+
+  constexpr std::size_t operator()(int degree, int dimension) const { return m_sizes[degree][dimension]; }
+};
+
+template <int d>
+inline constexpr Simplex_sizes<d> simplex_sizes{};
 
 /*
 Goes through the exponents of degree k in d + 1 barycentric coordinates, lexicographically from (k,0,...,0) down to
@@ -77,7 +93,7 @@ public:
     std::array<std::size_t, d + 1> result;
     result[0] = m_position;
     for (int i = 1; i <= d; ++i)
-      result[i] = result[i - 1] + number_of_choices(static_cast<std::size_t>(m_tails[i]) + d - i, d - i);
+      result[i] = result[i - 1] + simplex_sizes<d>(m_tails[i], d - i);
     return result;
   }
 
@@ -94,7 +110,8 @@ public:
   {
     std::size_t result = 0;
     for (int j = 1; j <= d; ++j)
-      result += number_of_choices(static_cast<std::size_t>(tails[j]) + d - j, d - j + 1);
+      if (tails[j] > 0)
+        result += simplex_sizes<d>(tails[j] - 1, d - j + 1);
     return result;
   }
 

@@ -111,9 +111,9 @@ int number_of_zeros_by_sturm(const Power_coefficients<NT>& f)
   return number_of_sign_changes(at_zero) - number_of_sign_changes(at_one);
 }
 
-// Of Bernstein coefficients on [0,1] that are not all 0, by powers and without the zeros at the ends.
+// Of Bernstein coefficients on [0,1].
 template <class NT>
-Power_coefficients<NT> without_zeros_at_ends(const std::vector<NT>& bernstein)
+Power_coefficients<NT> power_coefficients(const std::vector<NT>& bernstein)
 {
   const int degree = static_cast<int>(bernstein.size()) - 1;
   const Row_matrix<NT> matrix = to_power_matrix<NT>(degree);
@@ -124,6 +124,14 @@ Power_coefficients<NT> without_zeros_at_ends(const std::vector<NT>& bernstein)
       x += NT(matrix(i, k) * bernstein[k]);
   }
   drop_leading_zeros(f);
+  return f;
+}
+
+// Of those that are not all 0, without the zeros at the ends.
+template <class NT>
+Power_coefficients<NT> without_zeros_at_ends(const std::vector<NT>& bernstein)
+{
+  Power_coefficients<NT> f = power_coefficients(bernstein);
   while (CGAL::is_zero(f.front()))
     f.erase(f.begin());
   while (CGAL::is_zero(value_at_one(f))) {

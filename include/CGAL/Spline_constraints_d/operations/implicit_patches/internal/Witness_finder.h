@@ -142,19 +142,22 @@ private:
     return std::nullopt;
   }
 
-  // To as many bits of its largest coordinate.
+  // Divided by its largest coordinate, to so many bits.
   static Vector rounded(const Vector& x, int bits)
   {
+    const int digits = (std::min)(bits, 50);
     std::array<double, 3> y;
     double largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       y[i] = to_nearest_double(x[i]);
       largest = (std::max)(largest, std::abs(y[i]));
     }
+    if (!std::isfinite(largest) || largest == 0)
+      return x;
     Vector result;
     for (std::size_t i = 0; i < 3; ++i)
-      result[i] = to_rational(std::nearbyint(std::ldexp(y[i] / largest, (std::min)(bits, 50))));
-    return std::isfinite(largest) ? result : x;
+      result[i] = to_rational(std::ldexp(std::nearbyint(std::ldexp(y[i] / largest, digits)), -digits));
+    return result;
   }
 
   bool has_sign_on(const Barycentric& first, const Barycentric& second, const Vector& axis, CGAL::Sign sign) const

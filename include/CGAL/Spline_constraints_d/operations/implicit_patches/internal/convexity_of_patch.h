@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/Signs_on_zeros.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/Subdivided_simplex.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/Witness_finder.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/common_factors.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/convexity_finders.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/curvature_forms.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/singular_points.h>
@@ -100,7 +101,8 @@ private:
 
   void check_not_constant() const
   {
-    if (m_function.polynomial().is_constant())
+    const auto [least, greatest] = m_function.form().bounds();
+    if (least == greatest)
       throw Invalid_input("patch_convexity: the function is constant");
   }
 
@@ -121,11 +123,13 @@ private:
   // f without what it has in common with another function; 0 if that is nothing.
   Form rest(const Form& other) const
   {
+    if (have_no_common_factor(m_function.form(), other))
+      return Form();
     const Simplex_vertices<3> unit = standard_simplex<3>();
     const Power_polynomial f = to_power_polynomial<3>(m_function.form(), unit), g = to_power_polynomial<3>(other, unit);
     if (g.is_zero())
       return Form::constant(Exact_rational(1));
-    const auto common = g.is_constant() ? std::nullopt : common_factor({f, g});
+    const auto common = common_factor({f, g});
     return common ? to_bernstein_simplex<3>(common->cofactors[0], unit) : Form();
   }
 
