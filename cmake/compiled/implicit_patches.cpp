@@ -6,3 +6,4 @@
 
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/convexity_of_function.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/convexity_of_patch.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/dominant_coefficients.h>

@@ -123,6 +123,9 @@ public:
     return CGAL::sign((*this)(point));
   }
 
+  //! the differences of barycentric coordinates that belong to the unit vector along a coordinate axis.
+  const Barycentric& direction(int axis) const { return m_axes[axis]; }
+
   //! the derivative along a coordinate axis, in Bernstein form.
   Form derivative(int axis) const { return m_form.derivative(m_axes[axis]); }
 

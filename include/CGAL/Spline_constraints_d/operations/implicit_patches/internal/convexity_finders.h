@@ -15,14 +15,20 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <optional>
+#include <vector>
+
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Implicit_patches {
 
-// Defined in convexity_of_patch.h and convexity_of_function.h; the compiled library has them.
+// Defined in convexity_of_patch.h, convexity_of_function.h and dominant_coefficients.h; the compiled library has them.
 Patch_shape convexity_of_patch(const Simplex_function_3& function, const Solver_options& options);
 Function_shape convexity_of_function(const Simplex_function_3& function, const Solver_options& options);
+std::optional<Simplex_function_3>
+nearest_dominant_function(const Simplex_function_3& function,
+                          const std::vector<Simplex_function_3::Form::Exponents>& fixed);
 
 } // namespace Implicit_patches
 } // namespace internal
