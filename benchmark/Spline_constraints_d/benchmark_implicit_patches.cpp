@@ -135,7 +135,19 @@ BENCHMARK(square_on_tetrahedron<double>)->Arg(3)->Arg(6);
 BENCHMARK(square_on_box<double>)->Arg(3)->Arg(6);
 BENCHMARK(square_on_tetrahedron<Exact_rational>)->Arg(3)->Arg(6);
 BENCHMARK(square_on_box<Exact_rational>)->Arg(3)->Arg(6);
-BENCHMARK_CAPTURE(convexity, flat, Exact_rational(0x1p-23))->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(convexity, wild, Exact_rational(0x1p-20))->Arg(2)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(convexity, flat, Exact_rational(0x1p-23))
+    ->Arg(2)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(convexity, wild, Exact_rational(0x1p-20))
+    ->Arg(2)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace

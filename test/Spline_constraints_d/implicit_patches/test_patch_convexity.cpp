@@ -342,6 +342,19 @@ TEST(patch_convexity, IsInvariant)
   }
 }
 
+// Beyond the range of doubles.
+TEST(patch_convexity, OfLargeAndSmallCoefficients)
+{
+  FT large(1);
+  SC::Number_traits<FT>::scale_by_power_of_two(large, 1500);
+  for (const FT& factor : {large, FT(FT(1) / large)}) {
+    expect_kind(on_standard(Polynomial(factor) * two_sheets), Kind::STRICTLY_CONVEX);
+    expect_kind(on_standard(Polynomial(factor) * saddle), Kind::NEITHER);
+    const K::Tetrahedron_3 around({-4, -4, -3}, {4, -4, -3}, {0, 6, -3}, {0, 0, 5});
+    expect_kind(Function(around, Polynomial(factor) * (x * x + y * y - z * z)), Kind::NOT_REGULAR);
+  }
+}
+
 TEST(patch_convexity, OfValuesAndGradients)
 {
   const K::Tetrahedron_3 tetrahedron({1, 2, 0}, {-1, 1, 0}, {0, 0, 3}, {2, -1, 1});
@@ -462,6 +475,8 @@ TEST(patch_convexity, RefusesBadInput)
   };
   EXPECT_EQ(message_of([] { SC::patch_convexity(on_standard(Polynomial(2))); }),
             "patch_convexity: the function is constant");
+  EXPECT_EQ(message_of([] { SC::patch_convexity(on_standard(pow(x, 9) - y)); }),
+            "patch_convexity: degree 9 is above 8");
   EXPECT_EQ(message_of([] {
               Function(K::Tetrahedron_3({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}), sphere);
             }),

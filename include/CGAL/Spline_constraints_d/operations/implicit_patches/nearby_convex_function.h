@@ -33,8 +33,8 @@ property, may be nearer.
 \returns nothing if there is no such function with these fixed coefficients, by proof.
 \throws Invalid_input when the degree is above 3, or exponents are negative or do not have it as sum.
 
-Complexity: a quadratic program with 20 unknowns and 48 constraints for cubics, solved exactly by `CGAL::QP_solver`, as a
-rule in less than 0.1 seconds; it cannot be stopped.
+Complexity: a quadratic program with 20 unknowns and 48 constraints for cubics, solved exactly by `CGAL::QP_solver`: as
+a rule less than 0.1 seconds. It cannot be stopped.
 */
 inline std::optional<Simplex_function_3>
 nearby_convex_function(const Simplex_function_3& function,

@@ -88,7 +88,7 @@ the patch with the boundary of the tetrahedron that are neither.
 \param function the polynomial on the tetrahedron.
 \param options the tolerance is the length of the longest edge of parts that are not cut any more, relative to that of
 the tetrahedron; it grows when `coarsening_step` parts have come to it. Parts are counted as nodes.
-\throws Invalid_input when the function is constant, when it has a degree above 30, and when an option makes no sense.
+\throws Invalid_input when the function is constant, when it has a degree above 8, and when an option makes no sense.
 
 Complexity: a subdivision of polynomials of degree \f$k\f$, \f$4k-6\f$ and \f$3k-4\f$ on each part. Source: the problem
 is that of \cgalCite{g-scim-91}, Theorem 1, whose criterion is sufficient; this one is necessary, too.

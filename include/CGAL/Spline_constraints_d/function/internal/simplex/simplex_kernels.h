@@ -10,10 +10,14 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SIMPLEX_SIMPLEX_KERNELS_H
 
 #include <CGAL/Spline_constraints_d/function/bernstein_conversion.h>
+#include <CGAL/Spline_constraints_d/function/bernstein_product.h>
 #include <CGAL/Spline_constraints_d/function/internal/simplex/Simplex_index.h>
+
+#include <CGAL/Fraction_traits.h>
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,36 +71,62 @@ std::vector<NT> elevated_simplex(const std::vector<NT>& coefficients, int degree
   return sums;
 }
 
-// From Bernstein coefficients to those of the powers of barycentric coordinates.
-template <int d, class NT>
-std::vector<NT> scaled_simplex(const std::vector<NT>& coefficients, int degree)
+// The product of homogeneous polynomials in barycentric coordinates, by the coefficients of powers.
+template <int d, class Ring>
+std::vector<Ring> product_by_powers(const std::vector<Ring>& a, int a_degree, const std::vector<Ring>& b, int b_degree)
 {
-  std::vector<NT> result = multinomials<NT, d>(degree);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] *= coefficients[i];
-  return result;
-}
-
-template <int d, class NT>
-std::vector<NT> simplex_product(const std::vector<NT>& first, int first_degree, const std::vector<NT>& second,
-                                int second_degree)
-{
-  const std::vector<NT> a = scaled_simplex<d>(first, first_degree), b = scaled_simplex<d>(second, second_degree);
-  std::vector<NT> sums(simplex_size(first_degree + second_degree, d), NT(0));
-  for (Simplex_index<d> i(first_degree); i.is_valid(); ++i) {
+  std::vector<Ring> result(simplex_size(a_degree + b_degree, d), Ring(0));
+  for (Simplex_index<d> i(a_degree); i.is_valid(); ++i) {
     if (is_known_zero(a[i.position()]))
       continue;
-    for (Simplex_index<d> j(second_degree); j.is_valid(); ++j) {
+    for (Simplex_index<d> j(b_degree); j.is_valid(); ++j) {
       std::array<int, d + 1> tails = i.tails();
       for (int l = 0; l <= d; ++l)
         tails[l] += j.tails()[l];
-      sums[Simplex_index<d>::position_of_tails(tails)] += NT(a[i.position()] * b[j.position()]);
+      result[Simplex_index<d>::position_of_tails(tails)] += Ring(a[i.position()] * b[j.position()]);
     }
   }
-  const std::vector<NT> numbers = multinomials<NT, d>(first_degree + second_degree);
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    sums[i] = NT(sums[i]) / numbers[i];
-  return sums;
+  return result;
+}
+
+// Through integers. False when the denominators have too little in common for that to pay.
+template <int d, class NT>
+bool multiply_fractions_on_simplex(const std::vector<NT>& a, int a_degree, const std::vector<NT>& b, int b_degree,
+                                   std::vector<NT>& c)
+{
+  using Traits = CGAL::Fraction_traits<NT>;
+  using Integer = typename Traits::Numerator_type;
+  Integer_tensor<Integer> first, second;
+  if (!clear_denominators(a, first) || !clear_denominators(b, second))
+    return false;
+  const std::vector<Integer> product =
+      product_by_powers<d>(scaled(std::move(first.numerators), multinomials<Integer, d>(a_degree)), a_degree,
+                           scaled(std::move(second.numerators), multinomials<Integer, d>(b_degree)), b_degree);
+  const std::vector<Integer> weights = multinomials<Integer, d>(a_degree + b_degree);
+  const Integer denominator = first.denominator * second.denominator;
+  typename Traits::Compose compose;
+  c.reserve(product.size());
+  for (std::size_t i = 0; i < product.size(); ++i) {
+    const Integer below = denominator * weights[i];
+    c.push_back(compose(product[i], below));
+  }
+  return true;
+}
+
+template <int d, class NT>
+std::vector<NT> simplex_product(const std::vector<NT>& a, int a_degree, const std::vector<NT>& b, int b_degree)
+{
+  if constexpr (is_fraction_v<NT>) {
+    std::vector<NT> c;
+    if (multiply_fractions_on_simplex<d>(a, a_degree, b, b_degree, c))
+      return c;
+  }
+  std::vector<NT> c = product_by_powers<d>(scaled(a, multinomials<NT, d>(a_degree)), a_degree,
+                                           scaled(b, multinomials<NT, d>(b_degree)), b_degree);
+  const std::vector<NT> weights = multinomials<NT, d>(a_degree + b_degree);
+  for (std::size_t i = 0; i < c.size(); ++i)
+    c[i] /= weights[i];
+  return c;
 }
 
 } // namespace internal

@@ -10,12 +10,14 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_IMPLICIT_PATCHES_INTERNAL_FACE_SIGNS_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_simplex.h>
+#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -24,6 +26,20 @@ namespace internal {
 namespace Implicit_patches {
 
 using Form = Bernstein_simplex<Exact_rational, 3>;
+
+// Divided by a power of two, so that the greatest coefficient is near to 1: doubles next to coefficients, and to those
+// of products, are finite.
+inline Form scaled_to_one(const Form& form)
+{
+  const auto [least, greatest] = form.bounds();
+  const Exact_rational largest = (std::max)(Exact_rational(-least), greatest);
+  if (CGAL::is_zero(largest))
+    return form;
+  Exact_rational factor(1);
+  Number_traits<Exact_rational>::scale_by_power_of_two(
+      factor, static_cast<int>(bit_length(denominator_of(largest)) - bit_length(numerator_of(largest))));
+  return form * factor;
+}
 
 // What coefficients tell of a function within a face: on the points whose barycentric coordinates of the vertices of
 // the face are positive, and no others.

@@ -26,12 +26,15 @@ namespace Implicit_patches {
 // across the zeros of f, nearly, in the center of a simplex. f comes in the degree of g.
 inline Form nearly_constant_across_zeros(const Form& g, const Form& f)
 {
-  Form::Barycentric center;
-  center.fill(to_rational(0.25));
+  const auto in_doubles = [](const Form& h) {
+    return h.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
+  };
+  const auto rounded_g = in_doubles(g), rounded_f = in_doubles(f);
+  const std::array<double, 4> center{0.25, 0.25, 0.25, 0.25};
   double numerator = 0, denominator = 0;
   for (int axis = 1; axis <= 3; ++axis) {
-    const double slope = to_nearest_double(f.derivative(0, axis)(center));
-    numerator -= slope * to_nearest_double(g.derivative(0, axis)(center));
+    const double slope = rounded_f.derivative(0, axis)(center);
+    numerator -= slope * rounded_g.derivative(0, axis)(center);
     denominator += slope * slope;
   }
   const float few_bits = static_cast<float>(numerator / denominator);

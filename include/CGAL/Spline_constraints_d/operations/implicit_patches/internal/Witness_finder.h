@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Patch_shape.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/Subdivided_simplex.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/common_factors.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/curvature_forms.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/quadratic_forms.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -44,7 +45,6 @@ class Witness_finder
 {
   using Barycentric = Form::Barycentric;
   using Vector = std::array<Exact_rational, 3>;
-  using Edge_form = Bernstein_simplex<Exact_rational, 1>;
 
   const Simplex_function_3& m_function;
   std::array<Form, 3> m_gradient;

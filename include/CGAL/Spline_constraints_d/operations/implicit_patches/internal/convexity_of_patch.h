@@ -58,6 +58,7 @@ vertex for instance, or an edge has ends on both sides, there is a point of the 
 class Patch_shape_finder
 {
   const Simplex_function_3& m_function;
+  Form m_form; // of the function, divided by a power of two
   Patch_shape::Found m_found;
   Patch_answers m_is_refuted{};
   bool m_has_points = false;
@@ -82,12 +83,14 @@ class Patch_shape_finder
   };
 
 public:
-  explicit Patch_shape_finder(const Simplex_function_3& function) : m_function(function) {}
+  explicit Patch_shape_finder(const Simplex_function_3& function)
+    : m_function(function), m_form(scaled_to_one(function.form()))
+  {}
 
   Patch_shape operator()(const Solver_options& options)
   {
     Common::Run_of_steps run(options);
-    check_not_constant();
+    check();
     const std::vector<Simplex_part> left = subdivided(
         whole(), options, run, [&](Simplex_part& part) { return is_settled(part); },
         [&] { return has_singular_point() || is_neither(); });
@@ -99,34 +102,48 @@ private:
   bool has_singular_point() const { return m_found.singular_point.has_value(); }
   bool is_neither() const { return m_is_refuted[IS_CONVEX] && m_is_refuted[IS_CONCAVE]; }
 
-  void check_not_constant() const
+  void check() const
   {
     const auto [least, greatest] = m_function.form().bounds();
     if (least == greatest)
       throw Invalid_input("patch_convexity: the function is constant");
+    constexpr int greatest_degree = 8; // for which curvatures are formed in tenths of seconds
+    if (m_form.degree() > greatest_degree)
+      throw Invalid_input("patch_convexity: degree " + std::to_string(m_form.degree()) + " is above " +
+                          std::to_string(greatest_degree));
   }
 
   // The function with E2 and E1, in coordinates along the edges from vertex 0. If E2 and f have a common factor h, E2
   // is zero on the zeros of h, which are all of the patch where f / h has a sign; the same of E1.
   Simplex_part whole() const
   {
-    const Form form = m_function.form().elevated((std::max)(m_function.form().degree(), 2));
+    const Form form = m_form.elevated((std::max)(m_form.degree(), 2));
     const auto along = [](const Form& f, int axis) { return f.derivative(0, axis + 1); };
     const std::array<Form, 3> gradient{along(form, 0), along(form, 1), along(form, 2)};
-    const auto [gaussian, mean] = curvature_forms(gradient, second_derivatives(gradient, along));
+    const std::array<Form, 6> hessian = second_derivatives(gradient, along);
+    const auto [gaussian, mean] = curvature_forms(gradient, hessian);
+
+    std::array<Edge_form, 3> gradient_on_line;
+    std::array<Edge_form, 6> hessian_on_line;
+    for (std::size_t i = 0; i < 3; ++i)
+      gradient_on_line[i] = gradient[i].restricted(some_line());
+    for (std::size_t i = 0; i < 6; ++i)
+      hessian_on_line[i] = hessian[i].restricted(some_line());
+    const auto on_line = curvature_forms(gradient_on_line, hessian_on_line);
     return {vertices_of_whole(),
-            {form, gaussian, form.elevated(gaussian.degree()), rest(gaussian), mean,
-             form.elevated((std::max)(mean.degree(), form.degree())), rest(mean)},
+            {form, gaussian, form.elevated(gaussian.degree()), rest(gaussian, on_line.gaussian), mean,
+             form.elevated((std::max)(mean.degree(), form.degree())), rest(mean, on_line.mean)},
             ~0u};
   }
 
-  // f without what it has in common with another function; 0 if that is nothing.
-  Form rest(const Form& other) const
+  // f without what it has in common with another function, which comes with its restriction to a line; 0 if that is
+  // nothing.
+  Form rest(const Form& other, const Edge_form& on_line) const
   {
-    if (have_no_common_factor(m_function.form(), other))
+    if (have_no_common_factor(m_form.restricted(some_line()), on_line))
       return Form();
     const Simplex_vertices<3> unit = standard_simplex<3>();
-    const Power_polynomial f = to_power_polynomial<3>(m_function.form(), unit), g = to_power_polynomial<3>(other, unit);
+    const Power_polynomial f = to_power_polynomial<3>(m_form, unit), g = to_power_polynomial<3>(other, unit);
     if (g.is_zero())
       return Form::constant(Exact_rational(1));
     const auto common = common_factor({f, g});
@@ -243,7 +260,7 @@ private:
   void look_for_singular_point_at_vertex(const Simplex_part& part, unsigned vertex)
   {
     for (int i = 0; i < 4; ++i)
-      if (vertex == 1u << i && is_singular_point(m_function.form(), part.vertices[i]))
+      if (vertex == 1u << i && is_singular_point(m_form, part.vertices[i]))
         m_found.singular_point = point_of(part.vertices[i]);
   }
 
@@ -252,7 +269,7 @@ private:
     if (has_singular_point() || m_attempts == 0)
       return;
     --m_attempts;
-    if (const auto found = rational_singular_point(m_function.form(), ends_of_face(part.vertices, 15)[0]))
+    if (const auto found = rational_singular_point(m_form, ends_of_face(part.vertices, 15)[0]))
       m_found.singular_point = point_of(*found);
   }
 
