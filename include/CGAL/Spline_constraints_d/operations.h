@@ -45,6 +45,7 @@
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Function_shape.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Patch_shape.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/nearby_convex_function.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/parabolic_curves.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/patch_convexity.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>

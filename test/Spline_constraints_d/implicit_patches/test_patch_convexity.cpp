@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Simplex_function_3.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/nearby_convex_function.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/parabolic_curves.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/patch_convexity.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -340,6 +341,27 @@ TEST(patch_convexity, IsInvariant)
       expect_kind(Function(image, function.form()), kind);
     }
   }
+}
+
+// Of a cubic whose Gaussian curvature has the sign of x; of quadrics there is none.
+TEST(patch_convexity, ParabolicCurves)
+{
+  const K::Tetrahedron_3 around({-1, fraction(-3, 4), 0}, {1, fraction(-3, 4), 0}, {0, 1, 0}, {0, 0, fraction(3, 2)});
+  const Function function(around,
+                          z + x * x * x + Polynomial(fraction(1, 2)) * y * y - Polynomial(fraction(1, 4)) * x -
+                              Polynomial(fraction(1, 2)));
+  const SC::Curve_solution_set_d curves = SC::parabolic_curves(function);
+  EXPECT_TRUE(curves.is_complete()) << curves;
+  EXPECT_EQ(curves.number_of_open_curves(), 1u);
+  EXPECT_EQ(curves.curves().size(), 1u);
+  ASSERT_GE(curves.vertices().size(), 2u);
+  for (const auto& vertex : curves.vertices()) {
+    EXPECT_NEAR(vertex.point()[0], 0, 1e-12);
+    EXPECT_NEAR(vertex.point()[2], 0.5 - vertex.point()[1] * vertex.point()[1] / 2, 1e-12);
+  }
+  const SC::Curve_solution_set_d none = SC::parabolic_curves(on_standard(sphere));
+  EXPECT_TRUE(none.is_complete());
+  EXPECT_TRUE(none.curves().empty());
 }
 
 // Beyond the range of doubles.
