@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
+#include <CGAL/Spline_constraints_d/operations/common/Rational_motion_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/Surface_curve.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/Boundary_vertex_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/Convex_hull_2.h>
@@ -47,6 +48,9 @@
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/nearby_convex_function.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/parabolic_curves.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/patch_convexity.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/first_contacts_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection_point.h>

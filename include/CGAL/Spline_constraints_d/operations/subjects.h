@@ -24,6 +24,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
 - `distances`: closest points, distances of curves, surfaces and regions.
 - `implicit_patches`: zeros of polynomials in tetrahedra, and their shape.
+- `first_contacts`: when moving regions meet, and where.
 - `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
@@ -68,6 +69,10 @@ using namespace Regions;
 }
 namespace Implicit_patches {
 using namespace Common;
+namespace First_contacts {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
 }
 namespace Surface_regions {
 using namespace Common;
