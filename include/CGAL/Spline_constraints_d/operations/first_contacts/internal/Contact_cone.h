@@ -122,7 +122,9 @@ inline bool is_passage(const Contact_search& search, const Rational_motion_2& mo
 inline std::vector<Contact_candidate> without_passages(const Contact_search& search, const Rational_motion_2& motion,
                                                        std::vector<Contact_candidate> contacts)
 {
-  std::erase_if(contacts, [&](const Contact_candidate& c) { return c.is_proved() && is_passage(search, motion, c); });
+  std::erase_if(contacts, [&](const Contact_candidate& c) {
+    return c.is_proved() && c.is_alone && is_passage(search, motion, c);
+  });
   return contacts;
 }
 

@@ -39,6 +39,7 @@ struct Contact_candidate
   std::array<Parameter_range, 2> parameters;
   Parameter_range time;
   Solution_d<double> solution;
+  bool is_alone = true; // or else there may be others in the enclosure
 
   // Whether there is a contact.
   bool is_proved() const { return solution.kind() != Solution_kind::UNDECIDED; }

@@ -63,7 +63,8 @@ class Contact_timeline
     bool is_instant() const
     {
       return time.first == time.second ||
-          (candidates.size() == 1 && candidates.front().solution.kind() == Solution_kind::CERTIFIED);
+          (candidates.size() == 1 && candidates.front().is_alone &&
+           candidates.front().solution.kind() == Solution_kind::CERTIFIED);
     }
   };
 

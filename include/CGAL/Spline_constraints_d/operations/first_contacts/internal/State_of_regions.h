@@ -184,8 +184,8 @@ private:
   {
     const Exact_pair begin = a.at(ranges[0].first), end = a.at(ranges[0].second), other_begin = b.at(ranges[1].first),
                      other_end = b.at(ranges[1].second);
-    if (begin == end) // all of a boundary, from any of its points on
-      return std::nullopt;
+    if (begin == end) // all of both boundaries
+      return a.is_counterclockwise() == b.is_counterclockwise();
     if (begin == other_begin && end == other_end)
       return true;
     return begin == other_end && end == other_begin ? std::optional(false) : std::nullopt;

@@ -59,7 +59,10 @@ inline bool is_next_to_end(const Contact_candidate& c)
       c.solution.reason() == Undecided_reason::INEQUALITY;
 }
 
-// Each contact once: in vertices, where it is in one.
+/*
+Each contact once: in vertices, where it is in one. What is undecided in a box of the size of the tolerance, in which a
+contact is proved by other equations, is that contact; others in the box are not told apart from it.
+*/
 inline std::vector<Contact_candidate> distinct_contacts(const Contact_search& search,
                                                         std::vector<Contact_candidate> candidates)
 {
@@ -69,11 +72,18 @@ inline std::vector<Contact_candidate> distinct_contacts(const Contact_search& se
   });
   std::vector<Contact_candidate> result;
   for (Contact_candidate& candidate : candidates) {
-    const bool is_known = (candidate.is_proved() || is_next_to_end(candidate)) &&
-        std::any_of(result.begin(), result.end(),
-                    [&](const auto& known) { return known.is_proved() && may_be_the_same(search, known, candidate); });
-    if (!is_known)
+    const bool is_tiny = candidate.solution.reason() == Undecided_reason::TOLERANCE;
+    const auto known = std::find_if(result.begin(), result.end(), [&](const Contact_candidate& other) {
+      return (candidate.is_proved() || is_tiny || is_next_to_end(candidate)) && other.is_proved() &&
+          may_be_the_same(search, other, candidate);
+    });
+    if (known == result.end())
       result.push_back(std::move(candidate));
+    else if (is_tiny) {
+      known->is_alone = false;
+      known->time = {(std::min)(known->time.first, candidate.time.first),
+                     (std::max)(known->time.second, candidate.time.second)};
+    }
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return result;
