@@ -344,6 +344,16 @@ TEST(First_contacts_2, Block_slides_off_a_table)
   expect_states(events, {State::TOUCHING, State::APART}, "block");
   EXPECT_TRUE(encloses(events.events()[0].time, R(3, 5)));
   EXPECT_EQ(Kind::VERTICES, events.events()[0].contacts.at(0).kind);
+
+  // It comes down first, and is lifted at the end.
+  const Motion motion = Motion::along(SC::polyline_curve(std::vector<P>{{-1, 1}, {-1, 0}, {1, 0}, {1, 2}}));
+  const auto landing = SC::contact_events(block, motion, table);
+  expect_states(landing, {State::APART, State::TOUCHING, State::APART}, "landing block");
+  EXPECT_TRUE(encloses(landing.events().at(0).time, R(1)));
+  EXPECT_TRUE(encloses(landing.events().at(1).time, R(2)));
+  const auto first = SC::first_contact(block, motion, table);
+  expect_contact(first, R(1), "landing block");
+  EXPECT_EQ(2u, first.contacts().size());
 }
 
 // In a hole: it is no overlap, and the boundary of the hole is met.
@@ -403,6 +413,8 @@ TEST(First_contacts_2, Rigid_motions_of_the_scene)
     ASSERT_EQ(first.contacts().size(), same.contacts().size()) << what;
     EXPECT_EQ(first.contacts()[0].kind, same.contacts()[0].kind) << what;
     EXPECT_EQ(first.contacts()[0].places[0].curve, same.contacts()[0].places[0].curve) << what;
+    expect_states(SC::contact_events(blob, constant(map, motion.domain()) * motion, transformed(other, map)),
+                  {State::APART, State::OVERLAPPING, State::APART}, what);
     if (i % 5 == 0) {
       const Motion carrier = Motion::rotation(P(x, y), bezier({R(1), R(2)}), bezier({q, R(1)}));
       const auto relative = SC::first_contact(blob, carrier.inverse() * (carrier * motion), other);

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -32,7 +33,8 @@ namespace First_contacts {
 
 /*
 Finds the solutions of the equations of contact, one part of the time after the other. A part is halved as long as many
-pairs of elements have boxes that meet in it: where regions are far from each other, nothing is solved.
+pairs of elements have boxes that meet in it: where regions are far from each other, nothing is solved. Knots of the
+motion are ends of parts.
 */
 class Contact_search
 {
@@ -63,19 +65,32 @@ public:
 
   void operator()(const Visitor& visitor)
   {
-    const auto domain = m_motion.domain();
     if (m_solve.has_ended()) {
-      m_stop = domain.first;
+      m_stop = m_motion.domain().first;
       return;
     }
     Pairs all;
     for (std::size_t i = 0; i < m_moving.size(); ++i)
       for (std::size_t k = 0; k < m_fixed.size(); ++k)
         all.push_back({i, k});
-    search({domain.first, domain.second}, all, 0, visitor);
+    const std::vector<Exact_rational> breaks = breaks_of_motion();
+    const int depth = static_cast<int>(std::bit_width(breaks.size() - 1)) - 1;
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+      if (!search({breaks[i - 1], breaks[i]}, all, depth, visitor))
+        return;
   }
 
 private:
+  // Where the motion is no polynomial one, so that what is true all the time within a part is an identity.
+  std::vector<Exact_rational> breaks_of_motion() const
+  {
+    std::vector<Exact_rational> result = m_motion.weight().breaks(0);
+    for (const auto& column : m_motion.columns())
+      for (const auto& f : column)
+        result = internal::united(result, f.breaks(0));
+    return result;
+  }
+
   bool search(const Parameter_range& time, const Pairs& pairs, int depth, const Visitor& visitor)
   {
     constexpr int least_depth = 3, greatest_depth = 8;

@@ -85,27 +85,28 @@ public:
   const std::vector<Contact_event_2>& events() const { return m_events; }
   const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
-  // All distinct contacts at which the state may change, or those before the search was stopped, in the order of time.
+  // All distinct contacts at which the state may change, in the order of time.
   void add(const std::vector<Contact_candidate>& candidates)
   {
     const auto [begin, end] = m_regions.motion.domain();
     const std::vector<Group> groups = groups_of(candidates);
     Contact_state before = m_state_at_begin = known_state_at(begin);
     Exact_rational time_before = begin;
-    for (std::size_t i = 0; i < groups.size() && !m_solve.has_ended(); ++i) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
       const Exact_rational& next = i + 1 < groups.size() ? groups[i + 1].time.first : end;
       const Exact_rational time_after =
           groups[i].time.second < next ? short_number_between(groups[i].time.second, next) : end;
       const Contact_state after = known_state_at(time_after);
+      if (m_solve.has_ended())
+        break;
       add_group(groups[i], before, after, {time_before, time_after});
       before = after;
       time_before = time_after;
     }
-    if (m_search.stop() || m_solve.has_ended())
-      m_undecided.push_back(
-          undecided_time({m_search.stop() ? *m_search.stop() : time_before, end}, in_words(m_solve.reason())));
-    else
+    if (!m_solve.has_ended())
       m_state_at_end = known_state_at(end);
+    if (m_solve.has_ended())
+      m_undecided.push_back(undecided_time({time_before, end}, in_words(m_solve.reason())));
   }
 
 private:
@@ -137,8 +138,10 @@ private:
   // `around`: a time before it and one after it, with these states.
   void add_group(const Group& group, Contact_state before, Contact_state after, const Parameter_range& around)
   {
-    if (before == Contact_state::UNDECIDED || after == Contact_state::UNDECIDED)
+    if (before == Contact_state::UNDECIDED || after == Contact_state::UNDECIDED) {
+      m_undecided.push_back(undecided_time(group.time, state_not_decided));
       return;
+    }
     const bool do_graze = before == Contact_state::APART && after == Contact_state::APART &&
         std::ranges::any_of(group.candidates, [](const Contact_candidate& c) { return c.is_proved(); });
     if (before != after || do_graze)
