@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/first_contacts/first_contacts_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
+#include <CGAL/Polygon_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
@@ -558,6 +559,80 @@ TEST(First_contacts_2, Polygons)
   EXPECT_GT(hits, 8);
   EXPECT_GT(misses, 4);
   EXPECT_EQ(0, grazing);
+}
+
+// Polygons with small integers as corners, most of which move in such directions: vertices meet, edges have parts in
+// common and slide on each other. The states are those of exact intersections of edges.
+TEST(First_contacts_2, Polygons_on_a_grid)
+{
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> coordinate(-3, 3), place(-5, 5), choice(0, 3);
+  const std::vector<P> angle{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
+      fork{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const auto shape = [&]() -> std::vector<P> {
+    if (const int kind = choice(random); kind < 2)
+      return kind == 0 ? angle : fork;
+    std::vector<P> corners;
+    do {
+      corners.clear();
+      for (int i = 0; i < 3; ++i)
+        corners.emplace_back(coordinate(random), coordinate(random));
+    } while (CGAL::collinear(corners[0], corners[1], corners[2]));
+    return corners;
+  };
+  const auto do_meet = [](const std::vector<P>& a, const std::vector<P>& b) {
+    const CGAL::Polygon_2<K> p(a.begin(), a.end()), q(b.begin(), b.end());
+    for (auto e = p.edges_begin(); e != p.edges_end(); ++e)
+      if (std::any_of(q.edges_begin(), q.edges_end(), [&](const auto& f) { return CGAL::do_intersect(*e, f); }))
+        return true;
+    return p.bounded_side(b[0]) == CGAL::ON_BOUNDED_SIDE || q.bounded_side(a[0]) == CGAL::ON_BOUNDED_SIDE;
+  };
+  int touching = 0, grazing = 0, changes = 0;
+  for (int i = 0; i < 120; ++i) {
+    const std::vector<P> a = shape(), b = shape();
+    const P from(place(random), place(random));
+    const P to(place(random), choice(random) == 0 ? from.y() : R(place(random)));
+    const Motion motion = choice(random) == 0 ? line(from, to) * quarter_turn(P(0, 0)) : line(from, to);
+    const std::string what = "scene " + std::to_string(i);
+    const auto events = SC::contact_events(polygon(a), motion, polygon(b));
+    const auto contact = SC::first_contact(polygon(a), motion, polygon(b));
+    EXPECT_TRUE(contact.is_complete()) << what;
+    EXPECT_NE(State::UNDECIDED, events.state_at_begin()) << what;
+    EXPECT_NE(State::UNDECIDED, events.state_at_end()) << what;
+    std::vector<R> times;
+    for (int k = 0; k <= 30; ++k)
+      times.push_back(R(k) / 30);
+    touching += events.state_at_begin() == State::TOUCHING;
+    for (const SC::Contact_event_2& event : events.events()) {
+      touching += event.after == State::TOUCHING;
+      grazing += event.before == event.after;
+      changes += event.before != event.after;
+      times.push_back((std::max)(R(0), R(event.time.first - R(1e-9))));
+      times.push_back((std::min)(R(1), R(event.time.second + R(1e-9))));
+    }
+    for (const R& time : times) {
+      std::vector<P> moved;
+      for (const P& corner : a)
+        moved.push_back(motion(time).transform(corner));
+      const bool meet = do_meet(moved, b);
+      if (meet) {
+        EXPECT_TRUE(contact.time_range() && contact.time_range()->first <= time) << what;
+      }
+      State state = events.state_at_begin();
+      bool is_in_event = false;
+      for (const SC::Contact_event_2& event : events.events()) {
+        is_in_event = is_in_event || encloses(event.time, time);
+        if (event.time.second < time)
+          state = event.after;
+      }
+      if (!is_in_event) {
+        EXPECT_EQ(meet, state != State::APART) << what << ' ' << CGAL::to_double(time);
+      }
+    }
+  }
+  EXPECT_GT(touching, 10);
+  EXPECT_GT(grazing, 0);
+  EXPECT_GT(changes, 60);
 }
 
 TEST(First_contacts_2, Bad_input)

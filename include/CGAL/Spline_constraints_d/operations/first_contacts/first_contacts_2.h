@@ -95,7 +95,8 @@ First_contact_2 first_contact(const Planar_region_2<Kernel>& moving, const Ratio
 
 all times at which a moving region begins or ceases to meet one that does not move, in order, with how they lie to each
 other between them. Solutions of all equations are found as by `first_contact()`; between two of these times nothing
-changes, and one exact test decides.
+changes, and one exact test decides. That regions which overlap before and after only touch for a single time is no
+event.
 
 \param moving,motion,fixed,options as of `first_contact()`.
 \throws Invalid_input when an option makes no sense.

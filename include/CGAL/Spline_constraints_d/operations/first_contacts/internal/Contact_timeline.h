@@ -161,7 +161,7 @@ private:
     const Exact_rational begin =
         before < time.first ? short_number_between(close_to(time, before), time.first) : time.first;
     const auto moving = moved(m_regions.moving, m_regions.motion, begin);
-    const State_of_regions state(moving, m_regions.fixed, m_solve);
+    State_of_regions state(moving, m_regions.fixed, m_solve);
     const auto back = m_regions.motion(begin).inverse();
     for (const Exact_pair& p : state.inner_points(0)) {
       const auto own = back.transform(Rational_motion_2::Kernel::Point_2(p[0], p[1]));

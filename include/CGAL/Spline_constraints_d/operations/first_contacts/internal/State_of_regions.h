@@ -80,53 +80,58 @@ public:
   State_of_regions(const std::vector<Boundary_loop_2>& a, const std::vector<Boundary_loop_2>& b, Budgeted_solver& solve)
     : m_regions{&a, &b}, m_solve(solve)
   {
-    for (const std::size_t k : {0, 1}) {
-      m_common[k].resize(m_regions[k]->size());
+    for (const std::size_t k : {0, 1})
       for (const Boundary_loop_2& loop : *m_regions[k])
         for (const Boundary_piece& piece : loop.pieces())
           m_boxes[k] = united_box(std::move(m_boxes[k]), piece.box());
-    }
   }
 
   Contact_state operator()()
   {
     if (overlap_at_first_points())
       return Contact_state::OVERLAPPING;
-    bool is_decided = !m_solve.has_ended(), do_touch = false;
-    for (std::size_t i = 0; i < m_regions[0]->size(); ++i)
-      for (std::size_t k = 0; k < m_regions[1]->size(); ++k) {
-        if (m_solve.has_ended())
-          return Contact_state::UNDECIDED;
-        const Boundary_loop_2 &a = (*m_regions[0])[i], &b = (*m_regions[1])[k];
-        if (!have_meeting_boxes(a, b))
-          continue;
-        const Spline_patch<2> first(a.curve()), second(b.curve());
-        for (const Common_point& point : common_points<2>(Patch_pair<2>(first, second), m_solve)) {
-          const std::optional<bool> do_overlap = overlap_at(point, a, b);
-          if (do_overlap && *do_overlap)
-            return Contact_state::OVERLAPPING;
-          is_decided = is_decided && do_overlap;
-          do_touch = do_touch || point.kind != Intersection_kind::UNDECIDED;
-          m_common[0][i].push_back(point.parameters[0]);
-          m_common[1][k].push_back(point.parameters[1]);
-        }
-      }
-    if (m_solve.has_ended())
-      return Contact_state::UNDECIDED;
-    if (do_touch && overlap_between_common_points())
+    bool is_decided = true, do_touch = false;
+    const bool do_cross = is_any_common_point([&](const Common_point& point, const auto& a, const auto& b) {
+      const std::optional<bool> do_overlap = overlap_at(point, a, b);
+      is_decided = is_decided && do_overlap;
+      do_touch = do_touch || point.kind != Intersection_kind::UNDECIDED;
+      return do_overlap && *do_overlap;
+    });
+    if (do_cross)
       return Contact_state::OVERLAPPING;
-    return !is_decided ? Contact_state::UNDECIDED : do_touch ? Contact_state::TOUCHING : Contact_state::APART;
+    for (const std::size_t k : {0, 1})
+      for (const Exact_pair& point : points_between_common_points(k))
+        if (is_inside(point, 1 - k))
+          return Contact_state::OVERLAPPING;
+    if (m_solve.has_ended() || !is_decided)
+      return Contact_state::UNDECIDED;
+    return do_touch ? Contact_state::TOUCHING : Contact_state::APART;
   }
 
-  // The ends and middles of pieces of a region that are inside of the other one.
-  std::vector<Exact_pair> inner_points(std::size_t region) const
+  // Some points of a region, on its boundary or within, that are inside of the other one.
+  std::vector<Exact_pair> inner_points(std::size_t region)
   {
-    std::vector<Exact_pair> result;
+    constexpr std::size_t enough = 8, tries = 64;
+    std::vector<Exact_pair> candidates, result;
     for (const Boundary_loop_2& loop : *m_regions[region])
       for (const Boundary_piece& piece : loop.pieces())
         for (const Exact_rational& t : {Exact_rational(0), Exact_rational(Exact_rational(1) / 2)})
-          if (const Exact_pair point = piece.at(t); !m_solve.has_ended() && is_inside(point, 1 - region))
-            result.push_back(point);
+          if (candidates.size() < tries)
+            candidates.push_back(piece.at(t));
+    const std::size_t number_on_boundary = candidates.size();
+    for (std::size_t i = 0; i < number_on_boundary; ++i)
+      for (std::size_t k = 0; k < i && candidates.size() < 2 * tries; ++k)
+        candidates.push_back({Exact_rational((candidates[i][0] + candidates[k][0]) / 2),
+                              Exact_rational((candidates[i][1] + candidates[k][1]) / 2)});
+    for (std::size_t i = 0; i < candidates.size() && result.size() < enough && !m_solve.has_ended(); ++i)
+      if (is_inside(candidates[i], 1 - region) && (i < number_on_boundary || is_inside(candidates[i], region)))
+        result.push_back(candidates[i]);
+    if (!result.empty())
+      return result;
+    is_any_common_point([](const auto&...) { return false; });
+    for (const Exact_pair& point : points_between_common_points(region))
+      if (is_inside(point, 1 - region))
+        result.push_back(point);
     return result;
   }
 
@@ -167,15 +172,20 @@ private:
     return true;
   }
 
-  // Whether the regions overlap next to a common point or part; nothing, where that is not decided.
+  // Whether the regions overlap next to a common point or part for certain, or what is between common points tells;
+  // nothing, where that is not decided.
   static std::optional<bool> overlap_at(const Common_point& point, const Boundary_loop_2& a, const Boundary_loop_2& b)
   {
     if (point.kind == Intersection_kind::OVERLAP)
       return run_through_alike(point.parameters, a, b);
-    if (point.passage)
-      return *point.passage == Passage::TOUCHES_OR_CROSSES ? std::nullopt
-                                                           : std::optional(*point.passage == Passage::CROSSES);
-    return point.kind == Intersection_kind::TRANSVERSAL ? std::optional(true) : std::nullopt;
+    if (point.passage && *point.passage != Passage::TOUCHES_OR_CROSSES)
+      return *point.passage == Passage::CROSSES;
+    if (!point.passage && point.kind == Intersection_kind::TRANSVERSAL)
+      return true;
+    const bool is_one_point = (point.solution && point.solution->is_certified()) ||
+        (point.kind != Intersection_kind::UNDECIDED &&
+         std::ranges::all_of(point.parameters, [](const auto& range) { return range.first == range.second; }));
+    return is_one_point ? std::optional(false) : std::nullopt;
   }
 
   // Whether boundaries run through a common part in the same direction, by its ends.
@@ -191,23 +201,48 @@ private:
     return begin == other_end && end == other_begin ? std::optional(false) : std::nullopt;
   }
 
-  // Whether a point of a boundary that is between common points is inside of the other region.
-  bool overlap_between_common_points()
+  // Whether a function is true of a common point of two boundaries; it is asked of no more then. The points are kept.
+  template <class Function>
+  bool is_any_common_point(const Function& function)
   {
-    for (const std::size_t k : {0, 1})
-      for (std::size_t i = 0; i < m_regions[k]->size(); ++i) {
-        const Boundary_loop_2& loop = (*m_regions[k])[i];
-        Exact_rational last(0);
-        const Exact_rational end(static_cast<unsigned long>(loop.pieces().size()));
-        m_common[k][i].emplace_back(end, end);
-        std::sort(m_common[k][i].begin(), m_common[k][i].end());
-        for (const auto& [first, second] : m_common[k][i]) {
-          if (last < first && is_inside(loop.at(Exact_rational((last + first) / 2)), 1 - k))
+    for (std::size_t k : {0, 1})
+      m_common[k].assign(m_regions[k]->size(), {});
+    for (std::size_t i = 0; i < m_regions[0]->size(); ++i)
+      for (std::size_t k = 0; k < m_regions[1]->size(); ++k) {
+        const Boundary_loop_2 &a = (*m_regions[0])[i], &b = (*m_regions[1])[k];
+        if (m_solve.has_ended() || !have_meeting_boxes(a, b))
+          continue;
+        const Spline_patch<2> first(a.curve()), second(b.curve());
+        for (const Common_point& point : common_points<2>(Patch_pair<2>(first, second), m_solve)) {
+          m_common[0][i].push_back(point.parameters[0]);
+          m_common[1][k].push_back(point.parameters[1]);
+          if (function(point, a, b))
             return true;
-          last = (std::max)(last, second);
         }
       }
     return false;
+  }
+
+  // Points of boundaries of a region, one between each two common points; none of a boundary without common points.
+  std::vector<Exact_pair> points_between_common_points(std::size_t region) const
+  {
+    std::vector<Exact_pair> result;
+    for (std::size_t i = 0; i < m_regions[region]->size(); ++i) {
+      const Boundary_loop_2& loop = (*m_regions[region])[i];
+      std::vector<Parameter_range> ranges = m_common[region][i];
+      if (ranges.empty())
+        continue;
+      const Exact_rational end(static_cast<unsigned long>(loop.pieces().size()));
+      ranges.emplace_back(end, end);
+      std::sort(ranges.begin(), ranges.end());
+      Exact_rational last(0);
+      for (const auto& [first, second] : ranges) {
+        if (last < first)
+          result.push_back(loop.at(Exact_rational((last + first) / 2)));
+        last = (std::max)(last, second);
+      }
+    }
+    return result;
   }
 };
 
