@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_cone.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -51,6 +52,7 @@ struct Boundary_element
   Spline_map<1, 3> map;
   std::array<Interval, 2> box;
   std::vector<std::array<Interval, 2>> boxes_of_parts;
+  Contact_cone cone_in_vertex, cone_on_piece; // of all points of the piece
 };
 
 // Whether all control points are on the line through both ends.
@@ -61,11 +63,6 @@ inline bool is_straight(const Boundary_piece& piece)
                    normal{Exact_rational(a[1] - b[1]), Exact_rational(b[0] - a[0])};
   const Exact_tensor distance = x * normal[0] + y * normal[1] - w * exact_dot(normal, a);
   return a != b && std::ranges::all_of(distance.coefficients(), [](const Exact_rational& c) { return c == 0; });
-}
-
-inline Exact_pair tangent_at_end(const Boundary_piece& piece, bool end)
-{
-  return Homogeneous_piece{{Exact_rational(0), Exact_rational(1)}, piece.coordinates}.tangent_at(end);
 }
 
 inline std::array<Interval, 2> interval_box_of(const Boundary_piece& piece)
@@ -99,9 +96,19 @@ inline std::vector<Boundary_element> elements_of(const std::vector<Boundary_loop
       const Boundary_piece &piece = loop.pieces()[i], &before = loop.pieces()[(i + n - 1) % n];
       std::vector<std::array<Interval, 2>> boxes;
       append_boxes_of_parts(piece, 3, boxes);
-      result.push_back({&piece, first + (i + n - 1) % n, first + (i + 1) % n, piece.at(Exact_rational(0)),
-                        !are_codirectional(tangent_at_end(before, true), tangent_at_end(piece, false)),
-                        is_straight(piece), map_of_piece(piece), interval_box_of(piece), std::move(boxes)});
+      const Exact_pair on = tangent_at_end(piece, false), from = tangent_at_end(before, true);
+      const bool has_corner = !are_codirectional(from, on);
+      result.push_back({&piece,
+                        first + (i + n - 1) % n,
+                        first + (i + 1) % n,
+                        piece.at(Exact_rational(0)),
+                        has_corner,
+                        is_straight(piece),
+                        map_of_piece(piece),
+                        interval_box_of(piece),
+                        std::move(boxes),
+                        {bounds_of(on), opposite(bounds_of(from)), !has_corner},
+                        cone_on_piece(piece, {Exact_rational(0), Exact_rational(1)})});
     }
   }
   return result;

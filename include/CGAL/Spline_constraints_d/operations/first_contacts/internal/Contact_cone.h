@@ -9,17 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_CONTACT_CONE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_CONTACT_CONE_H
 
-#include <CGAL/Spline_constraints_d/operations/common/Rational_motion_2.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
-#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_search.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -61,6 +57,11 @@ inline Vector_bounds<2> opposite(const Vector_bounds<2>& v)
           Rational_interval(Exact_rational(-v[1].upper), Exact_rational(-v[1].lower))};
 }
 
+inline Exact_pair tangent_at_end(const Boundary_piece& piece, bool end)
+{
+  return Homogeneous_piece{{Exact_rational(0), Exact_rational(1)}, piece.coordinates}.tangent_at(end);
+}
+
 // Of the derivative of a piece in a range of its parameter, up to a positive factor.
 inline Vector_bounds<2> bounds_of_tangent(const Boundary_piece& piece, const Parameter_range& range)
 {
@@ -74,58 +75,36 @@ inline Vector_bounds<2> bounds_of_tangent(const Boundary_piece& piece, const Par
   return {bounds(x), bounds(y)};
 }
 
-// In the plane of the region; nothing where the contact may be in a corner, but is not known to be.
-inline std::optional<Contact_cone> cone_of(const Contact_search& search, const Contact_candidate& contact,
-                                           std::size_t region)
+// In the points of a part of a piece.
+inline Contact_cone cone_on_piece(const Boundary_piece& piece, const Parameter_range& range)
 {
-  const Boundary_element& element = search.element(region, contact.elements[region]);
-  if (contact.is_at_vertex[region]) {
-    const Boundary_element& before = search.element(region, element.previous);
-    return Contact_cone{bounds_of(tangent_at_end(*element.piece, false)),
-                        opposite(bounds_of(tangent_at_end(*before.piece, true))), !element.has_corner};
-  }
-  const Parameter_range& range = contact.parameters[region];
-  if ((range.first <= 0 && element.has_corner) ||
-      (range.second >= 1 && search.element(region, element.next).has_corner))
-    return std::nullopt;
-  const Vector_bounds<2> tangent = bounds_of_tangent(*element.piece, range);
-  return Contact_cone{tangent, opposite(tangent), true};
+  const Vector_bounds<2> tangent = bounds_of_tangent(piece, range);
+  return {tangent, opposite(tangent), true};
 }
 
-// The image of a cone in a part of the time.
-inline Contact_cone moved(const Contact_cone& cone, const Rational_motion_2& motion, const Parameter_range& time)
+// Bounds of a linear map, by its columns.
+using Linear_bounds = std::array<std::array<Rational_interval, 2>, 2>;
+
+// The image of a cone.
+inline Contact_cone moved(const Contact_cone& cone, const Linear_bounds& columns, bool keeps_orientation)
 {
-  std::array<std::array<Rational_interval, 2>, 2> columns;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      columns[k][i] = Rational_interval(part_of(motion.columns()[k][i], 0, time).bounds());
   const auto image = [&](const Vector_bounds<2>& v) {
     return Vector_bounds<2>{columns[0][0] * v[0] + columns[1][0] * v[1], columns[0][1] * v[0] + columns[1][1] * v[1]};
   };
-  return motion.keeps_orientation() ? Contact_cone{image(cone.on), image(cone.back), cone.is_half_plane}
-                                    : Contact_cone{image(cone.back), image(cone.on), cone.is_half_plane};
+  return keeps_orientation ? Contact_cone{image(cone.on), image(cone.back), cone.is_half_plane}
+                           : Contact_cone{image(cone.back), image(cone.on), cone.is_half_plane};
 }
 
-// Whether a boundary goes on into the other region, so that the regions overlap at that time.
-inline bool is_passage(const Contact_search& search, const Rational_motion_2& motion, const Contact_candidate& contact)
+// Whether one boundary goes on into the other region, so that the regions overlap.
+inline bool pass_each_other(const Contact_cone& a, const Contact_cone& b)
 {
-  const auto own = cone_of(search, contact, 0), fixed = cone_of(search, contact, 1);
-  if (!own || !fixed)
-    return false;
-  const Contact_cone moving = moved(*own, motion, contact.time);
-  return fixed->contains(moving.on) || fixed->contains(moving.back) || moving.contains(fixed->on) ||
-      moving.contains(fixed->back);
+  return a.contains(b.on) || a.contains(b.back) || b.contains(a.on) || b.contains(a.back);
 }
 
-// Without the contacts at which the regions overlap: the state does not change there, since they do so a little before
-// and after, too.
-inline std::vector<Contact_candidate> without_passages(const Contact_search& search, const Rational_motion_2& motion,
-                                                       std::vector<Contact_candidate> contacts)
+// Whether smooth boundaries cannot touch from outside: their tangents are never parallel, or have the same direction.
+inline bool are_never_opposite(const Contact_cone& a, const Contact_cone& b)
 {
-  std::erase_if(contacts, [&](const Contact_candidate& c) {
-    return c.is_proved() && c.is_alone && is_passage(search, motion, c);
-  });
-  return contacts;
+  return !has_zero(cross_product(a.on, b.on)) || (a.on[0] * b.on[0] + a.on[1] * b.on[1]).lower > 0;
 }
 
 } // namespace First_contacts

@@ -56,6 +56,7 @@ class Motion_part
   Function m_weight;
   std::array<Spline_map<1, 2>, 2> m_axes; // the columns of M
   Spline_map<1, 3> m_path;                // c and w
+  Linear_bounds m_linear_bounds;
 
 public:
   Motion_part(const Rational_motion_2& motion, const Parameter_range& time)
@@ -69,12 +70,17 @@ public:
       for (std::size_t i = 0; i < 2; ++i) {
         // The control points of the weight may have both signs, though it has not.
         const Rational_interval values(m_columns[k][i].bounds());
+        if (k < 2)
+          m_linear_bounds[k][i] = values;
         const Rational_interval entry = weights.lower > 0 ? values / weights : Rational_interval();
         m_entries[k][i] = weights.lower > 0 ? interval_of({entry.lower, entry.upper}) : any_number();
       }
   }
 
   const Parameter_range& time() const { return m_time; }
+
+  // Of w M.
+  const Linear_bounds& linear_bounds() const { return m_linear_bounds; }
 
   // A box around the images of the points of a box; with upward rounding.
   std::array<Interval, 2> image(const std::array<Interval, 2>& box) const
@@ -149,20 +155,10 @@ public:
     : m_moving(moving), m_fixed(fixed), m_motion(motion), m_keeps_orientation(keeps_orientation)
   {}
 
-  // Whether there is nothing to solve. The ends of straight pieces that touch along a line are vertices of others; and
-  // where a vertex moves along a line, what changes does so where it is at an end, or where another solution is.
+  // Whether there is nothing to solve.
   bool are_void(const std::array<bool, 2>& is_at_vertex) const
   {
-    const auto [is_moving_vertex, is_fixed_vertex] = is_at_vertex;
-    if (!is_moving_vertex && !is_fixed_vertex)
-      return m_moving.is_straight && m_fixed.is_straight;
-    if (is_moving_vertex && !is_fixed_vertex)
-      return m_fixed.is_straight &&
-          m_motion.keeps_on_line(m_moving.vertex, m_fixed.vertex, m_fixed.piece->at(Exact_rational(1)));
-    if (!is_moving_vertex)
-      return m_moving.is_straight &&
-          m_motion.keeps_line_through(m_fixed.vertex, m_moving.vertex, m_moving.piece->at(Exact_rational(1)));
-    return false;
+    return are_identities(is_at_vertex) || hold_in_overlap(is_at_vertex);
   }
 
   // The unknowns are the parameters of those that are no vertices, and the time.
@@ -183,6 +179,32 @@ public:
   }
 
 private:
+  // The ends of straight pieces that touch along a line are vertices of others; and where a vertex moves along a line,
+  // what changes does so where it is at an end, or where another solution is.
+  bool are_identities(const std::array<bool, 2>& is_at_vertex) const
+  {
+    const auto [is_moving_vertex, is_fixed_vertex] = is_at_vertex;
+    if (!is_moving_vertex && !is_fixed_vertex)
+      return m_moving.is_straight && m_fixed.is_straight;
+    if (is_moving_vertex && !is_fixed_vertex)
+      return m_fixed.is_straight &&
+          m_motion.keeps_on_line(m_moving.vertex, m_fixed.vertex, m_fixed.piece->at(Exact_rational(1)));
+    if (!is_moving_vertex)
+      return m_moving.is_straight &&
+          m_motion.keeps_line_through(m_fixed.vertex, m_moving.vertex, m_moving.piece->at(Exact_rational(1)));
+    return false;
+  }
+
+  // Whether regions overlap in all solutions, or there is none. In the ends of pieces that may be corners, which have
+  // solutions of their own.
+  bool hold_in_overlap(const std::array<bool, 2>& is_at_vertex) const
+  {
+    const Contact_cone a = moved(is_at_vertex[0] ? m_moving.cone_in_vertex : m_moving.cone_on_piece,
+                                 m_motion.linear_bounds(), m_keeps_orientation),
+                       &b = is_at_vertex[1] ? m_fixed.cone_in_vertex : m_fixed.cone_on_piece;
+    return is_at_vertex[0] || is_at_vertex[1] ? pass_each_other(a, b) : are_never_opposite(a, b);
+  }
+
   std::vector<Parameter_range> domain(const std::array<bool, 2>& is_at_vertex) const
   {
     std::vector<Parameter_range> result;

@@ -88,7 +88,7 @@ public:
 
   Contact_state operator()()
   {
-    if (overlap_at_first_points())
+    if (overlap_at_some_points())
       return Contact_state::OVERLAPPING;
     bool is_decided = true, do_touch = false;
     const bool do_cross = is_any_common_point([&](const Common_point& point, const auto& a, const auto& b) {
@@ -145,13 +145,16 @@ private:
     return bounded_side(*m_regions[region], point) == CGAL::ON_BOUNDED_SIDE;
   }
 
-  // Where boundaries do not meet, one point tells on which side of the other ones each is.
-  bool overlap_at_first_points() const
+  // Where boundaries do not meet, the first point tells on which side of the other ones each is. Some more find most
+  // overlaps without the common points.
+  bool overlap_at_some_points() const
   {
+    constexpr std::size_t enough = 16;
     for (const std::size_t k : {0, 1})
       for (const Boundary_loop_2& loop : *m_regions[k])
-        if (!m_solve.has_ended() && is_inside(loop.source(), 1 - k))
-          return true;
+        for (std::size_t i = 0; i < loop.pieces().size(); i += 1 + loop.pieces().size() / enough)
+          if (!m_solve.has_ended() && is_inside(loop.pieces()[i].at(Exact_rational(0)), 1 - k))
+            return true;
     return false;
   }
 

@@ -11,12 +11,12 @@
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_2.h>
-#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_cone.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_search.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_timeline.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/State_of_regions.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/contact_finders.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/distinct_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/passages.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
