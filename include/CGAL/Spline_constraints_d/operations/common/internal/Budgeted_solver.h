@@ -83,7 +83,10 @@ public:
   {
     Summary more = limited.total();
     more.nodes -= total().nodes;
+    more.restarts -= total().restarts;
     more.seconds -= total().seconds;
+    more.setup_seconds -= total().setup_seconds;
+    more.rebuild_seconds -= total().rebuild_seconds;
     m_budget.add(more);
   }
 
