@@ -69,6 +69,7 @@ using namespace Regions;
 }
 namespace Implicit_patches {
 using namespace Common;
+}
 namespace First_contacts {
 using namespace Common;
 using namespace Intersections;
