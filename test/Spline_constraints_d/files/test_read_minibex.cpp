@@ -170,6 +170,71 @@ TEST(Read_minibex, declarations)
             Exact_rational(4));
 }
 
+TEST(Read_minibex, numbers_without_brackets)
+{
+  const Minibex_system system =
+      read("Constants a in 0.5; b[2] in (1, [2,2]); c[3] = 4; Variables x in -a; y[2] in (b(2); [0,c(3)]); "
+           "Constraints x + a*y(1) = b[0]; end");
+  EXPECT_EQ(system.domains[0], std::pair(ratio(-1, 2), ratio(-1, 2)));
+  EXPECT_EQ(system.domains[1], std::pair(Exact_rational(2), Exact_rational(2)));
+  EXPECT_EQ(system.domains[2].second, Exact_rational(4));
+  EXPECT_EQ(system.constraints[0].function, unknown(0) + unknown(1) / 2 - 1);
+}
+
+TEST(Read_minibex, loops_and_sums)
+{
+  const Minibex_system system =
+      read("constants c[3] = (1; 1/2; 1/3); variables v[3] in [0,1]; constraints\n"
+           "for i = 1:2;\n v(i+1) = i*v(i);\n for k = i:2; v(k) <= v[k] + i end end\n"
+           "sum(i = 1:3, c(i)*sum(k = 1:i, v(k)^i)) = 0;\nfor i = -1:-1; v(i+2) = i; end; end");
+  const Power_polynomial a = unknown(0), b = unknown(1), c = unknown(2);
+  const std::vector<Power_polynomial> expected{
+      b - a,     a - b - 1, b - c - 1,
+      c - 2 * b, b - c - 2, a + (a * a + b * b) / 2 + (pow(a, 3) + pow(b, 3) + pow(c, 3)) / 3,
+      a + 1};
+  ASSERT_EQ(system.constraints.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_EQ(system.constraints[i].function, expected[i]) << i;
+  EXPECT_EQ(system.constraints[4].line, 4);
+  expect_expression_error("for i = 2:1; z(i) = 0; end", 9, "2", "an empty range");
+  expect_expression_error("for x = 1:2; z(x) = 0; end", 5, "x", "declared already");
+  expect_expression_error("for i = 1:4; z(i) = 0; end", 16, "i", "index");
+  expect_error(with_constraints("for i = 1:2; z(i) = 0;"), {6, 1, ""}, "expected a number");
+  expect_expression_error("for i = 1:2; z(i) = 0; end i = 0;", 28, "i", "unknown name");
+  expect_expression_error("sum(i = 1:x, z(i)) = 0;", 11, "x", "end of the range");
+  expect_expression_error("sum(i = 1:3, z(i) = 0;", 19, "=", "expected ')'");
+}
+
+TEST(Read_minibex, functions_and_extremes)
+{
+  const std::string functions = "Function f(x, w[3]) s = x^2 + w(1); t = s + c; return t*w[1] end\n"
+                                "FUNCTION g(x, w[3]) return f(x, w) - f(1, w); END;\n",
+                    variables = "Variables x in [0,1]; z[3] in [0,1];\n",
+                    constraints = "Constraints g(2*x, z) = max(min(3, 1/2), c/28, -1); end";
+  for (const std::string& content : {"Constants c = 7; " + functions + variables + constraints,
+                                     "Constants c = 7; " + variables + functions + constraints})
+    EXPECT_EQ(read(content).constraints.at(0).function, (4 * unknown(0) * unknown(0) - 1) * unknown(2) - ratio(1, 2));
+
+  const auto expect_error_of_function = [](const std::string& function, const std::string& call, int column,
+                                           const std::string& text, const std::string& part) {
+    expect_error("Variables x in [0,1]; z[3] in [0,1]; " + function + "\nConstraints " + call + " = 0; end",
+                 {column < 38 ? 2 : 1, column, text}, part);
+  };
+  expect_error_of_function("Function f(a) return a*x end", "f(x)", 61, "x", "unknown name");
+  expect_error_of_function("Function f(a) return f(a) end", "f(x)", 59, "f", "not defined before");
+  expect_error_of_function("Function f(a) a = 1; return a end", "f(x)", 52, "a", "declared already");
+  expect_error_of_function("Function f(a, a) return a end", "f(x)", 52, "a", "declared already");
+  expect_error_of_function("Function f(a) a*2 end", "f(x)", 56, "end", "expected 'return'");
+  expect_error_of_function("Function f(a) return a", "f(x)", 1, "Constraints", "expected the end of function 'f'");
+  expect_error_of_function("Function f(a, b) return a end", "f(x)", 16, ")", "too few arguments");
+  expect_error_of_function("Function f(a) return a end", "f(x, x)", 16, ",", "too many arguments");
+  expect_error_of_function("Function f(a[2]) return a(1) end", "f(z)", 15, "z", "an array of size 2");
+  expect_error_of_function("Function f(a) return a end", "f(z)", 16, ")", "needs an index");
+  expect_error_of_function("Function f(a) return 1/a end", "f(x)", 60, "/", "not a constant");
+  expect_expression_error("min(x, 1) = 0;", 1, "min", "'min' of unknowns");
+  expect_expression_error("max() = 0;", 5, ")", "expected a number");
+}
+
 TEST(Read_minibex, line_ends_and_blanks)
 {
   for (const std::string& end_of_line : std::vector<std::string>{"\n", "\r\n", "\r"}) {
@@ -192,7 +257,7 @@ TEST(Read_minibex, errors_of_structure)
   expect_error("Variables x in [0,1]; Constraints end", {1, 35, "end"}, "expected a constraint");
   expect_error("Variables x in [0,1]; Constraints x=0;", {1, 39, ""}, "expected a number, a name");
   expect_error("Variables x in [0,1]; Constraints x=0; end x", {1, 44, "x"}, "after 'end'");
-  expect_error("Variables x in [0,1]; Function f(x) return x; end", {1, 23, "Function"},
+  expect_error("Variables x in [0,1]; Function f(x) return x; end minimize x;", {1, 51, "minimize"},
                "not in the polynomial subset");
   expect_error("Variables x in [0,1]; minimize x; constraints x=0; end", {1, 23, "minimize"},
                "not in the polynomial subset");
@@ -216,8 +281,10 @@ TEST(Read_minibex, errors_of_declarations)
   expect_error("Variables x[2][2] in [0,1];", {1, 15, "["}, "matrices");
   expect_error("Variables x[2] in ([0,1]);", {1, 19, "("}, "too few domains");
   expect_error("Variables x[2] in ([0,1];[0,1];[0,1]);", {1, 19, "("}, "too many domains");
-  expect_error("Constants a in [1,2];", {1, 13, "in"}, "is an interval");
-  expect_error("Constants a[2] = (1;2);", {1, 12, "["}, "arrays of constants");
+  expect_error("Constants a in [1,2];", {1, 16, "["}, "is an interval");
+  expect_error("Constants a[2][2] = (1;2);", {1, 15, "["}, "matrices");
+  expect_error("Constants a[2] = (1;2;3);", {1, 18, "("}, "2 elements, not 3");
+  expect_error("Constants a[2] in (1;[2,3]);", {1, 22, "["}, "is an interval");
   expect_error("Constants a = 1/0;", {1, 16, "/"}, "division by zero");
   expect_error("Constants a = 1; Variables a in [0,1];", {1, 28, "a"}, "declared already");
 }
@@ -255,7 +322,6 @@ TEST(Read_minibex, errors_of_expressions)
   expect_expression_error("x = 1e;", 5, "1e", "no digits");
   expect_expression_error("x = 1e+;", 5, "1e+", "no digits");
   expect_expression_error("x = 1.2.3;", 8, ".3", "expected an operator");
-  expect_expression_error("for i=1:3; z(i)=0; end", 1, "for", "loops");
   expect_expression_error("x = \x01;", 5, "\x01", "'\\x01'");
   expect_expression_error("x = {1};", 5, "{", "unexpected character");
 }
@@ -275,6 +341,13 @@ TEST(Read_minibex, absurd_input_is_refused_quickly)
   expect_expression_error("((((x+1)^9+y)^9+z(1))^9+z(2))^9 = 0;", 22, "^", "work");
   expect_expression_error(std::string(100000, '(') + "x", 201, "(", "nested");
   expect_expression_error("x" + std::string(200, '^') + "2", 3, "^", "expected a number");
+  expect_expression_error("sum(i=1:1000000,1) = x;", 18, ")", "work");
+  expect_expression_error("for i=1:1000; for j=1:1000; for k=1:1000; x=i*j*k; end end end", 48, "*", "work");
+  std::string functions = "Function f0(a) return a end\n";
+  for (int i = 1; i < 100; ++i)
+    functions += "Function f" + std::to_string(i) + "(a) return f" + std::to_string(i - 1) + "(f" +
+        std::to_string(i - 1) + "(a)) end\n";
+  EXPECT_THROW(read(functions + with_constraints("f99(x) = 0;")), Parse_error);
   // Long but harmless: linear time.
   EXPECT_EQ(function(std::string(100001, '-') + "x"), -x);
   std::string sum = "x";

@@ -29,13 +29,20 @@ solver IBEX.
 
 \code{.unparsed}
 Constants                    // optional
-  r = 3/2;  s in [2,2];
+  r = 3/2;  s in 2;  c[3] = (1; 1/2; 1/3);
+Function f(a, b[3])          // optional, also after the variables
+  d = a^2 + b(1);
+  return d*b(2)
+end
 Variables                    // , or ; between them, ; at the end
   x in [-1e8, 1e8], y in [-r, 2*r];
   z[3] in [0, 1];            // also: in ([0,1]; [0,2]; [-1,1])
 Constraints
   x^2 + 7./48*sqr(y) - s*z(1) = 0;
-  (x - 1)*z[0]^3 <= .5e-3;   // z(1) and z[0] are the same unknown
+  (x - 1)*z[0]^3 <= max(.5e-3, 1/r);   // z(1) and z[0] are the same unknown
+  for i = 1:2;
+    f(z(i), c) + sum(k = 1:3, c(k)*z(k)^k) = z(i+1);
+  end
 end
 \endcode
 
@@ -47,10 +54,10 @@ end
   since IBEX reads `1/-2*3` as `1/(-(2*3))`.
 - The elements of an array `z[3]` are `z(1)`, `z(2)`, `z(3)`, or, as in recent versions of IBEX, `z[0]`, `z[1]`, `z[2]`.
 - Every unknown needs a domain with finite bounds, which are constant expressions.
-- Not in the subset, and reported as such: functions other than `sqr`, `pi`, interval constants, matrices, arrays of
-  constants, the
-  sections `Parameters`, `Function`, `Minimize`, loops, names introduced among the constraints, constraints in
-  parentheses.
+- A function takes numbers and arrays, and returns a number. Names that it introduces are its own; it knows constants.
+- `min` and `max` take constants.
+- Not in the subset, and reported as such: functions other than `sqr` and one's own, `pi`, interval constants, matrices,
+  the sections `Parameters` and `Minimize`, loops in functions, constraints in parentheses.
 
 Expressions are expanded; the time this takes is bounded by a constant (some seconds) plus a multiple of the length of
 the file.

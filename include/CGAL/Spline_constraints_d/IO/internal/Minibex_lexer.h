@@ -55,12 +55,12 @@ or CR.
 class Minibex_lexer
 {
   std::string_view m_content;
-  const std::string& m_file_name;
+  const std::string* m_file_name;
   std::size_t m_position = 0, m_line_begin = 0;
   int m_line = 1;
 
 public:
-  Minibex_lexer(std::string_view content, const std::string& file_name) : m_content(content), m_file_name(file_name)
+  Minibex_lexer(std::string_view content, const std::string& file_name) : m_content(content), m_file_name(&file_name)
   {
     if (m_content.substr(0, 3) == "\xEF\xBB\xBF")   // a byte order mark
       m_content.remove_prefix(3);
@@ -68,8 +68,11 @@ public:
 
   [[noreturn]] void fail(const Minibex_token& token, const std::string& message) const
   {
-    throw Parse_error(m_file_name, token.line, token.column, message, std::string(token.text.substr(0, 60)));
+    throw Parse_error(*m_file_name, token.line, token.column, message, std::string(token.text.substr(0, 60)));
   }
+
+  // Of the next character.
+  std::size_t position() const { return m_position; }
 
   Minibex_token next()
   {
