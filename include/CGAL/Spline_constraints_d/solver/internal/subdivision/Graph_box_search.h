@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/Graph_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/Root_position.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Dense_preconditioner.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Node_analysis.h>
