@@ -224,6 +224,7 @@ TEST(Read_minibex, functions_and_extremes)
   expect_error_of_function("Function f(a) return f(a) end", "f(x)", 59, "f", "not defined before");
   expect_error_of_function("Function f(a) a = 1; return a end", "f(x)", 52, "a", "declared already");
   expect_error_of_function("Function f(a, a) return a end", "f(x)", 52, "a", "declared already");
+  expect_error_of_function("Function f(a, b[a]) return a end", "f(x)", 54, "a", "unknown name");
   expect_error_of_function("Function f(a) a*2 end", "f(x)", 56, "end", "expected 'return'");
   expect_error_of_function("Function f(a) return a", "f(x)", 1, "Constraints", "expected the end of function 'f'");
   expect_error_of_function("Function f(a, b) return a end", "f(x)", 16, ")", "too few arguments");

@@ -134,9 +134,12 @@ private:
     std::swap(m_symbols, unknowns);
     expect("(");
     do {
-      const std::string name(parse_new_name().text);
-      m_symbols[name] = {};
-      result.push_back({name, static_cast<std::size_t>(parse_size_of_array())});
+      const Minibex_token name = parse_new_name();
+      for (const Parameter& other : result)
+        if (other.name == name.text)
+          m_lexer.fail(name, "this name is declared already");
+      const int size = parse_size_of_array();
+      result.push_back({std::string(name.text), static_cast<std::size_t>(size)});
     } while (skip(","));
     expect(")");
     std::swap(m_symbols, unknowns);
