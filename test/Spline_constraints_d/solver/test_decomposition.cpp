@@ -8,6 +8,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
 #include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/multiplicity.h>
 
 #include <algorithm>
@@ -22,15 +23,18 @@ namespace decomposition_test {
 using namespace solver_test;
 using Solutions = SC::Solution_set_d<double>;
 
+static std::vector<SC::Solution_d<double>> solutions_of_parts(const System& system, const SC::Solver_options& options,
+                                                             SC::internal::Run_control& control, SC::Summary& summary)
+{
+  return SC::internal::solutions_of_parts<SC::Certified_solver_traits, CGAL::Sequential_tag>(
+      system, SC::internal::decomposition_of(system), options, control, summary);
+}
+
 // Decomposed, however small the system is.
 static Solutions by_parts(const System& system, const SC::Solver_options& options = {})
 {
-  const auto decomposition = SC::internal::decomposition_of(system);
-  return SC::internal::solution_set<SC::Certified_solver_traits, true>(
-      system, options, [&](SC::internal::Run_control& control, SC::Summary& summary) {
-        return SC::internal::solutions_of_parts<SC::Certified_solver_traits, CGAL::Sequential_tag>(
-            system, decomposition, options, control, summary);
-      });
+  return SC::internal::solution_set<SC::Certified_solver_traits, CGAL::Sequential_tag>(system, options,
+                                                                                       &solutions_of_parts);
 }
 
 // The answers belong together one by one.
