@@ -40,6 +40,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/conic_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/hermite_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/proper_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>

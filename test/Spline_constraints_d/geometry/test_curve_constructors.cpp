@@ -6,6 +6,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/conic_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/hermite_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -358,6 +359,81 @@ TEST(Cubic_interpolation, doubles_agree_with_exact_numbers)
   }
 }
 
+template <class Point, class Vector>
+void check_hermite_curve(const std::vector<Point>& points, const std::vector<Vector>& velocities,
+                         const std::vector<Vector>& accelerations, const std::vector<FT>& parameters)
+{
+  const auto curve = SC::hermite_curve(points, velocities, accelerations, parameters);
+  EXPECT_EQ(curve.degree(), 5);
+  EXPECT_EQ(curve.breaks(), parameters);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(curve(parameters[i]), points[i]);
+    EXPECT_EQ(curve.derivative(parameters[i], 1), velocities[i]);
+    EXPECT_EQ(curve.derivative(parameters[i], 2), accelerations[i]);
+  }
+  // From the left as well; and each piece is that of its two ends.
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto piece = curve.restricted(parameters[i], parameters[i + 1]);
+    EXPECT_EQ(piece.derivative(parameters[i + 1], 1), velocities[i + 1]);
+    EXPECT_EQ(piece.derivative(parameters[i + 1], 2), accelerations[i + 1]);
+    EXPECT_TRUE(piece == SC::hermite_curve(std::vector<Point>{points[i], points[i + 1]},
+                                           std::vector<Vector>{velocities[i], velocities[i + 1]},
+                                           std::vector<Vector>{accelerations[i], accelerations[i + 1]},
+                                           {parameters[i], parameters[i + 1]}));
+  }
+}
+
+template <int d, class Vector>
+std::vector<Vector> random_vectors(Random_geometry& random, std::size_t count)
+{
+  std::vector<Vector> result;
+  for (const auto& p : random.points<Exact_cartesian, d>(count))
+    result.push_back(p - CGAL::ORIGIN);
+  return result;
+}
+
+TEST(Hermite_curve, has_the_given_derivatives)
+{
+  Random_geometry random(11);
+  for (int round = 0; round < rounds; ++round) {
+    const std::size_t n = 2 + round % 4;
+    std::vector<FT> parameters;
+    for (std::size_t i = 0; i < n; ++i)
+      parameters.push_back(i == 0 ? FT(-1) : parameters.back() + FT(random.integer(1, 9)) / FT(4));
+    check_hermite_curve(random.points<Exact_cartesian, 2>(n), random_vectors<2, Vector_2>(random, n),
+                        random_vectors<2, Vector_2>(random, n), parameters);
+    check_hermite_curve(random.points<Exact_cartesian, 3>(n), random_vectors<3, Vector_3>(random, n),
+                        random_vectors<3, Vector_3>(random, n), parameters);
+  }
+}
+
+TEST(Hermite_curve, repeats_quintic_curves)
+{
+  Random_geometry random(12);
+  const Curve_3 quintic = SC::bezier_curve(random.points<Exact_cartesian, 3>(6));
+  const std::vector<FT> parameters{0, FT(1) / 3, FT(1) / 2, 1};
+  std::vector<Point_3> points;
+  std::vector<Vector_3> velocities, accelerations;
+  for (const FT& t : parameters) {
+    points.push_back(quintic(t));
+    velocities.push_back(quintic.derivative(t, 1));
+    accelerations.push_back(quintic.derivative(t, 2));
+  }
+  EXPECT_TRUE(SC::hermite_curve(points, velocities, accelerations, parameters) == quintic);
+  // (t^5, t) from 0 to 2.
+  const Curve_2 power =
+      SC::hermite_curve<Exact_cartesian>({Point_2(0, 0), Point_2(32, 2)}, {Vector_2(0, 1), Vector_2(80, 1)},
+                                         {Vector_2(0, 0), Vector_2(160, 0)}, {0, 2});
+  for (int i = 0; i <= 14; ++i) {
+    const FT t = FT(i) / FT(7);
+    EXPECT_EQ(power(t), Point_2(t * t * t * t * t, t));
+  }
+  // Integers from 0 on, in doubles: 6 t^5 - 15 t^4 + 10 t^3 is a half at a half.
+  using P = Double_point_2;
+  const std::vector<Double_cartesian::Vector_2> none(2, CGAL::NULL_VECTOR);
+  EXPECT_EQ(SC::hermite_curve(std::vector<P>{P(0, 0), P(2, 4)}, none, none)(0.5), P(1, 2));
+}
+
 TEST(Curve_constructors, reject_bad_input)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -383,6 +459,12 @@ TEST(Curve_constructors, reject_bad_input)
       },
       "parameter 2");
   expect_invalid([&] { SC::cubic_interpolation_curve(std::vector<P>{P(0, 0), P(1, nan), P(2, 2)}); }, "control point");
+  const std::vector<V> zeros(2, CGAL::NULL_VECTOR);
+  expect_invalid([&] { SC::hermite_curve(std::vector<P>{P(0, 0)}, zeros, zeros); }, "at least 2");
+  expect_invalid([&] { SC::hermite_curve(std::vector<P>(3, P(1, 1)), zeros, zeros); }, "velocities");
+  expect_invalid([&] { SC::hermite_curve(std::vector<P>(2, P(1, 1)), zeros, {V(1, 1)}); }, "accelerations");
+  expect_invalid([&] { SC::hermite_curve(std::vector<P>(2, P(1, 1)), zeros, zeros, {1, 1}); }, "parameter 1");
+  expect_invalid([&] { SC::hermite_curve(std::vector<P>(2, P(1, nan)), zeros, zeros); }, "control point");
   expect_invalid([&] { SC::conic_curve<Double_cartesian>({P(0, 0), P(1, nan), P(2, 2), P(0, 1), P(5, 1)}); }, "NaN");
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/internal/interpolation_data.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <Eigen/Sparse>
@@ -170,33 +171,16 @@ Bspline_curve<Kernel, d> interpolating_cubic(const std::vector<Point>& points,
 {
   using FT = typename Kernel::FT;
   using NT = Spline_number<FT>;
-  if (points.size() < 2)
-    throw Invalid_input("cubic_interpolation_curve: " + std::to_string(points.size()) +
-                        " points, at least 2 are needed");
-  if (parameters.empty())
-    for (std::size_t i = 0; i < points.size(); ++i)
-      parameters.push_back(FT(static_cast<int>(i)));
-  check_count(parameters.size(), points.size(), "cubic_interpolation_curve: parameters");
-  for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
-    if (!(parameters[i] < parameters[i + 1]))
-      throw Invalid_input("cubic_interpolation_curve: parameter " + std::to_string(i + 1) +
-                          " is not larger than the one before");
-
-  const auto coordinates = [](const auto& object) {
-    std::array<NT, d> x;
-    for (int k = 0; k < d; ++k)
-      x[k] = converted_number<NT>(object.cartesian(k));
-    return x;
-  };
+  parameters = interpolation_parameters(std::move(parameters), points.size(), "cubic_interpolation_curve");
   std::vector<std::array<NT, d>> values;
   for (const Point& p : points)
-    values.push_back(coordinates(p));
+    values.push_back(array_of_coordinates<NT, d>(p));
   std::vector<NT> own;
   for (const FT& t : parameters)
     own.push_back(converted_number<NT>(t));
   std::optional<std::pair<std::array<NT, d>, std::array<NT, d>>> slopes;
   if (ends)
-    slopes.emplace(coordinates(ends->first), coordinates(ends->second));
+    slopes.emplace(array_of_coordinates<NT, d>(ends->first), array_of_coordinates<NT, d>(ends->second));
 
   std::vector<Point> control_points;
   for (const std::array<NT, d>& x : Cubic_interpolation<NT, d>(values, own).control_points(slopes))
