@@ -10,6 +10,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_H
 
 // All operations on curves and surfaces, of all subjects.
+#include <CGAL/Spline_constraints_d/operations/approximate_polygons/Approximate_polygon_2.h>
+#include <CGAL/Spline_constraints_d/operations/approximate_polygons/Edge_strip_2.h>
+#include <CGAL/Spline_constraints_d/operations/approximate_polygons/Signature_cells_2.h>
+#include <CGAL/Spline_constraints_d/operations/approximate_polygons/Signature_location.h>
+#include <CGAL/Spline_constraints_d/operations/approximate_polygons/approximate_polygons_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>

@@ -25,6 +25,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `distances`: closest points, distances of curves, surfaces and regions.
 - `implicit_patches`: zeros of polynomials in tetrahedra, and their shape.
 - `first_contacts`: when moving regions meet, and where.
+- `approximate_polygons`: polygons whose edges are known up to bands, and where points are in all of them.
 - `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
@@ -74,6 +75,9 @@ namespace First_contacts {
 using namespace Common;
 using namespace Intersections;
 using namespace Regions;
+}
+namespace Approximate_polygons {
+using namespace Common;
 }
 namespace Surface_regions {
 using namespace Common;
