@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +32,8 @@ enum class Zone
   TAIL,
   HEAD
 };
+
+inline constexpr std::array<Zone, 5> all_zones{Zone::OUTER, Zone::INNER, Zone::BAND, Zone::TAIL, Zone::HEAD};
 
 /*
 A band: the part of a strip between two parallel lines in which an edge lies. Its corners are at the tail and at the

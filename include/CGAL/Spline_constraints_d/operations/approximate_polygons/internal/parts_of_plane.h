@@ -54,22 +54,38 @@ inline std::vector<Point> clipped(const std::vector<Point>& corners, const Line_
   return result;
 }
 
+inline bool is_in_zone(const std::vector<Point>& corners, const std::vector<Line_function_2>& zone)
+{
+  return std::all_of(zone.begin(), zone.end(), [&](const Line_function_2& f) {
+    return std::none_of(corners.begin(), corners.end(), [&](const Point& p) { return CGAL::is_negative(f(p)); });
+  });
+}
+
+inline std::vector<Point> clipped(std::vector<Point> corners, const std::vector<Line_function_2>& zone)
+{
+  for (const Line_function_2& f : zone)
+    if (!corners.empty())
+      corners = clipped(corners, f);
+  return corners;
+}
+
 // Adds the parts of a part in the zones of a further band, but for one zone that is left out.
-inline void add_cut_parts(const Part_of_plane& part, const Band_2& band, std::optional<Zone> left_out,
+inline void add_cut_parts(Part_of_plane part, const Band_2& band, std::optional<Zone> left_out,
                           std::vector<Part_of_plane>& parts)
 {
-  for (const Zone zone : {Zone::OUTER, Zone::INNER, Zone::BAND, Zone::TAIL, Zone::HEAD}) {
-    if (zone == left_out)
-      continue;
-    Part_of_plane cut = part;
-    for (const Line_function_2& f : band.zone(zone))
-      if (!cut.corners.empty())
-        cut.corners = clipped(cut.corners, f);
-    if (!cut.corners.empty()) {
-      cut.zones.push_back(zone);
-      parts.push_back(std::move(cut));
-    }
-  }
+  const auto add = [&](std::vector<Point> corners, Zone zone) {
+    if (corners.empty() || zone == left_out)
+      return;
+    parts.push_back({std::move(corners), part.zones});
+    parts.back().zones.push_back(zone);
+  };
+  // Most parts are in one zone.
+  for (const Zone zone : all_zones)
+    if (is_in_zone(part.corners, band.zone(zone)))
+      return add(std::move(part.corners), zone);
+  for (const Zone zone : all_zones)
+    if (zone != left_out)
+      add(clipped(part.corners, band.zone(zone)), zone);
 }
 
 // All vertices of the arrangement of all lines are inside, so that each of its faces is met in its interior.
