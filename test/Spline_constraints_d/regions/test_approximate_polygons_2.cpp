@@ -395,6 +395,7 @@ TEST(Approximate_polygons, What_is_refused_names_the_edges)
     doubles.push_back(Doubles::Point_2(x, y));
   EXPECT_EQ(SC::approximate_polygon(doubles, 0.25).size(), 3u);
   EXPECT_THROW(SC::approximate_polygon(doubles, std::numeric_limits<double>::quiet_NaN()), SC::Invalid_input);
+  EXPECT_TRUE(CGAL::certainly(SC::approximate_polygon(doubles, 0.25).is_inside(Doubles::Point_2(3, 1))));
   doubles.push_back(Doubles::Point_2(0, std::numeric_limits<double>::infinity()));
   EXPECT_THROW(SC::approximate_polygon(doubles, 0.25), SC::Invalid_input);
 

@@ -110,9 +110,11 @@ public:
   }
 
   //! whether a point is inside in all models, or in none; uncertain in the bands.
-  CGAL::Uncertain<bool> is_inside(const Point& point) const
+  //! \throws Invalid_input if a coordinate is not finite.
+  template <SplineKernel PointKernel>
+  CGAL::Uncertain<bool> is_inside(const CGAL::Point_2<PointKernel>& point) const
   {
-    return internal::Approximate_polygons::is_inside_of(m_banded, point);
+    return internal::Approximate_polygons::is_inside_of(m_banded, internal::exact_object(point));
   }
 
   //! on which side a point is, on which side of each edge it is being all that is known of it: neither where the point
