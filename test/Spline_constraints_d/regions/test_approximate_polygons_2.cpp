@@ -430,9 +430,9 @@ TEST(Approximate_polygons, What_a_limit_leaves_is_named)
             std::any_of(found->parts.begin(), found->parts.end(),
                         [&](const Polygon& other) { return other.has_on_bounded_side(p); });
         EXPECT_TRUE(is_there ||
-                    std::any_of(some.undecided().begin(), some.undecided().end(), [&](const SC::Undecided_part& part) {
-                      return R(part.place[0].first) <= p.x() && p.x() <= R(part.place[0].second) &&
-                          R(part.place[1].first) <= p.y() && p.y() <= R(part.place[1].second);
+                    std::any_of(some.undecided().begin(), some.undecided().end(), [&](const SC::Undecided_part& open) {
+                      return R(open.place[0].first) <= p.x() && p.x() <= R(open.place[0].second) &&
+                          R(open.place[1].first) <= p.y() && p.y() <= R(open.place[1].second);
                     }));
       }
   }
