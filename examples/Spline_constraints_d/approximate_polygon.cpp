@@ -60,7 +60,7 @@ int main()
       SC::approximate_polygon(Polygon(corners.begin(), corners.end()), Number(1) / 4);
   const SC::Signature_cells_2 cells = SC::signature_cells(polygon);
 
-  std::cout << cells.cells().size() << " of " << (1u << polygon.size()) << " signatures; inside:";
+  std::cout << cells.cells().size() << " of " << (1u << polygon.size()) << " signatures, inside:";
   for (const SC::Signature_cell_2& cell : cells.cells())
     if (cell.location == SC::Signature_location::INSIDE)
       std::cout << ' ' << cell.signature;
