@@ -3,10 +3,13 @@
 
 // Are zeros of polynomials in tetrahedra convex, with the solid where the polynomial is negative? Told by proof: of the
 // polynomial as a function, and of the patch, which may be convex where the function is not. Draws the patches into
-// implicit_patches.svg: green where they are convex, red where they are not, with a witness in each red part.
+// implicit_patches.svg: green where they are convex, red where they are not, with a witness in each red part. Of the
+// cubic, also the curves between these parts, and a convex function near it.
 
 #include <CGAL/Spline_constraints_d/IO/Scene_3.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/nearby_convex_function.h>
+#include <CGAL/Spline_constraints_d/operations/implicit_patches/parabolic_curves.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/patch_convexity.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
@@ -108,6 +111,12 @@ int main()
     if (const auto& witness = shape.witness_against_convexity())
       std::cout << "  not convex between (" << witness->first << ") and (" << witness->second << "), along grad f x ("
                 << witness->axis << ")\n";
+    if (i == 2) {
+      std::cout << "  parabolic curves: " << SC::parabolic_curves(patch) << '\n';
+      if (const auto nearby = SC::nearby_convex_function(patch))
+        std::cout << "  nearest of some convex functions: function " << SC::function_convexity(*nearby).kind()
+                  << ", patch " << SC::patch_convexity(*nearby).kind() << '\n';
+    }
     draw(scene, patch, shape, 2.3 * static_cast<double>(i) * K::Vector_3(0.973, 0.229, 0));
   }
   std::ofstream picture("implicit_patches.svg");

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Bisectors in space as rational surfaces with exact coefficients, drawn into rational_bisectors.svg: of a point and a
-// bicubic surface; of a sphere and a point outside and inside of it; of two skew lines; of a point and a curve.
+// bicubic surface; of a sphere and a point outside and inside of it, here with a polyhedron around the bisector; of two
+// skew lines; of a point and a curve.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/rational_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/supporting_polyhedra_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -113,6 +115,9 @@ int main()
     inside.add(half, operand_color, 8);
   inside.add(inner);
   inside.add("point inside of a sphere", SC::point_surface_bisector(inner, sphere), all, 5);
+  const auto around = SC::supporting_polyhedron(inner, sphere, 5, 2.0);   // what the bisector is within
+  std::cout << "a polyhedron around it: " << around.number_of_faces() << " faces, "
+            << (CGAL::is_closed(around) ? "closed" : "open") << '\n';
 
   Group of_lines(scene, place(-3, -4));
   const Curve first = SC::bezier_curve(std::vector<K::Point_3>{{-1.5, 0, -0.5}, {1.5, 0, -0.5}}),
