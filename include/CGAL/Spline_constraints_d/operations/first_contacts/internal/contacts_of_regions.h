@@ -40,11 +40,27 @@ inline Summary summary_of(Budgeted_solver& solve, bool is_complete)
   return result;
 }
 
+// What of the contacts in a range of times is not proved, or was not looked for.
+inline std::vector<Undecided_part> undecided_contacts(const Contact_search& search,
+                                                      const std::vector<Contact_candidate>& found,
+                                                      const Moving_regions& regions, const First_contact_2::Range& time,
+                                                      Budgeted_solver& solve)
+{
+  std::vector<Undecided_part> result;
+  for (const Contact_candidate& c : found)
+    if (!c.is_proved())
+      result.push_back(undecided_contact(search, c, regions.number_of_moving_curves));
+  if (search.stop() && *search.stop() <= time.second)
+    result.push_back(undecided_time({*search.stop(), time.second}, in_words(solve.reason())));
+  return result;
+}
+
 // Of regions that meet at the first time: with the contacts then, if they touch.
 inline First_contact_2 contact_at_begin(Contact_state state, const Moving_regions& regions, Budgeted_solver& solve)
 {
   const Exact_rational begin = regions.motion.domain().first;
   std::vector<Contact_2> contacts;
+  std::vector<Undecided_part> undecided;
   if (state == Contact_state::TOUCHING) {
     Contact_search search(regions, solve);
     std::vector<Contact_candidate> found;
@@ -53,9 +69,13 @@ inline First_contact_2 contact_at_begin(Contact_state state, const Moving_region
                    [&](const Contact_candidate& c) { return c.time.first <= begin; });
       return false;
     });
-    contacts = proved_contacts(search, distinct_contacts(search, std::move(found)));
+    found = distinct_contacts(search, std::move(found));
+    undecided = undecided_contacts(search, found, regions, {begin, begin}, solve);
+    contacts = proved_contacts(search, found);
   }
-  return {state, First_contact_2::Range(begin, begin), true, std::move(contacts), {}, summary_of(solve, true)};
+  const bool is_complete = undecided.empty();
+  return {state, First_contact_2::Range(begin, begin), true, std::move(contacts), std::move(undecided),
+          summary_of(solve, is_complete)};
 }
 
 // The earliest candidates, of regions that are apart at first.
@@ -78,12 +98,7 @@ inline First_contact_2 earliest_contact(const Moving_regions& regions, Budgeted_
   const First_contact_2::Range time(*first, last ? *last : regions.motion.domain().second);
   std::erase_if(found, [&](const Contact_candidate& c) { return c.time.first > time.second; });
   found = distinct_contacts(search, std::move(found));
-  std::vector<Undecided_part> undecided;
-  for (const Contact_candidate& c : found)
-    if (!c.is_proved())
-      undecided.push_back(undecided_contact(search, c, regions.number_of_moving_curves));
-  if (search.stop())
-    undecided.push_back(undecided_time({*search.stop(), time.second}, in_words(solve.reason())));
+  std::vector<Undecided_part> undecided = undecided_contacts(search, found, regions, time, solve);
   const bool is_complete = undecided.empty();
   return {Contact_state::APART,          time, last.has_value(), proved_contacts(search, found), std::move(undecided),
           summary_of(solve, is_complete)};
