@@ -94,6 +94,14 @@ int solve_for_surfaces(const Arguments& arguments, const std::vector<std::string
   return surfaces.is_complete() ? 0 : 3;
 }
 
+std::vector<std::pair<SC::Power_polynomial, SC::Relation>> polynomial_constraints(const SC::Minibex_system& input)
+{
+  std::vector<std::pair<SC::Power_polynomial, SC::Relation>> result;
+  for (const auto& constraint : input.constraints)
+    result.emplace_back(constraint.function, constraint.relation);
+  return result;
+}
+
 // Of polynomials as they are: no tensors are made.
 int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& input)
 {
@@ -102,12 +110,27 @@ int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& inp
   SC::Solver_options options = arguments.options;
   if (!arguments.has_tolerance)
     options.tolerance = 1e-6;
-  std::vector<std::pair<SC::Power_polynomial, SC::Relation>> constraints;
-  for (const auto& constraint : input.constraints)
-    constraints.emplace_back(constraint.function, constraint.relation);
-  const SC::Feasibility_d answer = SC::Feasibility_solver_d(options)(input.domains, constraints);
+  const SC::Feasibility_d answer = SC::Feasibility_solver_d(options)(input.domains, polynomial_constraints(input));
   print_feasibility(input.names, answer);
   return answer.is_complete() ? 0 : 3;
+}
+
+int print_points(const Arguments& arguments, const std::vector<std::string>& names,
+                 const SC::Solution_set_d<double>& solutions)
+{
+  arguments.json ? print_json(names, solutions) : print_lines(names, solutions);
+  return solutions.is_complete() ? 0 : 3;
+}
+
+// As many equations as unknowns, by the solver that gets on better.
+int solve_for_points(const Arguments& arguments, const SC::Minibex_system& input)
+{
+  Progress_bar progress;
+  SC::Solver_options options = arguments.options;
+  options.visitor = progress;
+  const auto solutions = SC::solve_polynomials(input.domains, polynomial_constraints(input), options);
+  progress.clear();
+  return print_points(arguments, input.names, solutions);
 }
 
 template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
@@ -128,6 +151,13 @@ int solve(Arguments arguments)
     use_rest_of_time();
     return decide_feasibility(arguments, input);
   }
+  if constexpr (std::is_same_v<Number, double> && tracks_rounding &&
+                std::is_same_v<Concurrency_tag, CGAL::Sequential_tag>)
+    if (equalities == static_cast<long>(input.domains.size()) && !arguments.whole && arguments.test == "graph" &&
+        arguments.output.empty()) {
+      use_rest_of_time();
+      return solve_for_points(arguments, input);
+    }
   SC::Constraint_system_d system(input.domains);
   for (const auto& constraint : input.constraints)
     system.add(constraint.function, constraint.relation);

@@ -49,6 +49,22 @@ public:
     }
   }
 
+  // The same without breaks, as polynomials; the problem has no constraints.
+  std::pair<Problem, std::vector<Polynomial>> make_polynomials(int n)
+  {
+    m_dimension = n;
+    choose_zeros();
+    const int kind = m_random.integer(0, 2);
+    const Change_of_unknowns change = kind == 0 ? affine_change(m_random, degrees())
+        : kind == 1                            ? triangular_change(m_random, degrees())
+                                               : identity(n);
+    std::vector<Point> roots;
+    for (const Point& z : combinations())
+      roots.push_back(change.inverse(z));
+    const std::vector<System::Domain> domain = domain_around(m_random, roots);
+    return {all_known("polynomials", System(domain), counted(domain, roots)), composed(m_factors, change.z)};
+  }
+
 private:
   Rational number() { return m_random.ratio(-36, 36, 12); }
 
@@ -108,8 +124,8 @@ private:
     return result;
   }
 
-  Problem problem(const std::string& name, const std::vector<System::Domain>& domain, const std::vector<Point>& roots,
-                  std::vector<SC::Spline_function> functions)
+  // Those in the domain.
+  std::vector<Point> counted(const std::vector<System::Domain>& domain, const std::vector<Point>& roots)
   {
     std::vector<Point> known;
     for (const Point& root : roots)
@@ -119,6 +135,13 @@ private:
         in_corners += m_dimension > 1 && faces == m_dimension;
         known.push_back(root);
       }
+    return known;
+  }
+
+  Problem problem(const std::string& name, const std::vector<System::Domain>& domain, const std::vector<Point>& roots,
+                  std::vector<SC::Spline_function> functions)
+  {
+    std::vector<Point> known = counted(domain, roots);
     return all_known(name, mixed_system(m_random, domain, std::move(functions)), std::move(known));
   }
 

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_of_polynomials.h>
+#endif
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+namespace internal {
+
+// Defined in propagation/solutions_by_propagation.h.
+Solution_set_d<double>
+solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
+                            const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                            const Solver_options& options);
+
+// Defined in propagation/solutions_of_polynomials.h.
+Solution_set_d<double>
+solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                            const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                            const Solver_options& options);
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Finds all solutions of as many polynomial equations as unknowns, with inequalities, on a box. Polynomials stay sums of
+monomials and are never made tensors: a product of thirty unknowns is one number here, and \f$2^{30}\f$ coefficients
+there; a thousand equations in a few unknowns each take time in proportion to their terms.
+
+Boxes are narrowed by one constraint and one unknown after the other, the others being in their ranges (constraint
+propagation), and by affine enclosures of linear combinations of the equalities, whose multipliers come from a sparse
+elimination that leaves out what bounds nothing yet. A box is dropped only on a proof that it holds no solution, and a
+solution is certified by the test of Krawczyk. What is left at the tolerance, multiple roots and roots on the boundary,
+is given to `Subdivision_solver_d` on a small box, if its tensors have at most \f$2^{18}\f$ coefficients; otherwise it
+is undecided. \ref Spline_constraints_d_propagation_proofs "Proofs"
+
+Exactness: doubles with directed rounding; coefficients that are no doubles are enclosed. Certified solutions are
+refined as far as that goes.
+
+Complexity: per box, in the terms of the constraints for each pass, and for the elimination between \f$O(n)\f$ and
+\f$O(n^3)\f$, as the equalities are sparse; the number of boxes may grow exponentially with \f$n\f$.
+
+Sources: F. Benhamou, F. Goualard, L. Granvilliers, J.-F. Puget, *Revising hull and box consistency*, ICLP 1999; R.
+Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969).
+*/
+class Propagation_solver_d
+{
+  Solver_options m_options;
+
+public:
+  //! \throws Invalid_input when an option makes no sense.
+  explicit Propagation_solver_d(const Solver_options& options = {}) : m_options(options) { m_options.check(); }
+
+  /*!
+  all solutions.
+  \param domain a range for each unknown.
+  \param constraints polynomials, and how they compare with zero; as many equalities as unknowns.
+  \throws Invalid_input when a range is empty or missing, or the numbers of equalities and unknowns differ.
+  */
+  Solution_set_d<double> operator()(const std::vector<Constraint_system_d::Domain>& domain,
+                                    const std::vector<std::pair<Power_polynomial, Relation>>& constraints) const
+  {
+    return internal::solution_set_by_propagation(domain, constraints, m_options);
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+all solutions of polynomials compared with zero, by `Decomposing_solver_d` or `Propagation_solver_d`: where tensors are
+not too large, both are tried for about a tenth of a second, and the one that has done more of the domain goes on. Which
+one that is depends on counted work only, not on the clock.
+\param domain a range for each unknown.
+\param constraints polynomials, and how they compare with zero.
+\throws Invalid_input as these solvers.
+*/
+inline Solution_set_d<double> solve_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                                                const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                                                const Solver_options& options = {})
+{
+  options.check();
+  return internal::solution_set_of_polynomials(domain, constraints, options);
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H

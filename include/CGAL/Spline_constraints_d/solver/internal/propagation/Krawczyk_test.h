@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_KRAWCZYK_TEST_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_KRAWCZYK_TEST_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Affine_enclosures.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A box with one solution of the equalities, which is regular, and an enclosure of it inside.
+struct Proved_root
+{
+  Interval_box enclosure, region;
+};
+
+inline bool is_inside(const Interval_box& a, const Interval_box& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), [](const Interval& inner, const Interval& outer) {
+    return outer.inf() <= inner.inf() && inner.sup() <= outer.sup();
+  });
+}
+
+// Whether two roots are the same, where that is certain: the only one of a region is the only one in parts of it.
+inline bool are_equal(const Proved_root& a, const Proved_root& b)
+{
+  return is_inside(a.enclosure, b.region) || is_inside(b.enclosure, a.region);
+}
+
+/*
+The test of Krawczyk, with combinations of equalities that are formed before they are bounded: where the image of a box
+under x - C f(x), by the mean value theorem, lies in its interior, the box has exactly one zero of f.
+*/
+class Krawczyk_test
+{
+  Preconditioned_rows& m_rows;
+  Interval_box m_image;
+
+public:
+  explicit Krawczyk_test(Preconditioned_rows& rows) : m_rows(rows) {}
+
+  // The root of a box that is widened a little, when there is one: refined until nothing is gained. Where equalities
+  // are hardly independent, rounding asks for more room.
+  std::optional<Proved_root> operator()(const Interval_box& box)
+  {
+    constexpr double widening = 0.5;
+    Proved_root root;
+    for (const double room : {1e-13, 1e-11, 1e-9}) {
+      root.region.clear();
+      for (const Interval& range : box)
+        root.region.push_back(widened(range, widening * width(range) + room * (std::max)(1.0, magnitude(range))));
+      if (!maps_into_itself(root.region))
+        continue;
+      root.enclosure = m_image;
+      refine(root);
+      return root;
+    }
+    return std::nullopt;
+  }
+
+private:
+  static Interval widened(const Interval& range, double by)
+  {
+    return Interval((Interval(range.inf()) - Interval(by)).inf(), (Interval(range.sup()) + Interval(by)).sup());
+  }
+
+  bool maps_into_itself(const Interval_box& box)
+  {
+    if (!m_rows.invert(box))
+      return false;
+    Affine_enclosures& enclosures = m_rows.enclosures();
+    m_image.resize(box.size());
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const int own = static_cast<int>(i);
+      enclosures.set_sum_of_derivatives(m_rows.multiples(own), box);
+      Interval image = Interval(enclosures.centre(own)) - enclosures.constant();
+      bool has_own = false;
+      for (const int j : enclosures.unknowns()) {
+        const Interval slope = j == own ? Interval(1) - enclosures.slope(j) : -enclosures.slope(j);
+        image += slope * enclosures.offset(j);
+        has_own = has_own || j == own;
+      }
+      if (!has_own || !(image.inf() > box[i].inf() && image.sup() < box[i].sup()))
+        return false;
+      m_image[i] = image;
+    }
+    return true;
+  }
+
+  void refine(Proved_root& root)
+  {
+    constexpr int most_steps = 5;
+    constexpr double margin = 0.1, rounding = 0x1p-53, least_gain = 0.5;
+    Interval_box box(root.enclosure.size());
+    for (int step = 0; step < most_steps; ++step) {
+      for (std::size_t j = 0; j < box.size(); ++j)
+        box[j] = widened(root.enclosure[j],
+                         margin * width(root.enclosure[j]) + rounding * magnitude(root.enclosure[j]) + 1e-300);
+      if (!maps_into_itself(box))
+        return;
+      bool is_gain = false;
+      for (std::size_t j = 0; j < box.size(); ++j) {
+        is_gain = is_gain || width(m_image[j]) < least_gain * width(root.enclosure[j]);
+        root.enclosure[j] = common_part(root.enclosure[j], m_image[j]); // both have the root
+      }
+      if (!is_gain)
+        return;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_KRAWCZYK_TEST_H

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_SEARCH_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_SEARCH_H
+
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+All solutions in a box, by depth-first search: boxes are narrowed by the constraints one by one and by combinations of
+the equalities, until they are empty, hold one root by proof, or are split.
+*/
+class Propagation_search
+{
+  // The boxes that wait, one after the other.
+  struct Waiting
+  {
+    int split_unknown, depth;
+  };
+
+  const Sparse_system& m_system;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  std::function<void()> m_check;
+  Constraint_propagation m_propagation;
+  Preconditioned_rows m_rows;
+  Krawczyk_test m_krawczyk_test;
+  Interval_polynomial m_polynomial;
+  std::vector<Interval> m_waiting_boxes;
+  std::vector<Waiting> m_waiting;
+  Interval_box m_box, m_before;
+  std::vector<double> m_rating, m_smear;
+  double m_tolerance;
+  std::vector<Proved_root> m_roots;
+  std::vector<Interval_box> m_undecided, m_rest;
+  std::size_t m_nodes = 0;
+  Undecided_reason m_reason = Undecided_reason::NONE;
+
+  enum class Verdict
+  {
+    EMPTY,
+    ROOT,
+    OPEN
+  };
+
+public:
+  Propagation_search(const Sparse_system& system, const Solver_options& options, Run_control& control)
+    : m_system(system), m_options(options), m_control(control), m_check([this] { m_control.check(); }),
+      m_propagation(system), m_rows(system, m_check), m_krawczyk_test(m_rows), m_tolerance(options.tolerance)
+  {}
+
+  // Looks at all of a box.
+  void run(const Interval_box& domain)
+  {
+    push(domain, -1, 0);
+    while (!m_waiting.empty()) {
+      if (is_at_limit()) {
+        leave_rest();
+        return;
+      }
+      const Waiting node = pop();
+      try {
+        examine(node);
+      } catch (const Run_stopped& stopped) {
+        m_reason = stopped.reason;
+        m_rest.push_back(m_box);
+        leave_rest();
+        return;
+      }
+    }
+  }
+
+  // Different ones, each the only one in its region; not all of them need lie in the box.
+  std::vector<Proved_root>& roots() { return m_roots; }
+  // Boxes at the tolerance.
+  const std::vector<Interval_box>& undecided() const { return m_undecided; }
+  // Boxes that were not looked at, because of a limit.
+  const std::vector<Interval_box>& rest() const { return m_rest; }
+  Undecided_reason reason() const { return m_reason; }
+  std::size_t nodes() const { return m_nodes; }
+
+private:
+  void push(const Interval_box& box, int split_unknown, int depth)
+  {
+    m_waiting_boxes.insert(m_waiting_boxes.end(), box.begin(), box.end());
+    m_waiting.push_back({split_unknown, depth});
+  }
+
+  Waiting pop()
+  {
+    const auto first = m_waiting_boxes.end() - m_system.dimension();
+    m_box.assign(first, m_waiting_boxes.end());
+    m_waiting_boxes.erase(first, m_waiting_boxes.end());
+    const Waiting result = m_waiting.back();
+    m_waiting.pop_back();
+    return result;
+  }
+
+  bool is_at_limit()
+  {
+    if (m_options.node_limit > 0 && m_nodes >= m_options.node_limit)
+      m_reason = Undecided_reason::NODES;
+    else if (m_control.must_stop(true))
+      m_reason = m_control.reason();
+    return m_reason != Undecided_reason::NONE;
+  }
+
+  void leave_rest()
+  {
+    while (!m_waiting.empty()) {
+      pop();
+      m_rest.push_back(m_box);
+    }
+  }
+
+  void examine(const Waiting& node);
+  Verdict narrow(const Waiting& node);
+  bool finds_root();
+  void split(int depth);
+  int unknown_to_split();
+  void rate_unknowns();
+
+  // Relative to the tolerance's unit.
+  static double size(const Interval& range) { return width(range) / (std::max)(1.0, magnitude(range)); }
+  bool is_at_tolerance() const
+  {
+    return std::all_of(m_box.begin(), m_box.end(), [&](const Interval& range) { return size(range) < m_tolerance; });
+  }
+  void leave_undecided()
+  {
+    m_undecided.push_back(m_box);
+    if (m_undecided.size() % m_options.coarsening_step == 0)
+      m_tolerance *= 2;
+  }
+};
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::examine(const Waiting& node)
+{
+  ++m_nodes;
+  const Verdict verdict = narrow(node);
+  if (verdict == Verdict::OPEN && !(is_at_tolerance() && finds_root())) {
+    if (!is_at_tolerance()) {
+      split(node.depth);
+      return;
+    }
+    leave_undecided();
+  }
+  m_control.add_progress(std::ldexp(1.0, -node.depth));
+}
+
+// By the constraints that know of the split, then by combinations and the constraints in turns, while that gains much.
+CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_search::Verdict Propagation_search::narrow(const Waiting& node)
+{
+  constexpr int most_rounds = 12;
+  constexpr double least_gain = 0.1, of_all_for_proof = 0.5;
+  if (node.split_unknown < 0)
+    m_propagation.wake_all();
+  else
+    m_propagation.wake_constraints_of(node.split_unknown);
+  if (!m_propagation.narrow(m_box))
+    return Verdict::EMPTY;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (!m_rows.eliminate(m_box))
+      return Verdict::OPEN;
+    m_before = m_box;
+    if (!m_rows.narrow(m_box))
+      return Verdict::EMPTY;
+    bool is_gain = false, is_gain_everywhere = true;
+    for (int j = 0; j < m_system.dimension(); ++j) {
+      const double old_width = width(m_before[j]), new_width = width(m_box[j]);
+      if (new_width < (1 - least_gain) * old_width) {
+        is_gain = true;
+        m_propagation.wake_constraints_of(j);
+      }
+      is_gain_everywhere = is_gain_everywhere &&
+          (new_width <= of_all_for_proof * old_width || new_width <= 0x1p-40 * magnitude(m_box[j]));
+    }
+    if (is_gain_everywhere && finds_root())
+      return Verdict::ROOT;
+    if (!is_gain)
+      return Verdict::OPEN;
+    if (!m_propagation.narrow(m_box))
+      return Verdict::EMPTY;
+  }
+  return Verdict::OPEN;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Propagation_search::finds_root()
+{
+  const auto root = m_krawczyk_test(m_box);
+  if (!root)
+    return false;
+  if (std::none_of(m_roots.begin(), m_roots.end(), [&](const Proved_root& other) { return are_equal(*root, other); }))
+    m_roots.push_back(*root);
+  return true;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::split(int depth)
+{
+  const int unknown = unknown_to_split();
+  const Interval range = m_box[unknown];
+  const double at = middle(range);
+  m_box[unknown] = Interval(at, range.sup());
+  push(m_box, unknown, depth + 1);
+  m_box[unknown] = Interval(range.inf(), at);
+  push(m_box, unknown, depth + 1);
+}
+
+// The one with the largest rating of those that are not much better known than others.
+CGAL_SPLINE_CONSTRAINTS_INLINE int Propagation_search::unknown_to_split()
+{
+  constexpr double well_known = 0.01;
+  rate_unknowns();
+  const auto ignorance = [&](int j) { return magnitude(m_box[j]) > 0 ? width(m_box[j]) / magnitude(m_box[j]) : 0; };
+  const auto may_be_split = [&](int j) { return size(m_box[j]) >= m_tolerance; };
+  double largest = 0;
+  for (int j = 0; j < m_system.dimension(); ++j)
+    if (may_be_split(j))
+      largest = (std::max)(largest, ignorance(j));
+  int result = -1;
+  double best = -1;
+  for (int j = 0; j < m_system.dimension(); ++j)
+    if (may_be_split(j) && ignorance(j) >= well_known * largest)
+      if (const double rating = m_rating[j] * std::sqrt(std::sqrt(ignorance(j))); result < 0 || rating > best) {
+        result = j;
+        best = rating;
+      }
+  return result;
+}
+
+// By the sum over the constraints of its share in their variation (the smear of Kearfott).
+CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::rate_unknowns()
+{
+  m_rating.assign(m_system.dimension(), 0);
+  for (int i = 0; i < m_system.constraints(); ++i) {
+    const auto occurrences = m_system.occurrences(i);
+    m_smear.clear();
+    double sum = 0;
+    for (const auto& occurrence : occurrences) {
+      m_system.set_polynomial_in(occurrence, i, m_box, m_polynomial);
+      const Interval slope = m_polynomial.range_of_derivative(m_box[occurrence.unknown]);
+      sum += m_smear.emplace_back(magnitude(slope) * width(m_box[occurrence.unknown]));
+    }
+    if (sum > 0 && std::isfinite(sum))
+      for (std::size_t k = 0; k < occurrences.size(); ++k)
+        m_rating[occurrences[k].unknown] += m_smear[k] / sum;
+  }
+}
+#endif
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_SEARCH_H

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SPARSE_SYSTEM_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SPARSE_SYSTEM_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The range of each unknown.
+using Interval_box = std::vector<Interval>;
+
+/*
+Constraints as sums of monomials, laid out for passes over them: of each constraint the parts in one unknown alone,
+which are bounded as polynomials in it, and the other terms, whose monomials are shared by all constraints.
+*/
+class Sparse_system
+{
+public:
+  struct Factor
+  {
+    int unknown, exponent;
+  };
+  // Coefficients of the powers 1, 2, ... of an unknown.
+  struct Univariate_part
+  {
+    int unknown, degree;
+    std::size_t first_coefficient;
+  };
+  struct Mixed_term
+  {
+    int monomial;
+    Interval coefficient;
+  };
+  // Where an unknown occurs in a constraint: its univariate part, or -1, and factors of mixed terms.
+  struct Occurrence
+  {
+    int unknown, part, degree;
+    std::size_t first_place, last_place;
+  };
+  struct Place
+  {
+    int term;
+    std::size_t factor;
+  };
+
+private:
+  int m_dimension;
+  std::vector<Interval> m_constants, m_slack, m_coefficients;
+  std::vector<Univariate_part> m_parts;
+  std::vector<Mixed_term> m_terms;
+  std::vector<Factor> m_factors;
+  std::vector<Occurrence> m_occurrences;
+  std::vector<Place> m_places;
+  std::vector<std::size_t> m_first_part{0}, m_first_term{0}, m_first_factor{0}, m_first_occurrence{0};
+  std::vector<std::vector<int>> m_constraints_of;
+  std::vector<int> m_equalities, m_degrees;
+
+public:
+  // Of polynomials that are compared with zero. `check()` may end the work by an exception.
+  Sparse_system(int dimension, const std::vector<Polynomial_constraint>& constraints,
+                const std::function<void()>& check);
+
+  int dimension() const { return m_dimension; }
+  int constraints() const { return static_cast<int>(m_constants.size()); }
+  std::size_t monomials() const { return m_first_factor.size() - 1; }
+  std::size_t factors() const { return m_factors.size(); }
+
+  // The constraints that are equalities.
+  const std::vector<int>& equalities() const { return m_equalities; }
+  // The largest exponent of an unknown in univariate parts.
+  int degree(int unknown) const { return m_degrees[unknown]; }
+  const std::vector<int>& constraints_of(int unknown) const { return m_constraints_of[unknown]; }
+
+  const Interval& constant(int constraint) const { return m_constants[constraint]; }
+  // A constraint says that its function plus some number of this interval is zero.
+  const Interval& slack(int constraint) const { return m_slack[constraint]; }
+
+  std::span<const Univariate_part> parts(int constraint) const { return slice(m_parts, m_first_part, constraint); }
+  std::span<const Mixed_term> terms(int constraint) const { return slice(m_terms, m_first_term, constraint); }
+  std::span<const Occurrence> occurrences(int constraint) const
+  {
+    return slice(m_occurrences, m_first_occurrence, constraint);
+  }
+  std::span<const Interval> coefficients(const Univariate_part& part) const
+  {
+    return {m_coefficients.data() + part.first_coefficient, static_cast<std::size_t>(part.degree)};
+  }
+  std::span<const Place> places(const Occurrence& occurrence) const
+  {
+    return {m_places.data() + occurrence.first_place, occurrence.last_place - occurrence.first_place};
+  }
+  std::size_t first_factor(int monomial) const { return m_first_factor[monomial]; }
+  std::size_t last_factor(int monomial) const { return m_first_factor[monomial + 1]; }
+  const Factor& factor(std::size_t index) const { return m_factors[index]; }
+
+  // The product of the factors of a monomial but one, on a box; all of them by default.
+  Interval product(int monomial, const Interval_box& box,
+                   std::size_t but = (std::numeric_limits<std::size_t>::max)()) const
+  {
+    Interval result(1);
+    bool is_first = true;
+    for (std::size_t f = first_factor(monomial); f < last_factor(monomial); ++f)
+      if (f != but) {
+        const Interval value = power(box[m_factors[f].unknown], m_factors[f].exponent);
+        result = is_first ? value : result * value;
+        is_first = false;
+      }
+    return result;
+  }
+
+  // The values of the function of a constraint on a box.
+  Interval value(int constraint, const Interval_box& box) const;
+
+  // A constraint as a polynomial in one of its unknowns, the others being in their ranges, but for its constant term.
+  void set_polynomial_in(const Occurrence& occurrence, int constraint, const Interval_box& box,
+                         Interval_polynomial& polynomial) const
+  {
+    polynomial.reset(occurrence.degree);
+    if (occurrence.part >= 0) {
+      const auto part = coefficients(parts(constraint)[occurrence.part]);
+      for (std::size_t e = 0; e < part.size(); ++e)
+        polynomial[static_cast<int>(e) + 1] = part[e];
+    }
+    for (const Place& place : places(occurrence)) {
+      const Mixed_term& term = terms(constraint)[place.term];
+      polynomial[m_factors[place.factor].exponent] += term.coefficient * product(term.monomial, box, place.factor);
+    }
+  }
+
+private:
+  template <class T>
+  static std::span<const T> slice(const std::vector<T>& all, const std::vector<std::size_t>& first, int index)
+  {
+    return {all.data() + first[index], first[index + 1] - first[index]};
+  }
+
+  void add(const Power_polynomial& polynomial, Relation relation, std::map<Monomial, int>& monomials);
+};
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE
+Sparse_system::Sparse_system(int dimension, const std::vector<Polynomial_constraint>& constraints,
+                             const std::function<void()>& check)
+  : m_dimension(dimension), m_constraints_of(dimension), m_degrees(dimension, 0)
+{
+  std::map<Monomial, int> monomials;
+  for (const auto& [polynomial, relation] : constraints) {
+    check();
+    add(polynomial, relation, monomials);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Interval Sparse_system::value(int constraint, const Interval_box& box) const
+{
+  Interval result = m_constants[constraint];
+  Interval_polynomial polynomial;
+  for (const Univariate_part& part : parts(constraint)) {
+    const auto own = coefficients(part);
+    polynomial.reset(part.degree);
+    for (int e = 1; e <= part.degree; ++e)
+      polynomial[e] = own[e - 1];
+    result += polynomial.range(box[part.unknown]);
+  }
+  for (const Mixed_term& term : terms(constraint))
+    result += term.coefficient * product(term.monomial, box);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_system::add(const Power_polynomial& polynomial, Relation relation,
+                                                       std::map<Monomial, int>& monomials)
+{
+  struct Own
+  {
+    std::vector<Interval> coefficients;
+    std::vector<Place> places;
+    int degree = 0;
+  };
+  const int constraint = constraints();
+  std::map<int, Own> of_unknowns;
+  Interval constant(0);
+  for (const auto& [monomial, coefficient] : polynomial.terms())
+    if (monomial.powers.empty())
+      constant = enclosure_of(coefficient);
+    else if (monomial.powers.size() == 1) {
+      const auto [unknown, exponent] = monomial.powers.front();
+      Own& own = of_unknowns[unknown];
+      if (static_cast<int>(own.coefficients.size()) < exponent)
+        own.coefficients.resize(exponent, Interval(0));
+      own.coefficients[exponent - 1] = enclosure_of(coefficient);
+    } else {
+      const auto [position, is_new] = monomials.try_emplace(monomial, static_cast<int>(this->monomials()));
+      if (is_new) {
+        for (const auto& [unknown, exponent] : monomial.powers)
+          m_factors.push_back({unknown, exponent});
+        m_first_factor.push_back(m_factors.size());
+      }
+      const int term = static_cast<int>(m_terms.size() - m_first_term.back());
+      m_terms.push_back({position->second, enclosure_of(coefficient)});
+      std::size_t factor = m_first_factor[position->second];
+      for (const auto& [unknown, exponent] : monomial.powers) {
+        Own& own = of_unknowns[unknown];
+        own.places.push_back({term, factor++});
+        own.degree = (std::max)(own.degree, exponent);
+      }
+    }
+  int parts = 0;
+  for (const auto& [unknown, own] : of_unknowns) {
+    const int degree = static_cast<int>(own.coefficients.size());
+    m_occurrences.push_back({unknown, degree > 0 ? parts : -1, (std::max)(degree, own.degree), m_places.size(),
+                             m_places.size() + own.places.size()});
+    m_places.insert(m_places.end(), own.places.begin(), own.places.end());
+    m_constraints_of[unknown].push_back(constraint);
+    if (degree > 0) {
+      m_parts.push_back({unknown, degree, m_coefficients.size()});
+      m_coefficients.insert(m_coefficients.end(), own.coefficients.begin(), own.coefficients.end());
+      m_degrees[unknown] = (std::max)(m_degrees[unknown], degree);
+      ++parts;
+    }
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool is_upper = relation == Relation::LESS || relation == Relation::LESS_EQUAL;
+  const bool is_lower = relation == Relation::GREATER || relation == Relation::GREATER_EQUAL;
+  if (relation == Relation::EQUAL)
+    m_equalities.push_back(constraint);
+  const bool is_any = relation == Relation::NOT_EQUAL;
+  m_slack.emplace_back(is_lower || is_any ? -infinity : 0.0, is_upper || is_any ? infinity : 0.0);
+  m_constants.push_back(constant);
+  m_first_part.push_back(m_parts.size());
+  m_first_term.push_back(m_terms.size());
+  m_first_occurrence.push_back(m_occurrences.size());
+}
+#endif
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SPARSE_SYSTEM_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Spline_constraints_d authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Spline_constraints_d authors
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SOLUTIONS_OF_POLYNOMIALS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SOLUTIONS_OF_POLYNOMIALS_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                                                   const std::vector<Polynomial_constraint>& constraints,
+                                                   const Solver_options& options);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+/*
+Two solvers for one system, with tensors and with sums of monomials. Each is tried for some nodes; the one that has done
+more of the domain, measured by the work of a node, goes on from the beginning.
+*/
+class Solutions_of_polynomials
+{
+  using Solution = Solution_d<double>;
+
+  const std::vector<Constraint_system_d::Domain>& m_domain;
+  const std::vector<Polynomial_constraint>& m_constraints;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  Summary& m_summary;
+
+  // A run with so many nodes, and how it went.
+  struct Trial
+  {
+    std::vector<Solution> solutions;
+    std::size_t nodes;
+    double done;
+
+    bool is_at_limit() const
+    {
+      return std::any_of(solutions.begin(), solutions.end(),
+                         [](const Solution& s) { return s.reason() == Undecided_reason::NODES; });
+    }
+  };
+
+public:
+  Solutions_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                           const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
+                           Run_control& control, Summary& summary)
+    : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary)
+  {}
+
+  std::vector<Solution> operator()()
+  {
+    constexpr double largest_tensor = 0x1p13;
+    constexpr std::size_t largest_dimension = 500; // of which dense rows may pay
+    if (m_domain.size() > largest_dimension || tensor_size(m_constraints) > largest_tensor)
+      return by_propagation(0).solutions;
+    Constraint_system_d system(m_domain);
+    for (const auto& [polynomial, relation] : m_constraints)
+      system.add(polynomial, relation);
+    const double tensor_work = work_of_tensors(), propagation_work = work_of_propagation();
+    Trial tensors = by_tensors(system, nodes_of_trial(tensor_work));
+    if (is_at_end(tensors))
+      return std::move(tensors.solutions);
+    Trial propagation = by_propagation(nodes_of_trial(propagation_work));
+    if (is_at_end(propagation))
+      return std::move(propagation.solutions);
+    const bool are_tensors_faster =
+        tensors.done * (propagation.nodes * propagation_work) > propagation.done * (tensors.nodes * tensor_work);
+    return are_tensors_faster ? by_tensors(system, 0).solutions : by_propagation(0).solutions;
+  }
+
+private:
+  // There is nothing to go on with: it has ended, or the run as a whole has.
+  bool is_at_end(const Trial& trial) const
+  {
+    return !trial.is_at_limit() || m_control.reason() != Undecided_reason::NONE ||
+        (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
+  }
+
+  // In about equal units: a pass over all coefficients, and over the derivatives.
+  double work_of_tensors() const
+  {
+    double result = static_cast<double>(m_domain.size()) * m_domain.size();
+    for (const Polynomial_constraint& constraint : m_constraints)
+      result += tensor_size({constraint});
+    return result;
+  }
+
+  // An elimination, and sums of multiples of all terms.
+  double work_of_propagation() const
+  {
+    const double n = static_cast<double>(m_domain.size());
+    double terms = 0;
+    for (const auto& [polynomial, relation] : m_constraints)
+      terms += static_cast<double>(polynomial.terms().size());
+    return n * terms + n * n * (std::min)(n, 64.0) / 8;
+  }
+
+  static std::size_t nodes_of_trial(double work_of_node)
+  {
+    return static_cast<std::size_t>((std::clamp)(0x1p22 / work_of_node, 16.0, 0x1p16));
+  }
+
+  // The limits that are left, with so many nodes at most; 0: no other limit.
+  Solver_options options_of_trial(std::size_t nodes) const
+  {
+    Solver_options result = m_options;
+    if (m_options.node_limit > 0)
+      result.node_limit = (std::max)(m_options.node_limit, m_summary.nodes + 1) - m_summary.nodes;
+    if (nodes > 0 && (result.node_limit == 0 || nodes < result.node_limit))
+      result.node_limit = nodes;
+    return result;
+  }
+
+  Trial by_tensors(const Constraint_system_d& system, std::size_t nodes)
+  {
+    Summary work;
+    m_control.begin_part();
+    auto solutions = decomposed_solutions<Certified_solver_traits, CGAL::Sequential_tag>(
+        system, options_of_trial(nodes), m_control, work);
+    m_summary += work;
+    return {std::move(solutions), work.nodes, m_control.done()};
+  }
+
+  Trial by_propagation(std::size_t nodes)
+  {
+    Summary work;
+    m_control.begin_part();
+    const Solver_options options = options_of_trial(nodes);
+    const Upward_rounding_guard guard;
+    auto solutions = Solutions_by_propagation(m_domain, m_constraints, options, m_control, work)();
+    m_summary += work;
+    return {std::move(solutions), work.nodes, m_control.done()};
+  }
+};
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>
+solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options)
+{
+  check_polynomials(domain, constraints);
+  Run_control control(options);
+  Summary summary;
+  auto solutions = Solutions_of_polynomials(domain, constraints, options, control, summary)();
+  return solution_set_of(std::move(solutions), summary, control);
+}
+#endif
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SOLUTIONS_OF_POLYNOMIALS_H
