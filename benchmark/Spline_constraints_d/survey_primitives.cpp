@@ -5,11 +5,12 @@
 // a line per pair with the answers and their times in milliseconds, and a summary. Numbers of closed curves/open
 // curves/singular points; u: undecided; !: not what geometry says.
 //
-//   survey_primitives [--rounded SECONDS]
+//   survey_primitives [--rounded [SECONDS]]
 //
 // Then the same patches as programs for CAD write them (in doubles, rotated and moved by irrational numbers), healed
 // (H), beside the exact ones (P): the ratio of their times, the best of five in turns, without the time of healing,
-// which comes last. With --rounded, the patches as they were written (R), too, with this limit of time.
+// which comes last. With --rounded, the patches as they were written (R), too, with this limit of time or, as users
+// ask, with none.
 
 #include "pairs_of_primitives.h"
 #include "surfaces_of_cad_programs.h"
@@ -25,6 +26,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -45,7 +47,7 @@ std::string counts(const A& a, const B& b, double time_limit = 20)
   const auto set = SC::intersection_curves(a, b, {.tolerance = 1e-8, .time_limit = time_limit});
   std::ostringstream out;
   out << set.number_of_closed_curves() << '/' << set.number_of_open_curves() << '/' << set.singular_points().size();
-  if (!set.points().empty())   // no pair has single points
+  if (!set.points().empty()) // no pair has single points
     out << " and " << set.points().size();
   return set.is_complete() ? out.str() : "u";
 }
@@ -105,8 +107,8 @@ void survey_exact(const std::vector<Pair>& pairs)
               << " wrong; " << summary(times[k]) << " ms\n";
 }
 
-// Rounded ones are looked at if there is a limit for them.
-void survey_healed(const std::vector<Pair>& pairs, double limit_of_rounded)
+// Rounded ones are looked at if there is a limit for them; zero is none.
+void survey_healed(const std::vector<Pair>& pairs, std::optional<double> limit_of_rounded)
 {
   using namespace surfaces_of_cad_programs;
   const Motion motion = Motion::turned({1, 2, -0.7}, 1.1, {std::sqrt(2.0), -std::exp(1.0), 0.123456789});
@@ -134,8 +136,8 @@ void survey_healed(const std::vector<Pair>& pairs, double limit_of_rounded)
     std::cout << pair.name << " | " << result.primitives[0].kind << ", " << result.primitives[1].kind << " | P "
               << expected << ' ' << exact_time << " | H " << found << (is_wrong(found, expected) ? '!' : ' ') << ' '
               << healed_time << " | ratio " << ratios.back() << " | healed in " << healing.back();
-    if (limit_of_rounded > 0) {
-      rounded.push_back(milliseconds([&] { found = counts(written_pair[0], written_pair[1], limit_of_rounded); }));
+    if (limit_of_rounded) {
+      rounded.push_back(milliseconds([&] { found = counts(written_pair[0], written_pair[1], *limit_of_rounded); }));
       undecided_rounded += found == "u" && expected != "u" ? 1 : 0;
       wrong_rounded += is_wrong(found, expected) ? 1 : 0;
       std::cout << " | R " << found << (is_wrong(found, expected) ? '!' : ' ') << ' ' << rounded.back();
@@ -146,7 +148,7 @@ void survey_healed(const std::vector<Pair>& pairs, double limit_of_rounded)
             << " wrong; nothing moved by more than " << displacement << "; ratio to the time of P " << summary(ratios)
             << ", " << slow << " above 1.5; " << healed_total << " ms for " << exact_total << " ms; healing "
             << summary(healing) << " ms\n";
-  if (limit_of_rounded > 0)
+  if (limit_of_rounded)
     std::cout << "R: " << rounded.size() << " pairs, " << undecided_rounded << " undecided, " << wrong_rounded
               << " with other numbers; " << summary(rounded) << " ms\n";
 }
@@ -156,9 +158,11 @@ void survey_healed(const std::vector<Pair>& pairs, double limit_of_rounded)
 int main(int argc, char* argv[])
 {
   try {
-    const double limit = argc == 3 && std::string(argv[1]) == "--rounded" ? std::stod(argv[2]) : 0;
-    if (argc != 1 && !(limit > 0)) {
-      std::cerr << "usage: survey_primitives [--rounded SECONDS]\n";
+    std::optional<double> limit;
+    if ((argc == 2 || argc == 3) && std::string(argv[1]) == "--rounded")
+      limit = argc == 3 ? std::stod(argv[2]) : 0;
+    if ((argc != 1 && !limit) || (argc == 3 && !(*limit > 0))) {
+      std::cerr << "usage: survey_primitives [--rounded [SECONDS]]\n";
       return EXIT_FAILURE;
     }
     const std::vector<Pair> pairs = pairs_of_primitives::all_pairs();

@@ -41,9 +41,13 @@ surfaces, where an equation of one of them, of degree four at most, has a repeat
 manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface
 that coincide; two parametric surfaces that do, as they are the same map but for an affine change of parameters or have
 an inner point and an equation of degree four at most in common, are told at once, all undecided for the reason "the
-surfaces overlap". A curve along an edge, a seam or a break is found where one equation says so, as it does of a
-parametric surface and an implicit one or one with an equation, where it is on an edge of both if the planes of the edge
-separate them, and along contacts of two parametric ones that both have an equation.
+surfaces overlap". Where a parametric surface is a plane, sphere, cylinder, cone or torus but for rounding, and no limit
+of time or nodes is given, a run that does not come to an end after a counted amount of work, more than it takes any of
+these to cross, leaves the rest undecided for a reason such as "rounded cylinder and torus; heal with a tolerance": see
+`with_exact_primitives()`. Limits in the options take its place. A curve along an edge, a seam or a break is found where
+one equation says so, as it does of a parametric surface and an implicit one or one with an equation, where it is on an
+edge of both if the planes of the edge separate them, and along contacts of two parametric ones that both have an
+equation.
 
 A curve goes on through a pole, an edge of a surface that is one point, if the surface has a tangent plane there and two
 branches end in it in opposite directions. A pole that lies on the other surface is a singular point otherwise, such as

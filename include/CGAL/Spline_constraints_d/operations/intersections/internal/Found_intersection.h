@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,7 @@ struct Found_intersection
   std::vector<Common_surface_point> points = {}, singular_points = {};
   std::vector<Part_vertex> pinch_points = {}, unmatched = {};
   Summary summary = {};
+  std::string reason_of_stop = {}; // of a run that the operation ended itself
 };
 
 // The curves that two surfaces have in common; defined in found_intersections.h, as all that follows.

@@ -20,6 +20,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/common_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/primitives/Rounded_primitives.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
@@ -103,8 +104,15 @@ inline Found_intersection found_intersection(std::vector<Solved_part> solved)
 CGAL_SPLINE_CONSTRAINTS_INLINE Found_intersection intersection_of(const Shape& first, const Shape& second,
                                                                   const Solver_options& options)
 {
-  Operation_budget budget(options);
-  return found_intersection({common_curves(Surface_equations(*first, *second), budget)});
+  Rounded_primitives watch(*first, *second, options);
+  Solver_options watched = options;
+  watched.visitor = watch;
+  Operation_budget budget(watched);
+  Found_intersection result = found_intersection({common_curves(Surface_equations(*first, *second), budget)});
+  result.reason_of_stop = watch.reason();
+  if (!result.reason_of_stop.empty() && result.summary.why_not == Undecided_reason::STOPPED)
+    result.summary.why_not = Undecided_reason::CONTINUUM;
+  return result;
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Common_surface_point end_of_curve(const Found_intersection& found,
@@ -185,8 +193,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> undecided_parts_of(co
   const bool is_overlap = found.parts->front().is_overlap;
   for_each_undecided_box(
       found, [&](const Surface_equations& surfaces, const Curve_vertex::Exact_box& box, Undecided_reason reason) {
-        Undecided_part part{
-            double_ranges(surfaces.values(box)), {}, is_overlap ? "the surfaces overlap" : in_words(reason)};
+        const bool is_stopped = reason == Undecided_reason::STOPPED && !found.reason_of_stop.empty();
+        Undecided_part part{double_ranges(surfaces.values(box)),
+                            {},
+                            is_overlap       ? "the surfaces overlap"
+                                : is_stopped ? found.reason_of_stop
+                                             : in_words(reason)};
         for (std::size_t surface = 0; surface < 2; ++surface)
           if (surfaces.is_parametric(surface))
             part.parameters.push_back({surface, double_ranges(surfaces.parameter_ranges(surface, box))});

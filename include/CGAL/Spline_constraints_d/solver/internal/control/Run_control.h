@@ -82,6 +82,14 @@ public:
     return reason() != Undecided_reason::NONE;
   }
 
+  // Asks the visitor as often as for boxes that take as long as what comes next, so that one which counts how often it
+  // is asked knows how much work is done.
+  void charge(std::size_t boxes)
+  {
+    for (std::size_t i = 0; i < boxes && !must_stop(true); ++i) {
+    }
+  }
+
   // For work without an answer before it has ended: throws Run_stopped when the run ends here.
   void check()
   {

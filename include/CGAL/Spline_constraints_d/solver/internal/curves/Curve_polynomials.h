@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_CURVE_POLYNOMIALS_H
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Gauss_newton_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
@@ -77,8 +78,8 @@ public:
   std::size_t work_of_step() const { return m_work_of_step; }
 
   // A box with the only singular point in a box: of several there is no answer, nor after many nodes, as of a
-  // continuum.
-  std::optional<Exact_ranges> singular_point_in(const Exact_ranges& box) const
+  // continuum, nor where the run ends.
+  std::optional<Exact_ranges> singular_point_in(const Exact_ranges& box, Run_control& control) const
   {
     constexpr std::size_t most_nodes = 1000;
     Constraint_system_d system(box);
@@ -89,7 +90,9 @@ public:
     if (system.equalities().size() < dimension())
       return std::nullopt;
     const Solution_set_d<double> points =
-        Subdivision_solver_d<Certified_solver_traits>({.node_limit = most_nodes})(system);
+        Subdivision_solver_d<Certified_solver_traits>({.node_limit = most_nodes, .visitor = control})(system);
+    constexpr std::size_t boxes_of_node = 4; // the minors are long
+    control.charge(boxes_of_node * points.summary().nodes);
     if (points.size() != 1 || !points.is_complete() || points.begin()->kind() == Solution_kind::CONTINUUM)
       return std::nullopt;
     return points.begin()->exact_box();

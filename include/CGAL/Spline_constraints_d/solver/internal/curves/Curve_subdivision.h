@@ -112,7 +112,7 @@ public:
                     Curve_findings& findings, bool needs_regular = false)
     : Search(system, cell, 1, domain_widths, options, control, findings.summary),
       m_closure(without_inequations(m_system)), m_vertices(findings.vertices),
-      m_singular_branches(m_system, domain_widths, findings.vertices), m_needs_regular(needs_regular),
+      m_singular_branches(m_system, domain_widths, findings.vertices, control), m_needs_regular(needs_regular),
       m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 

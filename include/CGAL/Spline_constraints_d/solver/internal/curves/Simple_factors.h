@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Regular_pair.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Separated_contact.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source.h>
@@ -47,9 +48,10 @@ class Factored_spline
   bool m_is_simpler = false;
 
 public:
-  // Of a function with these breaks of all unknowns, in cells which are given by their places among them.
+  // Of a function with these breaks of all unknowns, in cells which are given by their places among them. Not simpler
+  // where a run ends before that is known.
   Factored_spline(const Spline_function& function, const std::vector<Breaks_of_axis>& breaks,
-                  const std::vector<Cell>& cells)
+                  const std::vector<Cell>& cells, Run_control* control)
   {
     for (const Spline_term& term : function.terms())
       m_unknowns.insert(m_unknowns.end(), term.variables.begin(), term.variables.end());
@@ -66,8 +68,15 @@ public:
         if (!m_breaks[j].empty())
           inside[v] = (m_breaks[j][own[j]] + m_breaks[j][own[j] + 1]) / 2;
       }
-      if (!m_factors.contains(own))
-        m_factors[own] = square_free_factors(polynomial_at(function, inside));
+      if (m_factors.contains(own))
+        continue;
+      if (control != nullptr) {
+        constexpr std::size_t boxes_of_cell = 8;
+        control->charge(boxes_of_cell);
+        if (control->must_stop(true))
+          return;
+      }
+      m_factors[own] = square_free_factors(polynomial_at(function, inside));
     }
     for (const auto& [cell, factors] : m_factors) {
       Power_polynomial product(Exact_rational(1));
@@ -221,14 +230,16 @@ class Simple_factors
   bool m_is_simpler = false;
 
 public:
-  explicit Simple_factors(const Constraint_system_d& system) : m_system(domain_of(system))
+  // In a run, or in none.
+  explicit Simple_factors(const Constraint_system_d& system, Run_control* control = nullptr)
+    : m_system(domain_of(system))
   {
     const System_layout layout(system);
     const std::vector<Breaks_of_axis> breaks = Exact_source(system, layout).breaks();
     std::vector<Cell> cells;
     Cell_pyramid(system, breaks).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
     for (const Spline_function& function : system.equalities()) {
-      m_equalities.emplace_back(function, breaks, cells);
+      m_equalities.emplace_back(function, breaks, cells, control);
       m_is_simpler = m_is_simpler || m_equalities.back().is_simpler();
       m_system.add(m_equalities.back().is_simpler() ? m_equalities.back().simple() : function, Relation::EQUAL);
     }

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_SINGULAR_BRANCH_FINDER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_SINGULAR_BRANCH_FINDER_H
 
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Conic_structure_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Singular_point_test.h>
@@ -46,18 +47,20 @@ class Singular_branch_finder
   // Pieces in small boxes are drawn as chords.
   static constexpr double moderate = 0x1p-4, small = 0x1p-6, very_small = 0x1p-10;
 
-  const Constraint_system_d& m_system;   // without breaks
+  const Constraint_system_d& m_system; // without breaks
   const std::vector<double>& m_domain_widths;
   Curve_vertices& m_vertices;
-  const bool m_is_short;                             // the minors are no long polynomials
-  std::optional<Curve_polynomials> m_curves;         // made when they are needed
-  std::deque<Conic_structure_test> m_structures;     // at the rational points that were found
+  Run_control& m_control;
+  const bool m_is_short;                         // the minors are no long polynomials
+  std::optional<Curve_polynomials> m_curves;     // made when they are needed
+  std::deque<Conic_structure_test> m_structures; // at the rational points that were found
   std::size_t m_calls = 0, m_work = 0, m_attempts = 0, m_successes = 0;
 
 public:
   Singular_branch_finder(const Constraint_system_d& system, const std::vector<double>& domain_widths,
-                         Curve_vertices& vertices)
-    : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices), m_is_short(are_minors_short(system))
+                         Curve_vertices& vertices, Run_control& control)
+    : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices), m_control(control),
+      m_is_short(are_minors_short(system))
   {}
 
   // In a box with these vertices on its boundary, and inequalities that neither hold everywhere nor exclude it.
@@ -70,7 +73,7 @@ public:
     ++m_calls;
     const Conic_structure_test* const structure = m_is_short ? structure_around(box) : nullptr;
     if (structure && !is_within(as_box(structure->point()), box))
-      return std::nullopt;   // there is no singular point
+      return std::nullopt; // there is no singular point
     std::optional<Singular_branches> result;
     if (structure && is_smaller(box, small))
       result = branches_of(*structure, box, vertices, open_inequalities);
@@ -107,9 +110,18 @@ private:
 
   const Curve_polynomials& curves()
   {
-    if (!m_curves)
+    if (!m_curves) {
       m_curves.emplace(m_system);
+      charge_polynomials();
+    }
     return *m_curves;
+  }
+
+  // For what takes as long as about all coefficients of the equations and minors.
+  void charge_polynomials() const
+  {
+    constexpr std::size_t work_of_box = 256;
+    m_control.charge(1 + m_curves->work_of_step() / work_of_box);
   }
 
   bool is_smaller(const Exact_ranges& box, double share) const
@@ -136,7 +148,7 @@ private:
   // Near a box: what is proved there tells of many boxes around that they have no singular point.
   void find_rational_point(Exact_ranges near)
   {
-    constexpr std::size_t first_work = 1000, more_work = 100;   // a part of what the boxes cost
+    constexpr std::size_t first_work = 1000, more_work = 100; // a part of what the boxes cost
     if (m_work + curves().work_of_step() > first_work + more_work * m_calls)
       return;
     for (std::size_t j = 0; j < near.size(); ++j) {
@@ -188,13 +200,15 @@ private:
 
   std::optional<Singular_branches> branches_of_double_point(const Exact_ranges& box, const Indices& vertices)
   {
-    constexpr std::size_t few_attempts = 1000;   // and as many more after each success
+    constexpr std::size_t few_attempts = 1000; // and as many more after each success
     const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
     if (m_attempts > few_attempts * (m_successes + 1) || (!vertices.empty() && vertices.size() != 4) ||
         !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return std::nullopt;
     ++m_attempts;
-    const std::optional<Proved_singularity> found = Singular_point_test(curves(), box)();
+    const Singular_point_test test(curves(), box, m_control);
+    charge_polynomials();
+    const std::optional<Proved_singularity> found = test();
     if (!found || found->branches != vertices.size())
       return std::nullopt;
     return Singular_branches{m_vertices.add(Plane_point::singular(found->box)), vertices};

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_polynomials.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Polynomial_jets.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
@@ -60,6 +61,7 @@ class Singular_point_test
 
   const Curve_polynomials& m_curves;
   const Exact_ranges& m_box;
+  Run_control& m_control;
   Exact_point m_middle;
   // the equations in the differences from the middle of the box, so that intervals do not cancel
   std::vector<Power_polynomial> m_centred;
@@ -68,8 +70,8 @@ class Singular_point_test
   static constexpr double largest_error = 0.3;
 
 public:
-  Singular_point_test(const Curve_polynomials& curves, const Exact_ranges& box)
-    : m_curves(curves), m_box(box), m_dimension(box.size())
+  Singular_point_test(const Curve_polynomials& curves, const Exact_ranges& box, Run_control& control)
+    : m_curves(curves), m_box(box), m_control(control), m_dimension(box.size())
   {
     for (const auto& [lower, upper] : m_box)
       m_middle.push_back(Exact_rational((lower + upper) / 2));
@@ -79,7 +81,7 @@ public:
 
   std::optional<Proved_singularity> operator()() const
   {
-    const std::optional<Exact_ranges> point = m_curves.singular_point_in(m_box);
+    const std::optional<Exact_ranges> point = m_curves.singular_point_in(m_box, m_control);
     if (!point)
       return std::nullopt;
     const Mpfr_precision_scope precision(128);

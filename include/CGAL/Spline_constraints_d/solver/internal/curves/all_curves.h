@@ -101,7 +101,7 @@ private:
                              [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; });
     for (; m_checked < m_vertices.size() && !m_is_asked; ++m_checked)
       m_is_asked = m_vertices[m_checked].kind != Plane_point::REGULAR && !m_vertices[m_checked].is_singular;
-    m_is_over = m_is_asked && m_gives_up();
+    m_is_over = m_is_asked && !m_control.must_stop(true) && m_gives_up();
     return m_is_over;
   }
 
@@ -294,7 +294,7 @@ Found_curves curves_of_simple_factors(const Constraint_system_d& system, const S
 {
   std::optional<Simple_factors> factors;
   const auto has_simpler = [&] {
-    factors.emplace(system);
+    factors.emplace(system, &control);
     return factors->is_simpler();
   };
   std::size_t nodes = 0;

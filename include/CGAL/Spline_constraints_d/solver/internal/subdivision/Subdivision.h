@@ -194,6 +194,8 @@ public:
   bool guess_multiple_root(const Cell& cell, const std::vector<Coordinate>& box_lower,
                            const std::vector<Coordinate>& box_upper, const std::vector<double>& widths)
   {
+    constexpr std::size_t boxes_of_guess = 16;
+    m_control.charge(boxes_of_guess);
     const auto root_between = [&](const std::vector<double>& lower, const std::vector<double>& upper) {
       return multiple_root_in(m_system, lower, upper, widths);
     };
