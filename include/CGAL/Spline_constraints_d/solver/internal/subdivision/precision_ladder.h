@@ -84,7 +84,7 @@ public:
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
     bool may_climb = is_regular || is_open;
     if (is_open && m_options.ladder_precision > 0) {
-      constexpr std::size_t boxes_of_search = 256;
+      constexpr std::size_t boxes_of_search = 384;
       m_control.charge(boxes_of_search);
       Multiple_root_search search = search_multiple_root(
           m_system, ranges, m_failures < m_most_failures ? Multiple_root_search::most_multiplicity : 2,
