@@ -96,6 +96,12 @@
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_circular_polygons_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_general_polygons_2.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/Patch_certificate.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/Smooth_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/Smooth_surface_hit.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/Smooth_surface_mesh_3.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/Smooth_surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/smooth_surfaces/smooth_surfaces_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/Silhouette_event_kind.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/Surface_curves_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>

@@ -24,6 +24,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `regions`: regions of the plane with curved boundaries, and their conversions to polygons and arrangements.
 - `distances`: closest points, distances of curves, surfaces and regions.
 - `implicit_patches`: zeros of polynomials in tetrahedra, and their shape.
+- `smooth_surfaces`: smooth closed surfaces of cubic patches through the vertices of meshes.
 - `first_contacts`: when moving regions meet, and where.
 - `approximate_polygons`: polygons whose edges are known up to bands, and where points are in all of them.
 - `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
@@ -70,6 +71,9 @@ using namespace Intersections;
 using namespace Regions;
 }
 namespace Implicit_patches {
+using namespace Common;
+}
+namespace Smooth_surfaces {
 using namespace Common;
 }
 namespace First_contacts {
