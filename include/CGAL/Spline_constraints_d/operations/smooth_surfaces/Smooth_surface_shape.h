@@ -64,7 +64,7 @@ struct Smooth_surface_shape
 
   //! the value of the function at an apex: less of it pulls the surface to the apex. By default that of the quadratic
   //! polynomial with the vertices, mean slopes along the edges and, along the normal, the half of the second
-  //! derivatives in the face, that of a sphere for a sphere, unless the slope along the normal would go down too far.
+  //! derivatives in the face, that of a sphere for a sphere, unless the slope along the normal would change its sign.
   std::function<FT(const Apex& apex, const FT& value)> apex_value = {};
 
   //! the gradient at an apex; by default that of this polynomial, with the value at the apex.
@@ -74,8 +74,8 @@ struct Smooth_surface_shape
   //! not matter.
   std::function<Vector_3(std::size_t source, std::size_t target, const Vector_3& value)> edge_gradient = {};
 
-  //! the Bernstein coefficient with the gap point twice and the apex; by default that of this polynomial, unless the
-  //! slope from the edge to the gap point would go down too far.
+  //! the Bernstein coefficient with the gap point twice and the apex; by default that of this polynomial, unless those
+  //! of both faces are different and the slope from the edge to the gap point would change its sign.
   std::function<FT(const Gap& gap, const FT& value)> gap_value = {};
 
   //! where a gap point divides the segment from the apex of one face to that of the other, in (0,1).

@@ -113,9 +113,9 @@ private:
   }
 
   /*
-  Such that the second derivative along the normal is half of the trace of those in the facet, but no more than lets the
-  slope along the normal go down to a quarter at the apex; a and b are edges, n goes from the center to the apex. \pre
-  The value at the apex is 0.
+  Such that the second derivative along the normal is half of the trace of those in the facet; but if the slope along
+  the normal would change its sign, it goes down to a quarter; a and b are edges, n goes from the center to the apex.
+  \pre The value at the apex is 0.
   */
   Exact_rational value_of_trace(const Exact_kernel::Vector_3& a, const Exact_kernel::Vector_3& b,
                                 const Exact_kernel::Vector_3& n) const
@@ -128,9 +128,9 @@ private:
     const Exact_rational trace =
         (bb * form(da, da) - 2 * ab * form(da, db) + aa * form(db, db)) / Exact_rational(aa * bb - ab * ab);
     Exact_rational second = trace / 2 * Exact_rational(n * n); // halves of derivatives by a parameter that is 1 there
-    const Exact_rational first = form(center, dn), bound = -first * 3 / 4;
-    if (first > 0 ? second < bound : second > bound)
-      second = bound;
+    const Exact_rational first = form(center, dn);
+    if (first > 0 ? second <= -first : second >= -first)
+      second = -first * 3 / 4;
     return second - form(dn, dn);
   }
 };
@@ -303,25 +303,27 @@ private:
       set(gap, gap, m, mu * at(gap, m, apexes[0]) + (1 - mu) * at(gap, m, apexes[1]));
   }
 
-  // A third value, or the one next to it with which the second difference is a quarter of the first, at least.
-  static FT limited_fall(const FT& first, const FT& second, const FT& third)
+  // A third value; or one with which the second difference is a quarter of the first, if it would have another sign.
+  static FT without_turn(const FT& first, const FT& second, const FT& third)
   {
-    const FT slope = second - first, bound = second + slope / 4;
-    return (slope > 0 ? third < bound : third > bound) ? bound : third;
+    const FT slope = second - first;
+    return (slope > 0 ? third > second : third < second) ? third : FT(second + slope / 4);
   }
 
-  // The coefficient of the quadratic polynomial, as one of degree 3, but such that the slope from the middle of the
-  // edge to the gap point does not go down to less than a quarter.
+  // The coefficient of the quadratic polynomial, as one of degree 3; but if the two facets have different ones, such
+  // that the slope from the middle of the edge to the gap point keeps its sign.
   FT gap_value(std::size_t e, int side, int k) const
   {
     const auto& [ends, facets] = m_mesh.edges[e];
     const auto& [p, q] = ends;
     const std::size_t node = numbers().gap(e, side), apex_node = numbers().apex(facets[k], side);
     const Point &gap = point(node), &apex = point(apex_node);
-    const Facet_quadric& quadric = m_quadrics[2 * facets[k] + side];
-    const FT value = limited_fall((at(p, p, apex_node) + 2 * at(p, q, apex_node) + at(q, q, apex_node)) / 4,
-                                  (at(p, node, apex_node) + at(q, node, apex_node)) / 2,
-                                  (quadric(gap, gap) + 2 * quadric(gap, apex)) / 3);
+    const Facet_quadric &quadric = m_quadrics[2 * facets[k] + side], &other = m_quadrics[2 * facets[1 - k] + side];
+    const FT at_gap = quadric(gap, gap);
+    FT value = (at_gap + 2 * quadric(gap, apex)) / 3;
+    if (at_gap != other(gap, gap))
+      value = without_turn((at(p, p, apex_node) + 2 * at(p, q, apex_node) + at(q, q, apex_node)) / 4,
+                           (at(p, node, apex_node) + at(q, node, apex_node)) / 2, value);
     return m_shape.gap_value ? m_shape.gap_value({m_mesh.vertex_names[ends[0]], m_mesh.vertex_names[ends[1]],
                                                   side == OUTER, m_mesh.facet_names[facets[k]], gap, apex},
                                                  value)

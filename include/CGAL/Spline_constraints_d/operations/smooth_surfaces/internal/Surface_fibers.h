@@ -67,6 +67,8 @@ public:
 
   bool is_certified(const Flag& flag) const
   {
+    if (m_data.certificates.empty()) // the run has ended before there were patches
+      return false;
     for (const int side : {OUTER, INNER})
       if (!m_data.certificates[facet_patch(flag, side)].is_certified() ||
           !m_data.certificates[gap_patch(flag, side)].is_certified())

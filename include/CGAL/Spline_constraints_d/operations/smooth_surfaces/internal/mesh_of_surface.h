@@ -108,10 +108,15 @@ private:
     // by the edge from the corner the triangle of corner, middle of the edge and center is counterclockwise
     if (!flag.is_edge_from_corner())
       std::swap(corners[1], corners[2]);
-    const auto face = m_result.mesh.add_face(corners[0], corners[1], corners[2]);
+    auto face = m_result.mesh.add_face(corners[0], corners[1], corners[2]);
+    if (face == Mesh::null_face()) { // where pieces are left out, the others at a vertex may be several fans
+      for (Mesh::Vertex_index& corner : corners)
+        add_vertex(corner, Point(m_result.mesh.point(corner)), Vector(m_result.normals[corner]));
+      face = m_result.mesh.add_face(corners[0], corners[1], corners[2]);
+    }
     m_result.face[face] = m_data.mesh.facet_names[flag.facet];
-    const Point &p = m_result.mesh.point(corners[0]), &q = m_result.mesh.point(corners[1]),
-                &r = m_result.mesh.point(corners[2]);
+    const Point p = m_result.mesh.point(corners[0]), q = m_result.mesh.point(corners[1]),
+                r = m_result.mesh.point(corners[2]);
     const Vector normal = CGAL::cross_product(q - p, r - p);
     const auto rounded = [&](double x) { return std::round(x / m_parts * 0x1p30) * 0x1p-30; };
     const double b_and_c = rounded(middle[0]), c = rounded(middle[1]);

@@ -41,14 +41,14 @@ nearer.
 */
 class Smooth_surface_finder
 {
-  static constexpr int m_most_without_gain = 6;    // attempts
+  static constexpr int m_most_without_gain = 8;    // attempts
   static constexpr std::size_t m_most_parts = 256; // of a tetrahedron, for its certificate
 
   Oriented_mesh m_mesh;
   const Smooth_surface_shape& m_shape;
   Common::Run_of_steps m_run;
-  std::array<std::vector<double>, 2> m_least, m_heights; // by side and facet
-  std::vector<bool> m_is_to_blame;                       // patches of the last attempt, for being in the way
+  std::array<std::vector<double>, 2> m_least, m_first, m_heights; // by side and facet
+  std::vector<bool> m_is_to_blame;                                // patches of the last attempt, for being in the way
 
 public:
   Smooth_surface_finder(Oriented_mesh mesh, const Smooth_surface_shape& shape, const Solver_options& options)
@@ -101,6 +101,7 @@ private:
         m_least[side].push_back(CGAL::to_double(least[side][f]));
         m_heights[side].push_back((std::max)(std::sqrt(length / 2) / 3 / length, 1.75 * m_least[side][f]));
       }
+    m_first = m_heights;
   }
 
   // Heights as short binary fractions, above the least ones.
@@ -148,6 +149,7 @@ private:
 
   void change_heights(const Surface_data& data, double factor)
   {
+    constexpr double most_growth = 3;
     std::array<std::vector<int>, 2> wish; // 1: farther, -1: nearer
     for (auto& of_side : wish)
       of_side.assign(m_mesh.facets.size(), 0);
@@ -164,11 +166,12 @@ private:
     }
     for (const int side : {OUTER, INNER})
       for (std::size_t f = 0; f < m_mesh.facets.size(); ++f) {
+        const double least = m_least[side][f], first = m_first[side][f];
         double& height = m_heights[side][f];
-        if (wish[side][f] > 0)
-          height *= factor;
+        if (wish[side][f] > 0) // after the farthest again near ones
+          height = height > most_growth * first ? least + (first - least) / most_growth : factor * height;
         else if (wish[side][f] < 0)
-          height = m_least[side][f] + (height - m_least[side][f]) / factor;
+          height = least + (height - least) / factor;
       }
   }
 
