@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Implicit patches. What other sources of the library have is only declared.
+// Implicit patches, and smooth surfaces that consist of them. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/internal/convexity_of_function.h>

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -58,13 +59,47 @@ inline std::array<Interval_point, 4> enclosed_vertices(const Surface_data& data,
   return {data.places[nodes[0]], data.places[nodes[1]], data.places[nodes[2]], data.places[nodes[3]]};
 }
 
+// A box of points; infinite where a ray goes on.
+using Range_box = std::array<std::pair<double, double>, 3>;
+
+inline Range_box box_of_line(const Interval_point& first, const Interval_point& second, bool is_ray)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range_box result;
+  for (int k = 0; k < 3; ++k) {
+    const auto &a = first[k], &b = second[k];
+    result[k] = {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())};
+    if (is_ray && !(b.inf() >= a.sup()))
+      result[k].first = -infinity;
+    if (is_ray && !(b.sup() <= a.inf()))
+      result[k].second = infinity;
+  }
+  return result;
+}
+
+inline bool is_beside_box(const std::array<Interval_point, 4>& vertices, const Range_box& box)
+{
+  for (int k = 0; k < 3; ++k) {
+    const auto is_below = [&](const Interval_point& p) { return p[k].sup() < box[k].first; };
+    const auto is_above = [&](const Interval_point& p) { return p[k].inf() > box[k].second; };
+    if (std::all_of(vertices.begin(), vertices.end(), is_below) ||
+        std::all_of(vertices.begin(), vertices.end(), is_above))
+      return true;
+  }
+  return false;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<std::size_t> patch_at(const Surface_data& data,
                                                                    const Exact_kernel::Point_3& point)
 {
   const Upward_rounding_guard guard;
   const Interval_point place = enclosure_of(point);
+  const Range_box box = box_of_line(place, place, false);
   for (std::size_t i = 0; i < data.forms.size(); ++i) {
-    const auto enclosed = enclosed_barycentric(enclosed_vertices(data, i), place);
+    const auto vertices = enclosed_vertices(data, i);
+    if (is_beside_box(vertices, box))
+      continue;
+    const auto enclosed = enclosed_barycentric(vertices, place);
     if (std::any_of(enclosed.begin(), enclosed.end(), [](const Interval& x) { return x.sup() < 0; }))
       continue;
     const Form::Barycentric tau = barycentric_of(data.vertices(i), point);
@@ -101,8 +136,10 @@ public:
   {
     const Upward_rounding_guard guard;
     const Interval_point first = enclosure_of(source), second = enclosure_of(target);
+    const Range_box box = box_of_line(first, second, is_ray);
     for (std::size_t i = 0; i < data.forms.size(); ++i)
-      if (!is_beside(i, first, second))
+      if (const auto vertices = enclosed_vertices(data, i);
+          !is_beside_box(vertices, box) && !is_beside(vertices, first, second))
         add_piece(i);
     std::sort(m_pieces.begin(), m_pieces.end(), [](const Piece& a, const Piece& b) {
       return a.lower < b.lower || (a.lower == b.lower && a.upper < b.upper);
@@ -146,9 +183,9 @@ private:
   Point at(const FT& t) const { return m_source + t * (m_target - m_source); }
 
   // Whether all of the line is on the other side of a face of a patch, seen from this.
-  bool is_beside(std::size_t patch, const Interval_point& first, const Interval_point& second) const
+  bool is_beside(const std::array<Interval_point, 4>& x, const Interval_point& first,
+                 const Interval_point& second) const
   {
-    const auto x = enclosed_vertices(m_data, patch);
     const auto a = enclosed_barycentric(x, first), b = enclosed_barycentric(x, second);
     for (int i = 0; i < 4; ++i)
       if (a[i].sup() < 0 && (m_is_ray ? (b[i] - a[i]).sup() < 0 : b[i].sup() < 0))

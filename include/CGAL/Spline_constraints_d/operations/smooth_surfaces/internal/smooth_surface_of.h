@@ -41,7 +41,7 @@ nearer.
 */
 class Smooth_surface_finder
 {
-  static constexpr int m_most_without_gain = 8;    // attempts
+  static constexpr int m_most_without_gain = 5;    // attempts
   static constexpr std::size_t m_most_parts = 256; // of a tetrahedron, for its certificate
 
   Oriented_mesh m_mesh;
