@@ -116,13 +116,15 @@ class Line_through_surface
   using FT = Exact_rational;
   using Cubic = Bernstein_tensor<FT>;
 
-  // In a patch; one of length 0 has the function's value there.
+  // In a patch; it may have the length 0.
   struct Piece
   {
     FT lower, upper;
     std::size_t patch;
-    Cubic function;
-    bool begins_at_vertex; // of the mesh
+    std::array<Form::Barycentric, 2> ends;
+    Cubic function = {}; // for hits only
+
+    bool begins_at_vertex() const { return ends[0][1] == 1 || ends[0][2] == 1; } // of the mesh
   };
 
   const Surface_data& m_data;
@@ -153,13 +155,15 @@ public:
   // first, which is on both sides.
   std::optional<int> first_side() const
   {
-    if (m_pieces.empty() || m_pieces.front().begins_at_vertex)
+    if (m_pieces.empty() || m_pieces.front().begins_at_vertex())
       return std::nullopt;
     return m_data.neighborhood.patches[m_pieces.front().patch].side;
   }
 
-  std::vector<Smooth_surface_hit> hits() const
+  std::vector<Smooth_surface_hit> hits()
   {
+    for (Piece& piece : m_pieces)
+      piece.function = Cubic({3}, m_data.forms[piece.patch].restricted(piece.ends).coefficients());
     std::vector<Smooth_surface_hit> result;
     std::map<FT, std::size_t> zeros; // at ends of pieces, with a patch
     for (const Piece& piece : m_pieces) {
@@ -216,15 +220,11 @@ private:
     }
     if (*upper < lower) // it is bounded, as the patch is
       return;
-    Form::Barycentric first, last;
+    Piece& piece = m_pieces.emplace_back(Piece{lower, *upper, patch, {}});
     for (int i = 0; i < 4; ++i) {
-      first[i] = a[i] + lower * (b[i] - a[i]);
-      last[i] = a[i] + *upper * (b[i] - a[i]);
+      piece.ends[0][i] = a[i] + lower * (b[i] - a[i]);
+      piece.ends[1][i] = a[i] + *upper * (b[i] - a[i]);
     }
-    m_pieces.push_back(
-        {lower, *upper, patch,
-         Cubic({3}, m_data.forms[patch].restricted(std::array<Form::Barycentric, 2>{first, last}).coefficients()),
-         first[1] == 1 || first[2] == 1});
   }
 
   static CGAL::Sign first_sign(const std::vector<FT>& coefficients, bool is_from_behind)

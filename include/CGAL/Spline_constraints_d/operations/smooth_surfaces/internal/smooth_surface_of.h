@@ -131,8 +131,10 @@ private:
       result.places.push_back(enclosure_of(p));
     const Patch_coefficients coefficients(result.mesh, result.neighborhood, m_shape, m_run);
     result.coefficient_count = coefficients.values().size();
-    for (const Patch_place& patch : result.neighborhood.patches)
+    for (const Patch_place& patch : result.neighborhood.patches) {
+      m_run.check();
       result.forms.push_back(coefficients.form_of(patch));
+    }
     result.certificates.assign(result.forms.size(), {});
     m_is_to_blame = certify_places(result, m_run);
     certify_signs(result, m_run, m_most_parts);
