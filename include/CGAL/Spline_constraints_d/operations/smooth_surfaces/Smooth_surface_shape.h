@@ -26,7 +26,8 @@ namespace Spline_constraints {
 
 What can be chosen of a smooth surface beside its vertices and gradients, see `smooth_surface()`. Each is a function of
 the place and of the value that is taken where the function is empty. All values may be chosen: the pieces stay smooth
-across their faces. Faces and vertices have the numbers of the mesh.
+across their faces. Faces and vertices have the numbers of the mesh. Where operators of `FT` return expressions, as
+those of GMP do, a lambda has to say what it returns: `[](...) -> FT { ... }`.
 */
 struct Smooth_surface_shape
 {
