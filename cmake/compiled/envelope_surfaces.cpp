@@ -4,6 +4,7 @@
 // Surfaces that solutions of constraints give. What other sources of the library have is only declared.
 #define CGAL_SPLINE_CONSTRAINTS_COMPILED
 
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/bisectors_of_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/curve_surface_bisectors.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelope_mesh.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelopes_of_two_surfaces.h>

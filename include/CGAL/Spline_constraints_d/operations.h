@@ -43,9 +43,12 @@
 #include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Touched_sides.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/alpha_sector_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/curve_surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/envelope_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_2.h>

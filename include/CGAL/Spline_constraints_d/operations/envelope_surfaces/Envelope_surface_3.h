@@ -73,6 +73,9 @@ struct Envelope_part_3
   //! the unknown that has one value on all of the part, with this value: a line of a surface touches its envelope all
   //! the time.
   std::optional<std::pair<int, Exact_rational>> constant_unknown = std::nullopt;
+
+  //! of bisectors and sectors: the points of the operands where spheres around the point of space touch them.
+  std::vector<Vector_expression<3>> feet = {};
 };
 
 /*!
@@ -133,9 +136,10 @@ public:
   const Summary& summary() const { return m_summary; }
 
   /*!
-  triangles, see `to_surface_mesh()`: vertices have all unknowns, the normal and the curvatures as properties. Edges on
-  boundaries and breaks of splines are features. Triangles are joined across seams and poles; vertices there have the
-  first value of an unknown that has two.
+  triangles, see `to_surface_mesh()`: vertices have all unknowns, the normal and the curvatures as properties, and the
+  distances from the points `feet` as the property map `"v:distances"` of `std::vector<double>`. Edges on boundaries and
+  breaks of splines are features. Triangles are joined across seams and poles; vertices there have the first value of an
+  unknown that has two.
   \param options how fine the triangles are, in space.
   \param run the limit of time, and a visitor. What was not done in time is undecided.
   \throws Invalid_input when a bound is not positive.

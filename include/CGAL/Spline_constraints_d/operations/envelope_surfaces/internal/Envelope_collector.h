@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/inequalities_as_unknowns.h>
 
 #include <functional>
 #include <string>
@@ -27,6 +28,16 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Envelope_surfaces {
+
+// Adds the inequality that a formula is not negative, with values up to one, as those of the other unknowns.
+template <class Check>
+void add_not_negative(const Expression& formula, Constraint_system_d& system, const Check& check)
+{
+  Spline_function function = (formula >= 0).spline_function(check);
+  if (const Exact_rational most = bounds_in_domain(function, system).second; most > 0)
+    function *= Exact_rational(1 / most);
+  system.add(std::move(function), Relation::GREATER_EQUAL);
+}
 
 // Gathers what an operation finds, system by system.
 class Envelope_collector
@@ -51,7 +62,8 @@ public:
   void add(const Constraint_system_d& system, const std::function<Spline_function()>& feature,
            const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles,
            const std::function<Surface_solution_set_d(const Surface_solution_set_d&)>& part_of_interest = {},
-           const std::optional<std::pair<int, Exact_rational>>& constant_unknown = std::nullopt)
+           const std::optional<std::pair<int, Exact_rational>>& constant_unknown = std::nullopt,
+           std::vector<Vector_expression<3>> feet = {})
   {
     if (m_budget.must_stop()) {
       add_undecided(domain_of(system), in_words(m_budget.reason()));
@@ -63,6 +75,7 @@ public:
       found = part_of_interest(found);
     m_parts.push_back({std::move(found), image, std::move(closed_unknowns), std::move(poles)});
     m_parts.back().constant_unknown = constant_unknown;
+    m_parts.back().feet = std::move(feet);
     if (!feature || m_parts.back().solutions.patches().empty())
       return;
     if (const Spline_function cusps = feature(); !is_zero_everywhere(cusps)) {

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Cell_functions.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -95,6 +96,26 @@ struct Smooth_surface
     return result;
   }
 };
+
+// Of two parts, the parameters of the first one before those of the second: those with the same points at both ends.
+inline std::vector<int> closed_unknowns(const Smooth_surface& first, const Smooth_surface& second)
+{
+  std::vector<int> result = first.closed_axes();
+  for (const int axis : second.closed_axes())
+    result.push_back(axis + 2);
+  return result;
+}
+
+// The edges of both that are one point.
+inline std::vector<Envelope_pole> poles(const Smooth_surface& first, const Smooth_surface& second)
+{
+  std::vector<Envelope_pole> result;
+  for (const Constant_parameter& pole : first.poles())
+    result.push_back({pole.axis, pole.value, true});
+  for (const Constant_parameter& pole : second.poles())
+    result.push_back({pole.axis + 2, pole.value, true});
+  return result;
+}
 
 /*
 The parts of a surface on which normals are continuous. These are in the lowest degree: what their coordinates have in

@@ -18,7 +18,6 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelope_finders.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/solver/internal/surfaces/inequalities_as_unknowns.h>
 
 #include <span>
 #include <utility>
@@ -40,6 +39,7 @@ struct Curve_and_surface
 {
   Constraint_system_d system;
   Vector_expression<3> image;
+  std::vector<Vector_expression<3>> feet; // on the surface and the curve
 };
 
 inline Curve_and_surface curve_and_surface(const Spline_patch<3>& curve, const Smooth_surface& surface,
@@ -55,12 +55,8 @@ inline Curve_and_surface curve_and_surface(const Spline_patch<3>& curve, const S
   Constraint_system_d system(domain);
   const auto check = [&] { budget.check(); };
   system.add(square * dot(n, slope) - 2 * height * dot(d, slope) == 0, check);
-  Spline_function within = // of values up to one, as those of the other unknowns
-      (4 * radius * radius * height * height >= square * square * squared_norm(n)).spline_function(check);
-  if (const Exact_rational most = bounds_in_domain(within, system).second; most > 0)
-    within *= Exact_rational(1 / most);
-  system.add(std::move(within), Relation::GREATER_EQUAL);
-  return {std::move(system), s - n * (square / (2 * height))};
+  add_not_negative(4 * radius * radius * height * height - square * square * squared_norm(n), system, check);
+  return {std::move(system), s - n * (square / (2 * height)), {s, c(t)}};
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 curve_surface_bisector_of(const Exact_map<3>& curve,
@@ -82,7 +78,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 curve_surface_bisector_of(cons
           throw Invalid_input("curve_surface_bisector: a piece of the surface is a curve or a point");
         const Curve_and_surface pair =
             curve_and_surface(whole_curve.part(0, {cuts[i - 1], cuts[i]}), part, radius, result.budget());
-        result.add(pair.system, {}, pair.image, part.closed_axes(), {});
+        result.add(pair.system, {}, pair.image, part.closed_axes(), {}, {}, {}, pair.feet);
       }
   } catch (const Run_stopped& stop) {
     result.add_undecided({patch.domain(0), patch.domain(1), whole_curve.domain(0)}, in_words(stop.reason));

@@ -14,6 +14,9 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/Mesh_joints.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Local_functions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_image.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 #include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
 
 #include <algorithm>
@@ -22,6 +25,7 @@
 #include <numeric>
 #include <ostream>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -173,9 +177,48 @@ inline Solution_surface_mesh mesh_of(const Envelope_part_3& part, const Surface_
   }
 }
 
-// Adds triangles with all that is known of their vertices and edges. Surfaces are numbered on.
-inline void append(Solution_surface_mesh& result, const Solution_surface_mesh& other)
+using Vertex_distances =
+    Solution_surface_mesh::Mesh::Property_map<Solution_surface_mesh::Mesh::Vertex_index, std::vector<double>>;
+
+inline Vertex_distances distances_of(Solution_surface_mesh& mesh)
 {
+  return mesh.mesh.add_property_map<Solution_surface_mesh::Mesh::Vertex_index, std::vector<double>>("v:distances")
+      .first;
+}
+
+// Adds the distances of the vertices of a bisector or sector from both operands, along normals.
+inline void add_distances(Solution_surface_mesh& mesh, const Envelope_part_3& part)
+{
+  const Vertex_distances distances = distances_of(mesh);
+  const auto dimension = static_cast<std::size_t>(part.solutions.dimension());
+  Exact_ranges domain = domain_of(part.solutions.system());
+  domain.resize(dimension); // without those of inequalities
+  for (const Vector_expression<3>& foot : part.feet) {
+    const Image_functions own = image_functions(foot, domain);
+    std::vector<Spline_function> functions(own.numerators.begin(), own.numerators.end());
+    functions.insert(functions.end(), own.denominators.begin(), own.denominators.end());
+    Local_function_source source(std::move(functions), dimension);
+    Function_jets jets;
+    for (const auto v : mesh.mesh.vertices()) {
+      const std::span<const double> unknowns = std::span<const double>(mesh.unknowns[v]).first(dimension);
+      Exact_ranges place;
+      for (const double unknown : unknowns)
+        place.emplace_back(Exact_rational(unknown), Exact_rational(unknown));
+      source.near(place).evaluate(unknowns, 1, jets);
+      const auto& p = mesh.mesh.point(v);
+      const auto step = [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        return p[i] - jets.values[k] / jets.values[k + 3];
+      };
+      distances[v].push_back(std::hypot(step(0), step(1), step(2)));
+    }
+  }
+}
+
+// Adds triangles with all that is known of their vertices and edges. Surfaces are numbered on.
+inline void append(Solution_surface_mesh& result, Solution_surface_mesh& other)
+{
+  const Vertex_distances distances = distances_of(result), own = distances_of(other);
   std::size_t first = 0;
   for (const auto f : result.mesh.faces())
     first = (std::max)(first, result.surface[f] + 1);
@@ -184,6 +227,7 @@ inline void append(Solution_surface_mesh& result, const Solution_surface_mesh& o
     copy[v] = result.mesh.add_vertex(other.mesh.point(v));
     result.unknowns[copy[v]] = other.unknowns[v];
     result.differentials[copy[v]] = other.differentials[v];
+    distances[copy[v]] = own[v];
   }
   for (const auto f : other.mesh.faces()) {
     std::vector<Solution_surface_mesh::Mesh::Vertex_index> corners;
@@ -223,6 +267,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh Envelope_surface_3::mesh(co
   for (const Envelope_part_3& part : m_parts) {
     Solution_surface_mesh own = internal::Envelope_surfaces::mesh_of(part, options, budget);
     internal::Envelope_surfaces::join(own, part);
+    internal::Envelope_surfaces::add_distances(own, part);
     internal::Envelope_surfaces::append(result, own);
   }
   internal::Envelope_surfaces::join_at_poles(result, m_parts);

@@ -95,24 +95,6 @@ public:
     return Parametric_vector<3>(m_first.patch)(first()) + Parametric_vector<3>(m_second.surface.patch)(second());
   }
 
-  std::vector<int> closed_unknowns() const
-  {
-    std::vector<int> result = m_first.closed_axes();
-    for (const int axis : m_second.surface.closed_axes())
-      result.push_back(axis + 2);
-    return result;
-  }
-
-  std::vector<Envelope_pole> poles() const
-  {
-    std::vector<Envelope_pole> result;
-    for (const Constant_parameter& pole : m_first.poles())
-      result.push_back({pole.axis, pole.value, true});
-    for (const Constant_parameter& pole : m_second.surface.poles())
-      result.push_back({pole.axis + 2, pole.value, true});
-    return result;
-  }
-
   // Whether m and n have the same direction in a box with a solution, if that is certain.
   std::optional<bool> is_same_direction(const Curve_vertex::Exact_box& box) const
   {
@@ -237,7 +219,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 envelope_surface_of(const Exac
         if (part.is_degenerate() || other.surface.is_degenerate())
           throw Invalid_input("envelope_surface: a piece of a surface is a curve or a point");
         const Pair_of_surfaces pair(part, other);
-        result.add(pair.system(result.budget()), {}, pair.image(), pair.closed_unknowns(), pair.poles(),
+        result.add(pair.system(result.budget()), {}, pair.image(), closed_unknowns(part, other.surface),
+                   poles(part, other.surface),
                    [&](const Surface_solution_set_d& set) { return with_same_direction(set, pair, result); });
       }
   } catch (const Run_stopped& stop) {
