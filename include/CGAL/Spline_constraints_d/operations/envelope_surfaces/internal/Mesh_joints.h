@@ -21,6 +21,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -112,12 +113,17 @@ public:
     return true;
   }
 
-  // Each chain becomes one vertex.
+  // Each chain becomes one vertex. Before, edges to it are flipped where others would become the same ones.
   void contract(const std::vector<Chain>& chains)
   {
-    for (const Chain& chain : chains)
+    for (const Chain& chain : chains) {
+      const std::set<Vertex> vertices(chain.begin(), chain.end());
+      constexpr int most_rounds = 16;
+      for (int round = 0; round < most_rounds && flip_surplus_edges(vertices); ++round) {
+      }
       for (const Vertex v : chain)
         m_same[v] = chain.front();
+    }
     rebuild();
   }
 
@@ -126,6 +132,66 @@ private:
   {
     m_same.resize(m_mesh.num_vertices());
     std::iota(m_same.begin(), m_same.end(), 0);
+  }
+
+  // A vertex beside a chain has edges to vertices in a row on it, or they are flipped but for one row. Whether some were.
+  bool flip_surplus_edges(const std::set<Vertex>& chain)
+  {
+    std::set<Vertex> beside;
+    for (const Vertex v : chain)
+      for (const Vertex w : m_mesh.vertices_around_target(m_mesh.halfedge(v)))
+        if (!chain.contains(w))
+          beside.insert(w);
+    bool result = false;
+    for (const Vertex w : beside) {
+      std::vector<std::vector<Halfedge>> rows = rows_of_edges(w, chain);
+      const auto rank = [&](const std::vector<Halfedge>& row) { // features stay
+        const auto features = std::count_if(row.begin(), row.end(),
+                                            [&](Halfedge h) { return bool(m_result.is_feature[m_mesh.edge(h)]); });
+        return std::pair(features, row.size());
+      };
+      std::sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return rank(b) < rank(a); });
+      for (std::size_t k = 1; k < rows.size(); ++k)
+        for (const Halfedge h : rows[k])
+          result = flip(h) || result;
+    }
+    return result;
+  }
+
+  // The halfedges from a vertex to those of a chain, in the rows that others separate.
+  std::vector<std::vector<Halfedge>> rows_of_edges(Vertex from, const std::set<Vertex>& chain) const
+  {
+    std::vector<Halfedge> around;
+    for (const Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(from)))
+      around.push_back(m_mesh.opposite(h));
+    const auto is_on_chain = [&](Halfedge h) { return chain.contains(m_mesh.target(h)); };
+    const auto start = std::find_if_not(around.begin(), around.end(), is_on_chain);
+    if (start == around.end())
+      return {around};
+    std::rotate(around.begin(), start, around.end());
+    std::vector<std::vector<Halfedge>> rows;
+    bool is_in_row = false;
+    for (const Halfedge h : around) {
+      if (is_on_chain(h) && !is_in_row)
+        rows.emplace_back();
+      is_in_row = is_on_chain(h);
+      if (is_in_row)
+        rows.back().push_back(h);
+    }
+    return rows;
+  }
+
+  // Flips an edge inside, unless it is a feature or there is one between the other two vertices.
+  bool flip(Halfedge h)
+  {
+    const Halfedge other = m_mesh.opposite(h);
+    if (m_mesh.is_border(h) || m_mesh.is_border(other) || m_result.is_feature[m_mesh.edge(h)])
+      return false;
+    const Vertex a = m_mesh.target(m_mesh.next(h)), b = m_mesh.target(m_mesh.next(other));
+    if (a == b || m_mesh.halfedge(a, b) != Mesh::null_halfedge())
+      return false;
+    CGAL::Euler::flip_edge(h, m_mesh);
+    return true;
   }
 
   double squared_distance(Vertex a, Vertex b) const { return CGAL::squared_distance(m_mesh.point(a), m_mesh.point(b)); }
