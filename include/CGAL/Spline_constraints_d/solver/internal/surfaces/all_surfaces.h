@@ -176,17 +176,22 @@ private:
   }
 };
 
-// Whether a short polynomial has repeated factors; for a long one, or a spline, this is not looked at.
+// Whether a short polynomial has repeated factors; for a long one, one in many unknowns, or a spline, this is not looked
+// at.
 inline bool is_seen_to_be_repeated(const Spline_function& function, int dimension)
 {
+  constexpr std::size_t most_unknowns = 3;
   constexpr std::size_t short_polynomial = 200;
   const auto size = [](const Spline_term& term) {
     return term.pieces.size() == 1 ? term.pieces[0].size() : short_polynomial;
   };
   std::size_t coefficients = 0;
-  for (const Spline_term& term : function.terms())
+  std::set<int> unknowns;
+  for (const Spline_term& term : function.terms()) {
     coefficients += size(term);
-  return coefficients < short_polynomial &&
+    unknowns.insert(term.variables.begin(), term.variables.end());
+  }
+  return coefficients < short_polynomial && unknowns.size() <= most_unknowns &&
       square_free_factors(*restricted(function, Partial_point(static_cast<std::size_t>(dimension)))).size() > 1;
 }
 
