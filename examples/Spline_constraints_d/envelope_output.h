@@ -86,13 +86,57 @@ inline void add_envelope(CGAL::Spline_constraints::Scene_3& scene,
   }
 }
 
-// Prints the counts, and what is undecided. Exit status: 0 when nothing is, 3 when something is.
+// Prints what is undecided, and the counts as the last line: those of the surfaces of solutions, and behind them the
+// Euler characteristic with seams and poles joined, if there are some. Exit status: 0 when nothing is undecided, or 3.
 inline int print_envelope(const CGAL::Spline_constraints::Envelope_surface_3& surface)
 {
+  std::size_t components = 0, loops = 0, points = 0;
+  int characteristic = 0;
+  for (const auto& part : surface.parts()) {
+    const auto& set = part.solutions;
+    components += set.surfaces().size();
+    loops += set.number_of_boundary_loops();
+    points += set.points().size() + set.singular_points().size();
+    characteristic += set.euler_characteristic();
+  }
   for (const auto& part : surface.undecided())
     std::cout << part << '\n';
-  std::cout << surface << '\n';
-  return surface.is_complete() ? 0 : 3;
+  const bool is_complete = surface.is_complete();
+  const char* const least = is_complete ? "" : "at least ";
+  std::cout << "surfaces: " << least << components << " components, Euler characteristic " << characteristic;
+  if (characteristic != surface.euler_characteristic())
+    std::cout << " (joined: " << surface.euler_characteristic() << ')';
+  std::cout << ", " << loops << " boundary loops, " << least << points << " singular points, "
+            << surface.undecided().size() << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes "
+            << surface.summary().nodes << "; seconds " << surface.summary().seconds << '\n';
+  return is_complete ? 0 : 3;
+}
+
+// Two surfaces below and above what lies between them, from the side.
+inline void draw_between(std::ostream& out, const Surface_operand& below, const Surface_operand& above,
+                         const std::vector<CGAL::Spline_constraints::Solution_surface_mesh>& meshes)
+{
+  CGAL::Spline_constraints::Scene_3 scene({.to_viewer = {-0.45, -0.85, 0.3}, .most_splits = 20000});
+  scene.add(grid_on(below), {.color = CGAL::IO::Color(215, 215, 215)});
+  scene.add(grid_on(above), {.color = CGAL::IO::Color(230, 120, 110)});
+  for (const auto& mesh : meshes) {
+    scene.add(mesh.mesh, {.color = CGAL::IO::Color(150, 195, 235), .has_edges = false});
+    for (const auto e : mesh.mesh.edges())
+      if (const auto h = mesh.mesh.halfedge(e); mesh.mesh.is_border(e))
+        scene.add_polyline(std::vector{mesh.mesh.point(mesh.mesh.source(h)), mesh.mesh.point(mesh.mesh.target(h))},
+                           {.color = "#335", .width = 1.5, .nearer = 0.05});
+  }
+  scene.write(out);
+}
+
+// A bicubic surface over a square with these heights of its control points.
+inline Surface_operand surface_of_heights(const std::vector<double>& heights)
+{
+  std::vector<Kernel_of_operands::Point_3> points;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      points.emplace_back(2 * i - 3, 2 * j - 3, heights[static_cast<std::size_t>(4 * i + j)]);
+  return Surface_operand({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
 }
 
 // Triangles alone into .off, .ply and .stl, with all unknowns, normals and curvatures into .vtp.

@@ -134,7 +134,8 @@ private:
     std::iota(m_same.begin(), m_same.end(), 0);
   }
 
-  // A vertex beside a chain has edges to vertices in a row on it, or they are flipped but for one row. Whether some were.
+  // A vertex beside a chain has edges to vertices in a row on it, or they are flipped but for one row. Tells whether
+  // some were.
   bool flip_surplus_edges(const std::set<Vertex>& chain)
   {
     std::set<Vertex> beside;

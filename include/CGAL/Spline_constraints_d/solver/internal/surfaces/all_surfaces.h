@@ -176,8 +176,8 @@ private:
   }
 };
 
-// Whether a short polynomial has repeated factors; for a long one, one in many unknowns, or a spline, this is not looked
-// at.
+// Whether a short polynomial has repeated factors; for a long one, or one in many unknowns, or a spline, this is not
+// looked at.
 inline bool is_seen_to_be_repeated(const Spline_function& function, int dimension)
 {
   constexpr std::size_t most_unknowns = 3;

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The bisector of two surfaces, untrimmed: the centers of all spheres that touch both.
+//
+//   surface_bisector [A B] [--radius R] [--output FILE.off|.ply|.stl|.vtp|.svg] [--time-limit S]
+//
+// Files of .g2 or .itd, of which the first surfaces are taken; spheres have at most the radius R, or the size of both
+// surfaces. Without files the bisector of two bicubic surfaces is drawn between them into surface_bisector.svg. Exit
+// status: 0, 3 when something is undecided, or 2 for bad input.
+#include "arguments.h"
+#include "envelope_output.h"
+
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace SC = CGAL::Spline_constraints;
+
+double size_of(const Surface_operand& a, const Surface_operand& b)
+{
+  CGAL::Bbox_3 box;
+  for (const Surface_operand* surface : {&a, &b}) {
+    const auto grid = grid_on(*surface);
+    for (const auto& p : grid.points())
+      box += p.bbox();
+  }
+  return std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+int main(int argc, char** argv)
+try {
+  SC::Solver_options options{.tolerance = 1e-8};
+  const std::vector<std::string> words = arguments_and_time_limit(argc, argv, options);
+  std::vector<std::string> files;
+  std::string output = "surface_bisector.svg";
+  double radius = 0;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == "--radius" && i + 1 < words.size())
+      radius = number_of<double>(words[++i]);
+    else if (words[i] == "--output" && i + 1 < words.size())
+      output = words[++i];
+    else
+      files.push_back(words[i]);
+  if ((!files.empty() && files.size() != 2) ||
+      std::any_of(files.begin(), files.end(), [](const std::string& file) { return file.starts_with("--"); }))
+    throw SC::Invalid_input("usage: surface_bisector [A B] [--radius R] [--output FILE.off|.ply|.stl|.vtp|.svg] "
+                            "[--time-limit S]");
+  const Surface_operand first = files.empty()
+      ? surface_of_heights({4, 4.75, 4, 4, 3.25, 4, 5.5, 4, 4, 3.25, 2.5, 4.75, 4, 4, 4.75, 4})
+      : surface_in(files[0]);
+  const Surface_operand second = files.empty()
+      ? surface_of_heights({0, -0.75, 0, 0.75, 0, 2.25, -0.75, 0, 0, 0, 2.25, 0, 0.75, 0, -0.75, 0})
+      : surface_in(files[1]);
+  if (radius == 0)
+    radius = size_of(first, second);
+  const Options_of_program rest(options);
+  const auto bisector = SC::surface_bisector(first, second, radius, {}, rest());
+  const auto mesh = bisector.mesh({.chord_error = 0.01, .angle = 10}, rest());
+  if (output.ends_with(".svg")) {
+    std::ofstream picture(output);
+    draw_between(picture, first, second, {mesh});
+  } else
+    write_envelope(output, mesh);
+  return print_envelope(bisector);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 2;
+}
