@@ -141,7 +141,7 @@ void write_VTP(std::ostream& out, const CGAL::Surface_mesh<CGAL::Point_3<Kernel>
 
 writes the triangles of surfaces of solutions in the same format, with their properties: of points `unknowns`,
 `normal`, `gaussian_curvature`, `mean_curvature`, `principal_curvatures` and `principal_direction_0` and `_1`; of cells
-`surface`.
+`surface`. A property map `"v:distances"`, as bisectors have it, gives `distances`.
 \param out where they are written to.
 \param surfaces the mesh with its properties.
 */
@@ -184,6 +184,14 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void write_VTP(std::ostream& out, const Solution_
     for (const std::size_t k : {0u, 1u})
       write_of_vertices(k == 0 ? "principal_direction_0" : "principal_direction_1", 3,
                         [&](Mesh::Vertex_index v) { write_vector(surfaces.differentials[v].directions[k]); });
+    const auto [distances, has_distances] = mesh.property_map<Mesh::Vertex_index, std::vector<double>>("v:distances");
+    const auto first = mesh.vertices().begin();
+    if (has_distances && !mesh.is_empty() && !distances[*first].empty())
+      write_of_vertices("distances", distances[*first].size(), [&, &own = distances](Mesh::Vertex_index v) {
+        for (const double distance : own[v])
+          out << internal::double_text(distance) << ' ';
+        out << '\n';
+      });
     out << "</PointData>\n<CellData Scalars=\"surface\">\n";
     internal::begin_data(out, "Int64", "surface", 1);
     for (const Mesh::Face_index f : mesh.faces())
