@@ -79,8 +79,9 @@ SC::Solution_surface_mesh checked_mesh(const SC::Envelope_surface_3& surface, do
 // Each vertex is on normals of both surfaces, at distances of the ratio 1 : c.
 void expect_feet(const SC::Solution_surface_mesh& mesh, const Surface& a, const Surface& b, double c)
 {
-  const auto distances =
-      mesh.mesh.property_map<SC::Solution_surface_mesh::Mesh::Vertex_index, std::vector<double>>("v:distances").first;
+  using Mesh = SC::Solution_surface_mesh::Mesh;
+  Mesh copy = mesh.mesh; // with its property maps
+  const auto distances = copy.add_property_map<Mesh::Vertex_index, std::vector<double>>("v:distances").first;
   for (const auto v : mesh.mesh.vertices()) {
     const std::vector<double>& x = mesh.unknowns[v];
     const auto step = [&](const Surface& surface, std::size_t place) {

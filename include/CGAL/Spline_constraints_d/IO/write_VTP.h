@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -30,6 +31,17 @@ inline void begin_data(std::ostream& out, const char* type, const char* name, st
 {
   out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
       << "\" format=\"ascii\">\n";
+}
+
+// The property map with a name, if there is one; before its version 6 CGAL has a pair.
+template <class Index, class Value, class Mesh>
+auto property_map_of(const Mesh& mesh, const char* name)
+{
+  auto found = mesh.template property_map<Index, Value>(name);
+  if constexpr (requires { found.second; })
+    return found.second ? std::optional(found.first) : std::nullopt;
+  else
+    return found;
 }
 
 // The faces of a mesh as polygons, with what `write_data(out)` writes of its points and cells.
@@ -184,11 +196,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void write_VTP(std::ostream& out, const Solution_
     for (const std::size_t k : {0u, 1u})
       write_of_vertices(k == 0 ? "principal_direction_0" : "principal_direction_1", 3,
                         [&](Mesh::Vertex_index v) { write_vector(surfaces.differentials[v].directions[k]); });
-    const auto [distances, has_distances] = mesh.property_map<Mesh::Vertex_index, std::vector<double>>("v:distances");
+    const auto distances = internal::property_map_of<Mesh::Vertex_index, std::vector<double>>(mesh, "v:distances");
     const auto first = mesh.vertices().begin();
-    if (has_distances && !mesh.is_empty() && !distances[*first].empty())
-      write_of_vertices("distances", distances[*first].size(), [&, &own = distances](Mesh::Vertex_index v) {
-        for (const double distance : own[v])
+    if (distances && !mesh.is_empty() && !(*distances)[*first].empty())
+      write_of_vertices("distances", (*distances)[*first].size(), [&](Mesh::Vertex_index v) {
+        for (const double distance : (*distances)[v])
           out << internal::double_text(distance) << ' ';
         out << '\n';
       });
