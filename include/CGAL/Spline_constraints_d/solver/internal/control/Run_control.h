@@ -60,13 +60,6 @@ public:
     }
   }
 
-  // The share of the part in hand that is done.
-  double done()
-  {
-    const std::lock_guard lock(m_mutex);
-    return m_done;
-  }
-
   // The share that is told is that of the part in hand.
   void begin_part()
   {

@@ -35,8 +35,8 @@ Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 /*
-Two solvers for one system, with tensors and with sums of monomials. Each is tried for some nodes; the one that has done
-more of the domain, measured by the work of a node, goes on from the beginning.
+Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, each time for four times
+as many nodes as before: which one is faster is not seen beforehand, nor by how much of the domain each has done.
 */
 class Solutions_of_polynomials
 {
@@ -48,12 +48,10 @@ class Solutions_of_polynomials
   Run_control& m_control;
   Summary& m_summary;
 
-  // A run with so many nodes, and how it went.
+  // A run with a limit of nodes of its own.
   struct Trial
   {
     std::vector<Solution> solutions;
-    std::size_t nodes;
-    double done;
 
     bool is_at_limit() const
     {
@@ -78,16 +76,14 @@ public:
     Constraint_system_d system(m_domain);
     for (const auto& [polynomial, relation] : m_constraints)
       system.add(polynomial, relation);
-    const double tensor_work = work_of_tensors(), propagation_work = work_of_propagation();
-    Trial tensors = by_tensors(system, nodes_of_trial(tensor_work));
-    if (is_at_end(tensors))
-      return std::move(tensors.solutions);
-    Trial propagation = by_propagation(nodes_of_trial(propagation_work));
-    if (is_at_end(propagation))
-      return std::move(propagation.solutions);
-    const bool are_tensors_faster =
-        tensors.done * (propagation.nodes * propagation_work) > propagation.done * (tensors.nodes * tensor_work);
-    return are_tensors_faster ? by_tensors(system, 0).solutions : by_propagation(0).solutions;
+    for (double work = 0x1p22;; work *= 4) {
+      Trial tensors = by_tensors(system, nodes_of_trial(work, work_of_tensors()));
+      if (is_at_end(tensors))
+        return std::move(tensors.solutions);
+      Trial propagation = by_propagation(nodes_of_trial(work, work_of_propagation()));
+      if (is_at_end(propagation))
+        return std::move(propagation.solutions);
+    }
   }
 
 private:
@@ -117,9 +113,9 @@ private:
     return n * terms + n * n * (std::min)(n, 64.0) / 8;
   }
 
-  static std::size_t nodes_of_trial(double work_of_node)
+  static std::size_t nodes_of_trial(double work, double work_of_node)
   {
-    return static_cast<std::size_t>((std::clamp)(0x1p22 / work_of_node, 16.0, 0x1p16));
+    return static_cast<std::size_t>((std::clamp)(work / work_of_node, 16.0, 0x1p52));
   }
 
   // The limits that are left, with so many nodes at most; 0: no other limit.
@@ -140,7 +136,7 @@ private:
     auto solutions = decomposed_solutions<Certified_solver_traits, CGAL::Sequential_tag>(
         system, options_of_trial(nodes), m_control, work);
     m_summary += work;
-    return {std::move(solutions), work.nodes, m_control.done()};
+    return {std::move(solutions)};
   }
 
   Trial by_propagation(std::size_t nodes)
@@ -151,7 +147,7 @@ private:
     const Upward_rounding_guard guard;
     auto solutions = Solutions_by_propagation(m_domain, m_constraints, options, m_control, work)();
     m_summary += work;
-    return {std::move(solutions), work.nodes, m_control.done()};
+    return {std::move(solutions)};
   }
 };
 
