@@ -7,8 +7,8 @@
 // of polynomials against their values, and sparse elimination against the matrix it is given.
 
 #include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include "planted_simple_roots.h"
 #include "solver_test_checks.h"
@@ -278,7 +278,7 @@ TEST(Propagation, ranges_of_polynomials)
   Random_numbers random(5);
   for (int k = 0; k < 2000; ++k) {
     const int degree = random.integer(1, 6);
-    SC::internal::Interval_polynomial polynomial;
+    SC::internal::Univariate_interval_polynomial polynomial;
     polynomial.reset(degree);
     std::vector<double> coefficients;
     for (int e = 0; e <= degree; ++e) {

@@ -10,8 +10,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_AFFINE_ENCLOSURES_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,13 +52,13 @@ class Affine_enclosures
   std::vector<int> m_monomials, m_unknowns; // that occur in the sum
   std::vector<int> m_with_powers;
   Interval m_constant, m_rest;
-  Interval_polynomial m_polynomial;
+  Univariate_interval_polynomial m_polynomial;
 
 public:
   explicit Affine_enclosures(const Sparse_system& system);
 
   // What follows is on this box.
-  void set_box(const Interval_box& box);
+  void set_box(const Box_of_ranges& box);
 
   double centre(int unknown) const { return m_centre[unknown]; }
   // Of the box from its centre; may be narrowed.
@@ -84,7 +84,7 @@ public:
   }
 
   // The same with slopes that enclose those on all of the box, and no rest.
-  void set_sum_of_derivatives(std::span<const Weighted_index> multiples, const Interval_box& box)
+  void set_sum_of_derivatives(std::span<const Weighted_index> multiples, const Box_of_ranges& box)
   {
     form_sum(multiples, -1);
     enclose_derivatives(box);
@@ -101,7 +101,7 @@ private:
   void add_multiple(int constraint, double factor);
   void enclose_affinely();
   void enclose_powers(int unknown);
-  void enclose_derivatives(const Interval_box& box);
+  void enclose_derivatives(const Box_of_ranges& box);
 
   void add_slope(int unknown, const Interval& slope)
   {
@@ -132,7 +132,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Affine_enclosures::Affine_enclosures(const Sparse
 
 // A power is its value and slope at the centre and a rest of second order; of products the rests are those of the two
 // factors and the product of what depends on the place.
-CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::set_box(const Interval_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::set_box(const Box_of_ranges& box)
 {
   for (int j = 0; j < m_system.dimension(); ++j) {
     m_centre[j] = middle(box[j]);
@@ -261,7 +261,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_powers(int unknow
   }
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_derivatives(const Interval_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_derivatives(const Box_of_ranges& box)
 {
   m_rest = Interval(0);
   for (const int j : m_with_powers) {

@@ -10,8 +10,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_CONSTRAINT_PROPAGATION_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <cstddef>
 #include <vector>
@@ -32,7 +32,7 @@ class Constraint_propagation
   std::vector<char> m_is_awake;
   std::vector<int> m_queue;
   std::vector<Interval> m_values, m_term_values; // of the univariate parts, and of the terms, of the constraint in hand
-  Interval_polynomial m_polynomial;
+  Univariate_interval_polynomial m_polynomial;
 
   static constexpr double woken_by = 0.9;   // when so much of a width is left
   static constexpr std::size_t passes = 20; // over each constraint, on the mean: the rest is left to splits
@@ -53,7 +53,7 @@ public:
   }
 
   // Narrows the box by the constraints that are awake and those they wake; false when no solution is left.
-  bool narrow(Interval_box& box)
+  bool narrow(Box_of_ranges& box)
   {
     bool is_left = true;
     const std::size_t most = passes * m_system.constraints();
@@ -74,7 +74,7 @@ private:
     }
   }
 
-  Interval part_value(const Sparse_system::Univariate_part& part, const Interval_box& box)
+  Interval part_value(const Sparse_system::Univariate_part& part, const Box_of_ranges& box)
   {
     const auto coefficients = m_system.coefficients(part);
     m_polynomial.reset(part.degree);
@@ -83,16 +83,16 @@ private:
     return m_polynomial.range(box[part.unknown]);
   }
 
-  Interval term_value(const Sparse_system::Mixed_term& term, const Interval_box& box) const
+  Interval term_value(const Sparse_system::Mixed_term& term, const Box_of_ranges& box) const
   {
     return term.coefficient * m_system.product(term.monomial, box);
   }
 
-  bool narrow_by(int constraint, Interval_box& box);
+  bool narrow_by(int constraint, Box_of_ranges& box);
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by(int constraint, Interval_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by(int constraint, Box_of_ranges& box)
 {
   const auto parts = m_system.parts(constraint);
   const auto terms = m_system.terms(constraint);

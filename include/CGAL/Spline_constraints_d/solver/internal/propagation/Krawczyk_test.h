@@ -11,9 +11,9 @@
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Affine_enclosures.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,10 +27,10 @@ namespace internal {
 // A box with one solution of the equalities, which is regular, and an enclosure of it inside.
 struct Proved_root
 {
-  Interval_box enclosure, region;
+  Box_of_ranges enclosure, region;
 };
 
-inline bool is_inside(const Interval_box& a, const Interval_box& b)
+inline bool is_inside(const Box_of_ranges& a, const Box_of_ranges& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), [](const Interval& inner, const Interval& outer) {
     return outer.inf() <= inner.inf() && inner.sup() <= outer.sup();
@@ -50,14 +50,14 @@ under x - C f(x), by the mean value theorem, lies in its interior, the box has e
 class Krawczyk_test
 {
   Preconditioned_rows& m_rows;
-  Interval_box m_image;
+  Box_of_ranges m_image;
 
 public:
   explicit Krawczyk_test(Preconditioned_rows& rows) : m_rows(rows) {}
 
   // The root of a box that is widened a little, when there is one: refined until nothing is gained. Where equalities
   // are hardly independent, rounding asks for more room.
-  std::optional<Proved_root> operator()(const Interval_box& box)
+  std::optional<Proved_root> operator()(const Box_of_ranges& box)
   {
     constexpr double widening = 0.5;
     Proved_root root;
@@ -80,7 +80,7 @@ private:
     return Interval((Interval(range.inf()) - Interval(by)).inf(), (Interval(range.sup()) + Interval(by)).sup());
   }
 
-  bool maps_into_itself(const Interval_box& box)
+  bool maps_into_itself(const Box_of_ranges& box)
   {
     if (!m_rows.invert(box))
       return false;
@@ -107,7 +107,7 @@ private:
   {
     constexpr int most_steps = 5;
     constexpr double margin = 0.1, rounding = 0x1p-53, least_gain = 0.5;
-    Interval_box box(root.enclosure.size());
+    Box_of_ranges box(root.enclosure.size());
     for (int step = 0; step < most_steps; ++step) {
       for (std::size_t j = 0; j < box.size(); ++j)
         box[j] = widened(root.enclosure[j],

@@ -12,9 +12,9 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Row_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Affine_enclosures.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
@@ -71,21 +71,21 @@ public:
   const std::vector<Weighted_index>& multiples(int row) const { return m_rows[row].multiples; }
 
   // Forms the rows that bound something on a box, wherever it is wide; false when there are none.
-  bool eliminate(const Interval_box& box)
+  bool eliminate(const Box_of_ranges& box)
   {
     m_enclosures.set_box(box);
     return m_dense ? eliminate_densely() : eliminate_sparsely();
   }
 
   // Forms all rows by the inverse of the derivatives at the centre of a box; false when it is singular.
-  bool invert(const Interval_box& box)
+  bool invert(const Box_of_ranges& box)
   {
     m_enclosures.set_box(box);
     return m_dense ? invert_densely() : invert_sparsely();
   }
 
   // Narrows the box that the rows were formed on; false when no solution is left.
-  bool narrow(Interval_box& box)
+  bool narrow(Box_of_ranges& box)
   {
     for (const Row& row : m_rows)
       if (!narrow_by(row, box))
@@ -108,7 +108,7 @@ private:
   bool eliminate_sparsely();
   bool invert_densely();
   bool invert_sparsely();
-  bool narrow_by(const Row& row, Interval_box& box);
+  bool narrow_by(const Row& row, Box_of_ranges& box);
   bool has_finite_multiples() const;
 };
 
@@ -212,7 +212,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::has_finite_multiples() 
   return true;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::narrow_by(const Row& row, Interval_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::narrow_by(const Row& row, Box_of_ranges& box)
 {
   m_enclosures.set_sum(row.multiples);
   Interval total = m_enclosures.constant() + m_enclosures.rest();

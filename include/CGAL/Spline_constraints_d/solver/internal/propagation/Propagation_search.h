@@ -13,10 +13,10 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,14 +48,14 @@ class Propagation_search
   Constraint_propagation m_propagation;
   Preconditioned_rows m_rows;
   Krawczyk_test m_krawczyk_test;
-  Interval_polynomial m_polynomial;
+  Univariate_interval_polynomial m_polynomial;
   std::vector<Interval> m_waiting_boxes;
   std::vector<Waiting> m_waiting;
-  Interval_box m_box, m_before;
+  Box_of_ranges m_box, m_before;
   std::vector<double> m_rating, m_smear;
   double m_tolerance;
   std::vector<Proved_root> m_roots;
-  std::vector<Interval_box> m_undecided, m_rest;
+  std::vector<Box_of_ranges> m_undecided, m_rest;
   std::size_t m_nodes = 0;
   Undecided_reason m_reason = Undecided_reason::NONE;
 
@@ -73,7 +73,7 @@ public:
   {}
 
   // Looks at all of a box.
-  void run(const Interval_box& domain)
+  void run(const Box_of_ranges& domain)
   {
     push(domain, -1, 0);
     while (!m_waiting.empty()) {
@@ -96,14 +96,14 @@ public:
   // Different ones, each the only one in its region; not all of them need lie in the box.
   std::vector<Proved_root>& roots() { return m_roots; }
   // Boxes at the tolerance.
-  const std::vector<Interval_box>& undecided() const { return m_undecided; }
+  const std::vector<Box_of_ranges>& undecided() const { return m_undecided; }
   // Boxes that were not looked at, because of a limit.
-  const std::vector<Interval_box>& rest() const { return m_rest; }
+  const std::vector<Box_of_ranges>& rest() const { return m_rest; }
   Undecided_reason reason() const { return m_reason; }
   std::size_t nodes() const { return m_nodes; }
 
 private:
-  void push(const Interval_box& box, int split_unknown, int depth)
+  void push(const Box_of_ranges& box, int split_unknown, int depth)
   {
     m_waiting_boxes.insert(m_waiting_boxes.end(), box.begin(), box.end());
     m_waiting.push_back({split_unknown, depth});
@@ -143,11 +143,15 @@ private:
   int unknown_to_split();
   void rate_unknowns();
 
-  // Relative to the tolerance's unit.
-  static double size(const Interval& range) { return width(range) / (std::max)(1.0, magnitude(range)); }
+  // Wide beside the tolerance, and with a double inside.
+  bool may_be_split(const Interval& range) const
+  {
+    return width(range) >= m_tolerance * (std::max)(1.0, magnitude(range)) && range.inf() < middle(range) &&
+        middle(range) < range.sup();
+  }
   bool is_at_tolerance() const
   {
-    return std::all_of(m_box.begin(), m_box.end(), [&](const Interval& range) { return size(range) < m_tolerance; });
+    return std::none_of(m_box.begin(), m_box.end(), [&](const Interval& range) { return may_be_split(range); });
   }
   void leave_undecided()
   {
@@ -236,15 +240,14 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Propagation_search::unknown_to_split()
   constexpr double well_known = 0.01;
   rate_unknowns();
   const auto ignorance = [&](int j) { return magnitude(m_box[j]) > 0 ? width(m_box[j]) / magnitude(m_box[j]) : 0; };
-  const auto may_be_split = [&](int j) { return size(m_box[j]) >= m_tolerance; };
   double largest = 0;
   for (int j = 0; j < m_system.dimension(); ++j)
-    if (may_be_split(j))
+    if (may_be_split(m_box[j]))
       largest = (std::max)(largest, ignorance(j));
   int result = -1;
   double best = -1;
   for (int j = 0; j < m_system.dimension(); ++j)
-    if (may_be_split(j) && ignorance(j) >= well_known * largest)
+    if (may_be_split(m_box[j]) && ignorance(j) >= well_known * largest)
       if (const double rating = m_rating[j] * std::sqrt(std::sqrt(ignorance(j))); result < 0 || rating > best) {
         result = j;
         best = rating;

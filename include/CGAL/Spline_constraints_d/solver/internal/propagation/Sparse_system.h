@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Interval_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace Spline_constraints {
 namespace internal {
 
 // The range of each unknown.
-using Interval_box = std::vector<Interval>;
+using Box_of_ranges = std::vector<Interval>;
 
 /*
 Constraints as sums of monomials, laid out for passes over them: of each constraint the parts in one unknown alone,
@@ -116,7 +116,7 @@ public:
   const Factor& factor(std::size_t index) const { return m_factors[index]; }
 
   // The product of the factors of a monomial but one, on a box; all of them by default.
-  Interval product(int monomial, const Interval_box& box,
+  Interval product(int monomial, const Box_of_ranges& box,
                    std::size_t but = (std::numeric_limits<std::size_t>::max)()) const
   {
     Interval result(1);
@@ -131,11 +131,11 @@ public:
   }
 
   // The values of the function of a constraint on a box.
-  Interval value(int constraint, const Interval_box& box) const;
+  Interval value(int constraint, const Box_of_ranges& box) const;
 
   // A constraint as a polynomial in one of its unknowns, the others being in their ranges, but for its constant term.
-  void set_polynomial_in(const Occurrence& occurrence, int constraint, const Interval_box& box,
-                         Interval_polynomial& polynomial) const
+  void set_polynomial_in(const Occurrence& occurrence, int constraint, const Box_of_ranges& box,
+                         Univariate_interval_polynomial& polynomial) const
   {
     polynomial.reset(occurrence.degree);
     if (occurrence.part >= 0) {
@@ -172,10 +172,10 @@ Sparse_system::Sparse_system(int dimension, const std::vector<Polynomial_constra
   }
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Interval Sparse_system::value(int constraint, const Interval_box& box) const
+CGAL_SPLINE_CONSTRAINTS_INLINE Interval Sparse_system::value(int constraint, const Box_of_ranges& box) const
 {
   Interval result = m_constants[constraint];
-  Interval_polynomial polynomial;
+  Univariate_interval_polynomial polynomial;
   for (const Univariate_part& part : parts(constraint)) {
     const auto own = coefficients(part);
     polynomial.reset(part.degree);

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -51,7 +52,7 @@ class Solutions_by_propagation
   Summary& m_summary;
   std::vector<Solution> m_solutions;
   std::vector<Proved_root> m_roots; // of the solutions that are certified
-  std::vector<Interval_box> m_open;
+  std::vector<Box_of_ranges> m_open;
 
 public:
   Solutions_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
@@ -75,15 +76,15 @@ public:
 private:
   int dimension() const { return static_cast<int>(m_domain.size()); }
 
-  Interval_box box_of_domain() const
+  Box_of_ranges box_of_domain() const
   {
-    Interval_box result;
+    Box_of_ranges result;
     for (const auto& [lower, upper] : m_domain)
       result.emplace_back(enclosure_of(lower).inf(), enclosure_of(upper).sup());
     return result;
   }
 
-  static Solution::Box plain(const Interval_box& box)
+  static Solution::Box plain(const Box_of_ranges& box)
   {
     Solution::Box result;
     for (const Interval& range : box)
@@ -91,15 +92,16 @@ private:
     return result;
   }
 
-  void add_undecided(const Interval_box& box, Undecided_reason reason)
+  void add_undecided(const Box_of_ranges& box, Undecided_reason reason)
   {
     m_solutions.emplace_back(Solution_kind::UNDECIDED, plain(box), Solution::Box(), "interval", reason);
   }
 
   void search();
+  void search(const Sparse_system& system, const Box_of_ranges& box);
   void add_root(Proved_root root, const Sparse_system& system);
   void settle_open();
-  void settle(const Interval_box& box);
+  void settle(const Box_of_ranges& box);
   void add_settled(Solution solution);
 };
 
@@ -125,7 +127,7 @@ enum class Whereabouts
 };
 
 // Where an enclosure lies beside the domain.
-inline Whereabouts place_in_domain(const Interval_box& box, const std::vector<Constraint_system_d::Domain>& domain)
+inline Whereabouts place_in_domain(const Box_of_ranges& box, const std::vector<Constraint_system_d::Domain>& domain)
 {
   Whereabouts result = Whereabouts::INSIDE;
   for (std::size_t j = 0; j < domain.size(); ++j) {
@@ -139,7 +141,7 @@ inline Whereabouts place_in_domain(const Interval_box& box, const std::vector<Co
 }
 
 // Whether the inequalities hold on an enclosure of a root.
-inline Whereabouts place_in_inequalities(const Interval_box& box, const Sparse_system& system,
+inline Whereabouts place_in_inequalities(const Box_of_ranges& box, const Sparse_system& system,
                                          const std::vector<Polynomial_constraint>& constraints)
 {
   Whereabouts result = Whereabouts::INSIDE;
@@ -158,56 +160,64 @@ inline Whereabouts place_in_inequalities(const Interval_box& box, const Sparse_s
 
 /*
 Takes the unknown that stands for the common part away from a root: a region without it still has no other root where
-the values of the common part on it lie in the range that the unknown had.
+the values of the common part on it lie in the range that the unknown had. False when no such region is found.
 */
-inline void forget_common_part(Proved_root& root, const Sparse_system& system)
+inline bool forgets_common_part(Proved_root& root, const Sparse_system& system)
 {
   constexpr int most_steps = 60;
   const Interval range = root.region.back();
-  Interval_box& region = root.region;
-  for (int step = 0; step < most_steps; ++step) {
+  Box_of_ranges& region = root.region;
+  bool is_found = false;
+  for (int step = 0; step < most_steps && !is_found; ++step) {
     region.back() = Interval(0);
     const Interval value = system.value(system.constraints() - 1, region);
-    if (value.inf() >= range.inf() && value.sup() <= range.sup())
-      break;
-    for (std::size_t j = 0; j + 1 < region.size(); ++j) {
+    is_found = value.inf() >= range.inf() && value.sup() <= range.sup();
+    for (std::size_t j = 0; j + 1 < region.size() && !is_found; ++j) {
       const Interval& enclosure = root.enclosure[j];
       region[j] = Interval((std::min)(0.5 * region[j].inf() + 0.5 * enclosure.inf(), enclosure.inf()),
                            (std::max)(0.5 * region[j].sup() + 0.5 * enclosure.sup(), enclosure.sup()));
     }
-    if (step + 1 == most_steps)
-      region = root.enclosure;
   }
   region.pop_back();
   root.enclosure.pop_back();
+  return is_found;
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search()
 {
   const auto check = [this] { m_control.check(); };
   const Common_part common(m_constraints, dimension(), check);
-  const int unknowns = dimension() + common.is_found();
-  const Sparse_system system(unknowns, common.constraints(), check);
-  Interval_box box = box_of_domain();
   if (common.is_found()) {
+    const Sparse_system system(dimension() + 1, common.constraints(), check);
+    Box_of_ranges box = box_of_domain();
     box.push_back(Interval(0));
     box.back() = system.value(system.constraints() - 1, box);
+    if (is_finite(box.back())) {
+      search(system, box);
+      return;
+    }
   }
+  search(Sparse_system(dimension(), m_constraints, check), box_of_domain());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Sparse_system& system,
+                                                                     const Box_of_ranges& box)
+{
   Propagation_search search(system, m_options, m_control);
   search.run(box);
   m_summary.nodes += search.nodes();
-  for (Proved_root& root : search.roots()) {
-    if (common.is_found())
-      forget_common_part(root, system);
-    add_root(std::move(root), system);
-  }
-  for (Interval_box open : search.undecided()) {
+  for (Proved_root& root : search.roots())
+    if (system.dimension() == dimension() || forgets_common_part(root, system))
+      add_root(std::move(root), system);
+    else
+      m_open.push_back(std::move(root.enclosure));
+  for (Box_of_ranges open : search.undecided()) {
     open.resize(dimension());
     m_open.push_back(std::move(open));
   }
   if (!search.rest().empty()) {
-    Interval_box hull = search.rest().front();
-    for (const Interval_box& part : search.rest())
+    Box_of_ranges hull = search.rest().front();
+    for (const Box_of_ranges& part : search.rest())
       for (std::size_t j = 0; j < hull.size(); ++j)
         hull[j] = Interval((std::min)(hull[j].inf(), part[j].inf()), (std::max)(hull[j].sup(), part[j].sup()));
     hull.resize(dimension());
@@ -216,7 +226,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search()
 }
 
 // The simplest rational point of an enclosure, if it is the root.
-inline std::vector<Exact_rational> rational_root(const Interval_box& enclosure,
+inline std::vector<Exact_rational> rational_root(const Box_of_ranges& enclosure,
                                                  const std::vector<Polynomial_constraint>& constraints)
 {
   std::vector<Exact_rational> point;
@@ -249,7 +259,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
   Whereabouts place = place_in_domain(root.enclosure, m_domain);
   if (place != Whereabouts::OUTSIDE) {
     // a common part is subtracted from inequalities, too: its unknown is its value there
-    Interval_box box = root.enclosure;
+    Box_of_ranges box = root.enclosure;
     if (system.dimension() > dimension()) {
       box.push_back(Interval(0));
       box.back() = system.value(system.constraints() - 1, box);
@@ -273,15 +283,15 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 {
   std::vector<Exact_ranges> boxes;
-  for (const Interval_box& open : m_open) {
+  for (const Box_of_ranges& open : m_open) {
     Exact_ranges& ranges = boxes.emplace_back();
     for (const Interval& range : open)
       ranges.emplace_back(Exact_rational(range.inf()), Exact_rational(range.sup()));
   }
   const std::vector<std::size_t> roots = roots_of_touching(boxes);
-  std::map<std::size_t, Interval_box> hulls;
+  std::map<std::size_t, Box_of_ranges> hulls;
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    Interval_box& hull = hulls.try_emplace(roots[i], m_open[i]).first->second;
+    Box_of_ranges& hull = hulls.try_emplace(roots[i], m_open[i]).first->second;
     for (std::size_t j = 0; j < hull.size(); ++j)
       hull[j] = Interval((std::min)(hull[j].inf(), m_open[i][j].inf()), (std::max)(hull[j].sup(), m_open[i][j].sup()));
   }
@@ -290,7 +300,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 }
 
 // A little is added around the box, within the domain, so that its own sides are far from what it holds.
-CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle(const Interval_box& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle(const Box_of_ranges& box)
 {
   constexpr double most_coefficients = 0x1p18;
   if (m_control.reason() != Undecided_reason::NONE || tensor_size(m_constraints) > most_coefficients) {
@@ -325,8 +335,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_settled(Soluti
     Proved_root root;
     for (const auto& [lower, upper] : solution.box())
       root.enclosure.emplace_back(lower, upper);
+    // a region that has no doubles inside holds no other enclosure
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const auto& [lower, upper] : solution.uniqueness_region())
-      root.region.emplace_back((std::min)(lower, upper), (std::max)(lower, upper));
+      root.region.push_back(lower <= upper ? Interval(lower, upper) : Interval(infinity, infinity));
     if (std::any_of(m_roots.begin(), m_roots.end(), [&](const Proved_root& other) { return are_equal(root, other); }))
       return;
     m_roots.push_back(std::move(root));

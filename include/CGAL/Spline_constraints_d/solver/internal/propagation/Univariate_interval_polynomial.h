@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_INTERVAL_POLYNOMIAL_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_INTERVAL_POLYNOMIAL_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_UNIVARIATE_INTERVAL_POLYNOMIAL_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_UNIVARIATE_INTERVAL_POLYNOMIAL_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
@@ -73,7 +73,7 @@ inline Interval power(const Interval& x, int exponent)
 A polynomial in one unknown with interval coefficients: its values, and where in a range it can be zero. The space that
 it needs is kept from one polynomial to the next.
 */
-class Interval_polynomial
+class Univariate_interval_polynomial
 {
   std::vector<Interval> m_coefficients, m_shifted, m_derivative;
 
@@ -136,8 +136,8 @@ private:
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE Interval Interval_polynomial::range_of(std::span<const Interval> coefficients,
-                                                                      const Interval& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Interval Univariate_interval_polynomial::range_of(std::span<const Interval> coefficients,
+                                                                                 const Interval& x)
 {
   if (coefficients.size() <= 2 || x.inf() == x.sup())
     return value_of(coefficients, x);
@@ -163,7 +163,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Interval Interval_polynomial::range_of(std::span<
   return hull;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut(Interval& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Univariate_interval_polynomial::cut(Interval& x)
 {
   for (int e = 1; e <= degree(); ++e)
     if (!is_finite(m_coefficients[e]))
@@ -173,7 +173,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut(Interval& x)
   return degree() == 1 ? cut_linear(x) : cut_end(x, true) && cut_end(x, false);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut_linear(Interval& x) const
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Univariate_interval_polynomial::cut_linear(Interval& x) const
 {
   const Interval &constant = m_coefficients[0], &slope = m_coefficients[1];
   if (!has_zero(slope)) {
@@ -201,7 +201,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut_linear(Interval& x)
   return true;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut_end(Interval& x, bool is_lower_end)
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Univariate_interval_polynomial::cut_end(Interval& x, bool is_lower_end)
 {
   constexpr int most_steps = 60;
   constexpr double least_gain = 0.1; // of the width: the rest is better left to other constraints
@@ -241,4 +241,4 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Interval_polynomial::cut_end(Interval& x, bo
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_INTERVAL_POLYNOMIAL_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_UNIVARIATE_INTERVAL_POLYNOMIAL_H
