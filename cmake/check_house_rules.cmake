@@ -4,7 +4,8 @@
 # cmake -D SOURCE_DIR=<tree> -P check_house_rules.cmake
 # Checks of every file of code its licence header and the length of its lines; of every header of the package its include
 # guard and its length; and of what the headers include that it keeps to the floors, to the subjects of operations/ as
-# operations/subjects.h has them, to the order of folders, and goes around in no circle; and that no folder is too full.
+# operations/subjects.h has them, to the order of folders, and goes around in no circle; that no folder is too full; and
+# that what is compiled once is in a source of the library.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -12,7 +13,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors number function solver geometry operations output IO)
 set(order_of_geometry . curves surfaces conversions healing)
 set(order_of_solver/internal control exact node certification subdivision curves surfaces meshing verification
-    decomposition feasibility tracking)
+    decomposition propagation feasibility tracking)
 set(order_of_operations/voronoi/internal sites disks candidates envelope offset diagram)
 set(ordered_folders geometry solver/internal operations/voronoi/internal)
 
@@ -71,6 +72,9 @@ foreach(header IN LISTS headers)
   list(TRANSFORM includes REPLACE "#include <(.*)>" "\\1")
   list(REMOVE_DUPLICATES includes)
   set(includes_of_${header} ${includes})
+  if(text MATCHES "\n#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED\n.*\nCGAL_SPLINE_CONSTRAINTS_INLINE")
+    list(APPEND compiled_once ${header})
+  endif()
 
   cmake_path(GET header PARENT_PATH folder)
   list(APPEND folders ${folder})
@@ -207,6 +211,34 @@ if(left)
   list(JOIN left "\n  " left)
   report(circle "these headers include themselves, or one that does:\n  ${left}")
 endif()
+
+# Functions that are not defined beside the compiled library are in it: their headers are included by one of its sources.
+file(GLOB sources ${SOURCE_DIR}/cmake/compiled/*.cpp)
+set(found "")
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} includes REGEX "^#include <${package}")
+  list(TRANSFORM includes REPLACE "#include <([^>]*)>.*" "\\1")
+  list(APPEND found ${includes})
+endforeach()
+list(REMOVE_DUPLICATES found)
+while(found)
+  set(next "")
+  foreach(header IN LISTS found)
+    set(is_in_library_${header} TRUE)
+    foreach(include IN LISTS includes_of_${header})
+      if(NOT is_in_library_${include})
+        list(APPEND next ${include})
+      endif()
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES next)
+  set(found ${next})
+endwhile()
+foreach(header IN LISTS compiled_once)
+  if(NOT is_in_library_${header})
+    report(${header} "has functions of the compiled library, and no source of it includes it")
+  endif()
+endforeach()
 
 if(broken)
   message(FATAL_ERROR "House rules broken:\n${broken}")

@@ -24,6 +24,9 @@
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
 #include <CGAL/Spline_constraints_d/solver/internal/union_of_boxes.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>

@@ -19,6 +19,9 @@
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
