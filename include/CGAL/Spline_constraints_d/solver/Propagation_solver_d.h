@@ -88,7 +88,7 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of polynomials compared with zero, by `Decomposing_solver_d` or `Propagation_solver_d`: where tensors are
-not too large, both are tried in turns, each time for four times as many nodes as before. Which one ends first depends
+not too large, both are tried in turns, each time for four times as much work as before. Which one ends first depends
 on counted work only, not on the clock.
 \param domain a range for each unknown.
 \param constraints polynomials, and how they compare with zero.

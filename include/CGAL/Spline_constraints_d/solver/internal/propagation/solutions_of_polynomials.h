@@ -38,8 +38,9 @@ Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 /*
-Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, each time for four times
-as many nodes as before: which one is faster is not seen beforehand, nor by how much of the domain each has done.
+Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, tensors for twice as long,
+each time for four times as many nodes as before: which one is faster is not seen beforehand, nor by how much of the
+domain each has done.
 */
 class Solutions_of_polynomials
 {
@@ -79,11 +80,11 @@ public:
     Constraint_system_d system(m_domain);
     for (const auto& [polynomial, relation] : m_constraints)
       system.add(polynomial, relation);
-    for (double work = 0x1p22;; work *= 4) {
+    for (double work = 0x1p23;; work *= 4) {
       Trial tensors = by_tensors(system, nodes_of_trial(work, work_of_tensors()));
       if (is_at_end(tensors))
         return std::move(tensors.solutions);
-      Trial propagation = by_propagation(nodes_of_trial(work, work_of_propagation()));
+      Trial propagation = by_propagation(nodes_of_trial(work / 2, work_of_propagation()));
       if (is_at_end(propagation))
         return std::move(propagation.solutions);
     }
