@@ -92,6 +92,7 @@ not too large, both are tried in turns, each time for four times as much work as
 on counted work only, not on the clock.
 \param domain a range for each unknown.
 \param constraints polynomials, and how they compare with zero.
+\param options limits and the rest, for all of it.
 \throws Invalid_input as these solvers.
 */
 inline Solution_set_d<double> solve_polynomials(const std::vector<Constraint_system_d::Domain>& domain,

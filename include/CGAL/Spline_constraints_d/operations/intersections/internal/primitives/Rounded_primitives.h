@@ -31,8 +31,14 @@ namespace Spline_constraints {
 namespace internal {
 namespace Intersections {
 
-// The primitive that a parametric surface is but for rounding; none if it is one exactly, or is none.
-inline std::optional<Primitive_kind> rounded_primitive(const Spline_patch<3>& patch)
+struct Recognised_primitive
+{
+  Primitive_kind kind;
+  bool is_rounded; // it is one but for rounding
+};
+
+// The primitive that a parametric surface is, if any.
+inline std::optional<Recognised_primitive> recognised_primitive(const Spline_patch<3>& patch)
 {
   constexpr double share = 1e-9; // of the coordinates, much more than rounding and much less than details
   double greatest = 0;
@@ -46,15 +52,15 @@ inline std::optional<Primitive_kind> rounded_primitive(const Spline_patch<3>& pa
       {}, {Surface::from_homogeneous_coordinates(patch.numerators(), patch.weight())}, share * greatest, control);
   const auto& surface = healed.surfaces.front();
   const int degree = surface.kind == Primitive_kind::PLANE ? 1 : surface.kind == Primitive_kind::TORUS ? 4 : 2;
-  if (surface.kind == Primitive_kind::GENERAL || surface.displacement == 0 || Implicit_equation(patch, degree)())
+  if (surface.kind == Primitive_kind::GENERAL)
     return std::nullopt;
-  return surface.kind;
+  return Recognised_primitive{surface.kind, surface.displacement != 0 && !Implicit_equation(patch, degree)()};
 }
 
 /*
 Watches a run, for a visitor. Surfaces as programs for CAD write them, in doubles, are primitives but for rounding:
 where they would touch or coincide, or have seams and poles on the other one, they are 1e-16 apart, which equations tell
-in a million boxes of a width of 1e-8, or not at all. So a run on such surfaces ends when the visitor was asked more
+in a million boxes of a width of 1e-8, or not at all. So a run on two such surfaces ends when the visitor was asked more
 often than in any on primitives that comes to an answer, and is not limited otherwise.
 */
 class Rounded_primitives
@@ -62,7 +68,7 @@ class Rounded_primitives
   const std::array<const Surface_shape*, 2> m_surfaces;
   const Visitor_reference m_visitor;
   const bool m_is_limited;
-  std::array<std::optional<Primitive_kind>, 2> m_kinds;
+  std::array<std::optional<Recognised_primitive>, 2> m_primitives;
   std::size_t m_questions = 0;
   bool m_has_ended = false;
 
@@ -92,19 +98,23 @@ public:
     std::ostringstream out;
     out << "rounded";
     for (std::size_t k = 0; k < 2; ++k)
-      if (m_kinds[k])
-        out << (k == 1 && m_kinds[0] ? " and " : " ") << *m_kinds[k];
+      if (m_primitives[k]->is_rounded)
+        out << (k == 1 && m_primitives[0]->is_rounded ? " and " : " ") << m_primitives[k]->kind;
     out << "; heal with a tolerance";
     return out.str();
   }
 
 private:
+  // Both are primitives, and one of them is rounded at least.
   bool are_rounded()
   {
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = 0; k < 2; ++k) {
       if (m_surfaces[k]->patch)
-        m_kinds[k] = rounded_primitive(*m_surfaces[k]->patch);
-    return m_kinds[0] || m_kinds[1];
+        m_primitives[k] = recognised_primitive(*m_surfaces[k]->patch);
+      if (!m_primitives[k])
+        return false;
+    }
+    return m_primitives[0]->is_rounded || m_primitives[1]->is_rounded;
   }
 };
 
