@@ -55,7 +55,9 @@ std::string counts(const A& a, const B& b)
 template <class A>
 std::optional<SC::Primitive_kind> rounded(const A& surface)
 {
-  return SC::internal::Intersections::rounded_primitive(SC::internal::Common::Spline_patch<3>(surface));
+  const auto primitive =
+      SC::internal::Intersections::recognised_primitive(SC::internal::Common::Spline_patch<3>(surface));
+  return primitive && primitive->is_rounded ? std::optional(primitive->kind) : std::nullopt;
 }
 
 TEST(Rounded_primitives, AreToldFromExactOnes)
