@@ -41,7 +41,7 @@ surfaces, where an equation of one of them, of degree four at most, has a repeat
 manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface
 that coincide; two parametric surfaces that do, as they are the same map but for an affine change of parameters or have
 an inner point and an equation of degree four at most in common, are told at once, all undecided for the reason "the
-surfaces overlap". Where a parametric surface is a plane, sphere, cylinder, cone or torus but for rounding, and no limit
+surfaces overlap". Where both are parametric planes, spheres, cylinders, cones or tori but for rounding, and no limit
 of time or nodes is given, a run that does not come to an end after a counted amount of work, more than it takes any of
 these to cross, leaves the rest undecided for a reason such as "rounded cylinder and torus; heal with a tolerance": see
 `with_exact_primitives()`. Limits in the options take its place. A curve along an edge, a seam or a break is found where
