@@ -105,8 +105,8 @@ private:
 
   void refine(Proved_root& root)
   {
-    constexpr int most_steps = 5;
-    constexpr double margin = 0.1, rounding = 0x1p-53, least_gain = 0.5;
+    constexpr int most_steps = 30;
+    constexpr double margin = 0.1, rounding = 0x1p-53, least_gain = 0.1;
     Box_of_ranges box(root.enclosure.size());
     for (int step = 0; step < most_steps; ++step) {
       for (std::size_t j = 0; j < box.size(); ++j)
@@ -116,7 +116,7 @@ private:
         return;
       bool is_gain = false;
       for (std::size_t j = 0; j < box.size(); ++j) {
-        is_gain = is_gain || width(m_image[j]) < least_gain * width(root.enclosure[j]);
+        is_gain = is_gain || width(m_image[j]) < (1 - least_gain) * width(root.enclosure[j]);
         root.enclosure[j] = common_part(root.enclosure[j], m_image[j]); // both have the root
       }
       if (!is_gain)
