@@ -115,8 +115,8 @@ int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& inp
   return answer.is_complete() ? 0 : 3;
 }
 
-int print_points(const Arguments& arguments, const std::vector<std::string>& names,
-                 const SC::Solution_set_d<double>& solutions)
+template <class Solutions>
+int print_points(const Arguments& arguments, const std::vector<std::string>& names, const Solutions& solutions)
 {
   arguments.json ? print_json(names, solutions) : print_lines(names, solutions);
   return solutions.is_complete() ? 0 : 3;
@@ -194,8 +194,7 @@ int solve(Arguments arguments)
         ? SC::Subdivision_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress)
         : SC::Decomposing_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress);
     progress.clear();
-    arguments.json ? print_json(input.names, solutions) : print_lines(input.names, solutions);
-    return solutions.is_complete() ? 0 : 3;
+    return print_points(arguments, input.names, solutions);
   };
   if (arguments.test == "graph")
     return run.template operator()<SC::Graph_box_test>();

@@ -49,7 +49,7 @@ class Preconditioned_rows
   std::vector<Row> m_rows;
   std::optional<Row_elimination<0>> m_dense;
   std::optional<Sparse_elimination> m_sparse;
-  std::vector<double> m_slopes;
+  std::vector<double> m_slopes, m_radii; // of all equalities, for the dense elimination
   const std::function<void()>& m_check;
 
   static constexpr int largest_dense_dimension = 64;
@@ -115,16 +115,16 @@ private:
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_densely()
 {
-  std::vector<double> radii(m_dimension);
+  m_radii.resize(m_dimension);
   std::fill(m_slopes.begin(), m_slopes.end(), 0.0);
   visit_equalities([&](int i, int j, double slope) { m_slopes[i * m_dimension + j] = slope; },
-                   [&](int i, double radius) { radii[i] = radius; });
+                   [&](int i, double radius) { m_radii[i] = radius; });
   for (int i = 0; i < m_dimension; ++i) {
     const double* row = m_slopes.data() + i * m_dimension;
-    double size = radii[i];
+    double size = m_radii[i];
     for (int j = 0; j < m_dimension; ++j)
       size += std::abs(row[j]);
-    m_dense->set_row(i, row, size, radii[i]);
+    m_dense->set_row(i, row, size, m_radii[i]);
   }
   m_dense->run();
   for (int i = 0; i < m_dimension; ++i) {

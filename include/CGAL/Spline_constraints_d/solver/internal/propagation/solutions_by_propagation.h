@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/union_of_boxes.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
 #endif
 
 #include <algorithm>
@@ -111,10 +113,6 @@ private:
 // Throws where they do not fit each other.
 void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
                        const std::vector<Polynomial_constraint>& constraints);
-
-// The answers of a run that has ended.
-Solution_set_d<double> solution_set_of(std::vector<Solution_d<double>> solutions, Summary summary,
-                                       const Run_control& control);
 
 // All of it: the answers, with the work.
 Solution_set_d<double> solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
@@ -368,30 +366,17 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constrai
                         "find_feasible_point()");
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double> solution_set_of(std::vector<Solution_d<double>> solutions,
-                                                                      Summary summary, const Run_control& control)
-{
-  summary.is_complete = true;
-  summary.why_not = Undecided_reason::NONE;
-  for (const auto& solution : solutions)
-    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
-      summary.is_complete = false;
-      summary.why_not = solution.reason();
-    }
-  summary.seconds = control.seconds();
-  return {std::move(solutions), summary};
-}
-
 CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>
 solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                             const std::vector<Polynomial_constraint>& constraints, const Solver_options& options)
 {
   check_polynomials(domain, constraints);
   const Upward_rounding_guard guard;
+  const Mpfr_precision_scope precision(options.precision);
   Run_control control(options);
   Summary summary;
   auto solutions = Solutions_by_propagation(domain, constraints, options, control, summary)();
-  return solution_set_of(std::move(solutions), summary, control);
+  return finished_set(std::move(solutions), summary, control);
 }
 #endif
 

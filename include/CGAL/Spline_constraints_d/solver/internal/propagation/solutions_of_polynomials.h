@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
@@ -133,13 +134,21 @@ private:
     return result;
   }
 
+  // What earlier trials left open is not left open by the last one.
+  void add_work(const Summary& work)
+  {
+    m_summary += work;
+    m_summary.is_complete = work.is_complete;
+    m_summary.why_not = work.why_not;
+  }
+
   Trial by_tensors(const Constraint_system_d& system, std::size_t nodes)
   {
     Summary work;
     m_control.begin_part();
     auto solutions = decomposed_solutions<Certified_solver_traits, CGAL::Sequential_tag>(
         system, options_of_trial(nodes), m_control, work);
-    m_summary += work;
+    add_work(work);
     return {std::move(solutions)};
   }
 
@@ -150,7 +159,7 @@ private:
     const Solver_options options = options_of_trial(nodes);
     const Upward_rounding_guard guard;
     auto solutions = Solutions_by_propagation(m_domain, m_constraints, options, m_control, work)();
-    m_summary += work;
+    add_work(work);
     return {std::move(solutions)};
   }
 };
@@ -160,10 +169,11 @@ solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& doma
                             const std::vector<Polynomial_constraint>& constraints, const Solver_options& options)
 {
   check_polynomials(domain, constraints);
+  const Mpfr_precision_scope precision(options.precision);
   Run_control control(options);
   Summary summary;
   auto solutions = Solutions_of_polynomials(domain, constraints, options, control, summary)();
-  return solution_set_of(std::move(solutions), summary, control);
+  return finished_set(std::move(solutions), summary, control);
 }
 #endif
 

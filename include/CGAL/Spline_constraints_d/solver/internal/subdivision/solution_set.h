@@ -15,10 +15,25 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// The answers of a run that has ended: complete if none of them is undecided.
+template <class Coordinate>
+Solution_set_d<Coordinate> finished_set(std::vector<Solution_d<Coordinate>> solutions, Summary summary,
+                                        const Run_control& control)
+{
+  for (const auto& solution : solutions)
+    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
+      summary.is_complete = false;
+      summary.why_not = solution.reason();
+    }
+  summary.seconds = control.seconds();
+  return {std::move(solutions), summary};
+}
 
 template <class Traits, class Concurrency_tag>
 Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
@@ -36,13 +51,7 @@ Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& sy
   Summary summary;
   Run_control control(options);
   auto found = finder(system, options, control, summary);
-  for (const auto& solution : found)
-    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
-      summary.is_complete = false;
-      summary.why_not = solution.reason();
-    }
-  summary.seconds = control.seconds();
-  return {std::move(found), summary};
+  return finished_set(std::move(found), summary, control);
 }
 
 } // namespace internal
