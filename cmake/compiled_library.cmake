@@ -9,9 +9,10 @@ set(only_on_request "")
 if(NOT SPLINE_CONSTRAINTS_COMPILED_LIBRARY)
   set(only_on_request EXCLUDE_FROM_ALL)
 endif()
-# A function that is no template is declared where it is needed, and defined under `#ifndef
-# CGAL_SPLINE_CONSTRAINTS_COMPILED` as CGAL_SPLINE_CONSTRAINTS_INLINE: below the operations, in the same header, which
-# foundations.cpp includes; of an operation, in a header of `internal/` that one of the other sources includes.
+# A function that is no template is declared where it is needed, and defined as CGAL_SPLINE_CONSTRAINTS_INLINE: below the
+# operations in the same header, under `#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED`, which foundations.cpp includes; of an
+# operation in a header of `internal/` that one of the other sources includes, or, if it is needed by many, in the same
+# header under `#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS`, which curves_and_surfaces.cpp includes.
 # Few sources with much in each: most of the time of the compiler goes into templates that they share. A source for each
 # subject takes three times as long.
 set(sources ${CMAKE_CURRENT_LIST_DIR}/compiled)

@@ -50,44 +50,12 @@ class Integer_evaluation
   std::vector<std::vector<Big_integer>> m_powers;   // of the coordinate, per unknown
 
 public:
-  Integer_evaluation(const std::map<int, int>& degrees, long first_bits)
-  {
-    long bits = first_bits;
-    for (const auto& [variable, degree] : degrees) {
-      m_variables.push_back(variable);
-      m_degrees.push_back(degree);
-      // An odd digit pattern: at powers of two or their neighbours, values have small common divisors too often.
-      Big_integer coordinate(1);
-      shift_left(coordinate, static_cast<unsigned long>(bits));
-      coordinate += coordinate / 3 + 2 * variable + 41;
-      auto& powers = m_powers.emplace_back(1, Big_integer(1));
-      for (int e = 1; e <= degree; ++e)
-        powers.push_back(Big_integer(powers.back() * coordinate));
-      bits = (bits + 1) * (degree + 1) + 8;
-    }
-  }
+  Integer_evaluation(const std::map<int, int>& degrees, long first_bits);
 
   // Bits of the largest values, to judge the cost before.
-  static double bits(const std::map<int, int>& degrees, long first_bits)
-  {
-    double result = static_cast<double>(first_bits);
-    for (const auto& [variable, degree] : degrees)
-      result = (result + 1) * (degree + 1) + 8;
-    return result;
-  }
+  static double bits(const std::map<int, int>& degrees, long first_bits);
 
-  Big_integer operator()(const Integer_terms& terms) const
-  {
-    Big_integer sum(0);
-    for (const auto& [monomial, coefficient] : terms) {
-      Big_integer product(coefficient);
-      for (const auto& [variable, exponent] : monomial.powers)
-        product *= m_powers[std::lower_bound(m_variables.begin(), m_variables.end(), variable) - m_variables.begin()]
-                           [exponent];
-      sum += product;
-    }
-    return sum;
-  }
+  Big_integer operator()(const Integer_terms& terms) const;
 
   // The polynomial whose digits a value shows; nothing when it has more of them than the degrees allow.
   std::optional<Integer_terms> interpolate(const Big_integer& value) const
@@ -97,31 +65,7 @@ public:
   }
 
 private:
-  bool interpolate(Big_integer value, std::size_t unknowns, const Monomial& monomial, Integer_terms& result) const
-  {
-    if (unknowns == 0) {
-      if (value != 0)
-        result.emplace_back(monomial, value);
-      return true;
-    }
-    const std::size_t last = unknowns - 1;
-    if (m_degrees[last] == 0)
-      return interpolate(std::move(value), last, monomial, result);
-    const Big_integer& base = m_powers[last][1];
-    for (int exponent = 0; value != 0; ++exponent) {
-      if (exponent > m_degrees[last])
-        return false;
-      Big_integer digit;   // the balanced remainder
-      mpz_fdiv_qr(value.backend().data(), digit.backend().data(), value.backend().data(), base.backend().data());
-      if (2 * digit > base) {
-        digit -= base;
-        ++value;
-      }
-      if (!interpolate(std::move(digit), last, monomial.with_exponent(m_variables[last], exponent), result))
-        return false;
-    }
-    return true;
-  }
+  bool interpolate(Big_integer value, std::size_t unknowns, const Monomial& monomial, Integer_terms& result) const;
 };
 
 void divide_by_content(Integer_terms& terms);
@@ -160,6 +104,75 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_of(const Integer_term
     result += std::move(term);
   }
   return result;
+}
+#endif
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Integer_evaluation::Integer_evaluation(const std::map<int, int>& degrees,
+                                                                      long first_bits)
+{
+  long bits = first_bits;
+  for (const auto& [variable, degree] : degrees) {
+    m_variables.push_back(variable);
+    m_degrees.push_back(degree);
+    // An odd digit pattern: at powers of two or their neighbours, values have small common divisors too often.
+    Big_integer coordinate(1);
+    shift_left(coordinate, static_cast<unsigned long>(bits));
+    coordinate += coordinate / 3 + 2 * variable + 41;
+    auto& powers = m_powers.emplace_back(1, Big_integer(1));
+    for (int e = 1; e <= degree; ++e)
+      powers.push_back(Big_integer(powers.back() * coordinate));
+    bits = (bits + 1) * (degree + 1) + 8;
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE double Integer_evaluation::bits(const std::map<int, int>& degrees, long first_bits)
+{
+  double result = static_cast<double>(first_bits);
+  for (const auto& [variable, degree] : degrees)
+    result = (result + 1) * (degree + 1) + 8;
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Big_integer Integer_evaluation::operator()(const Integer_terms& terms) const
+{
+  Big_integer sum(0);
+  for (const auto& [monomial, coefficient] : terms) {
+    Big_integer product(coefficient);
+    for (const auto& [variable, exponent] : monomial.powers)
+      product *=
+          m_powers[std::lower_bound(m_variables.begin(), m_variables.end(), variable) - m_variables.begin()][exponent];
+    sum += product;
+  }
+  return sum;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Integer_evaluation::interpolate(Big_integer value, std::size_t unknowns,
+                                                                    const Monomial& monomial,
+                                                                    Integer_terms& result) const
+{
+  if (unknowns == 0) {
+    if (value != 0)
+      result.emplace_back(monomial, value);
+    return true;
+  }
+  const std::size_t last = unknowns - 1;
+  if (m_degrees[last] == 0)
+    return interpolate(std::move(value), last, monomial, result);
+  const Big_integer& base = m_powers[last][1];
+  for (int exponent = 0; value != 0; ++exponent) {
+    if (exponent > m_degrees[last])
+      return false;
+    Big_integer digit; // the balanced remainder
+    mpz_fdiv_qr(value.backend().data(), digit.backend().data(), value.backend().data(), base.backend().data());
+    if (2 * digit > base) {
+      digit -= base;
+      ++value;
+    }
+    if (!interpolate(std::move(digit), last, monomial.with_exponent(m_variables[last], exponent), result))
+      return false;
+  }
+  return true;
 }
 #endif
 

@@ -111,21 +111,10 @@ inline void check_finite(const std::vector<NT>& numbers, std::string_view what)
 }
 
 // Throws unless two counts agree.
-inline void check_count(std::size_t count, std::size_t expected, std::string_view what)
-{
-  if (count != expected)
-    throw Invalid_input(std::string(what) + ": " + std::to_string(count) + " where " + std::to_string(expected) +
-                        " are needed");
-}
+void check_count(std::size_t count, std::size_t expected, std::string_view what);
 
 // Number of entries of a tensor with these degrees.
-inline std::size_t tensor_size(const std::vector<int>& degrees)
-{
-  std::size_t size = 1;
-  for (int d : degrees)
-    size *= static_cast<std::size_t>(d) + 1;
-  return size;
-}
+std::size_t tensor_size(const std::vector<int>& degrees);
 
 // The same for degrees that come from outside: throws when one is negative or the size cannot be represented.
 template <class NT>
@@ -146,24 +135,10 @@ inline std::size_t checked_tensor_size(const std::vector<int>& degrees, std::str
 }
 
 // A tensor seen along one of its axes.
-inline Axis_view axis_view(const std::vector<int>& degrees, std::size_t axis)
-{
-  Axis_view view{1, degrees[axis], 1};
-  for (std::size_t j = 0; j < axis; ++j)
-    view.outer *= static_cast<std::size_t>(degrees[j]) + 1;
-  for (std::size_t j = axis + 1; j < degrees.size(); ++j)
-    view.inner *= static_cast<std::size_t>(degrees[j]) + 1;
-  return view;
-}
+Axis_view axis_view(const std::vector<int>& degrees, std::size_t axis);
 
 // Distance in memory between neighbours along each axis.
-inline std::vector<std::size_t> tensor_strides(const std::vector<int>& degrees)
-{
-  std::vector<std::size_t> strides(degrees.size(), 1);
-  for (std::size_t j = degrees.size(); j-- > 1;)
-    strides[j - 1] = strides[j] * (static_cast<std::size_t>(degrees[j]) + 1);
-  return strides;
-}
+std::vector<std::size_t> tensor_strides(const std::vector<int>& degrees);
 
 // All index vectors from 0 to the given bounds, the last index fastest.
 template <class Visit>
@@ -361,6 +336,41 @@ std::vector<NT> contracted_hessian(const std::vector<NT>& data, const Contractio
   });
   return result;
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_count(std::size_t count, std::size_t expected, std::string_view what)
+{
+  if (count != expected)
+    throw Invalid_input(std::string(what) + ": " + std::to_string(count) + " where " + std::to_string(expected) +
+                        " are needed");
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t tensor_size(const std::vector<int>& degrees)
+{
+  std::size_t size = 1;
+  for (int d : degrees)
+    size *= static_cast<std::size_t>(d) + 1;
+  return size;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Axis_view axis_view(const std::vector<int>& degrees, std::size_t axis)
+{
+  Axis_view view{1, degrees[axis], 1};
+  for (std::size_t j = 0; j < axis; ++j)
+    view.outer *= static_cast<std::size_t>(degrees[j]) + 1;
+  for (std::size_t j = axis + 1; j < degrees.size(); ++j)
+    view.inner *= static_cast<std::size_t>(degrees[j]) + 1;
+  return view;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::size_t> tensor_strides(const std::vector<int>& degrees)
+{
+  std::vector<std::size_t> strides(degrees.size(), 1);
+  for (std::size_t j = degrees.size(); j-- > 1;)
+    strides[j - 1] = strides[j] * (static_cast<std::size_t>(degrees[j]) + 1);
+  return strides;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

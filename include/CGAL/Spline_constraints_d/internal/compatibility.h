@@ -35,6 +35,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_INLINE inline
 #endif
 
+// Bodies out of line in the headers of operations are in one source of the library.
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#define CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+#endif
+
 #if CGAL_VERSION_NR < 1050511000
 #error "Spline_constraints_d needs CGAL 5.5.1 or newer."
 #endif

@@ -65,21 +65,11 @@ inline std::ostream& operator<<(std::ostream& out, Solution_kind kind)
   return out << names[static_cast<int>(kind)];
 }
 
-inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
-{
-  static const char* const names[] = {"none", "tolerance", "continuum suspected", "time limit", "node limit",
-                                      "stopped", "domain boundary", "overdetermined", "inequality boundary"};
-  return out << names[static_cast<int>(reason)];
-}
+std::ostream& operator<<(std::ostream& out, Undecided_reason reason);
 
 namespace internal {
 
-inline std::string in_words(Undecided_reason reason)
-{
-  std::ostringstream out;
-  out << reason;
-  return out.str();
-}
+std::string in_words(Undecided_reason reason);
 
 // The least range of doubles around a range of numbers.
 template <class Coordinate>
@@ -90,6 +80,15 @@ Undecided_part::Range to_double_range(const std::pair<Coordinate, Coordinate>& r
   else
     return {to_double_interval(range.first).first, to_double_interval(range.second).second};
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::string in_words(Undecided_reason reason)
+{
+  std::ostringstream out;
+  out << reason;
+  return out.str();
+}
+#endif
 
 } // namespace internal
 
@@ -270,29 +269,10 @@ struct Summary
   Undecided_reason why_not = Undecided_reason::NONE;   ///< the first reason when it is not
 
   //! adds the work of another run; complete if both are.
-  Summary& operator+=(const Summary& other)
-  {
-    nodes += other.nodes;
-    restarts += other.restarts;
-    depth = (std::max)(depth, other.depth);
-    seconds += other.seconds;
-    setup_seconds += other.setup_seconds;
-    rebuild_seconds += other.rebuild_seconds;
-    if (is_complete)
-      why_not = other.why_not;
-    is_complete = is_complete && other.is_complete;
-    return *this;
-  }
+  Summary& operator+=(const Summary& other);
 };
 
-inline std::ostream& operator<<(std::ostream& out, const Summary& s)
-{
-  out << (s.is_complete ? "complete" : "incomplete");
-  if (!s.is_complete)
-    out << " (" << s.why_not << ')';
-  return out << ", " << s.nodes << " nodes, " << s.restarts << " exact rebuilds, depth " << s.depth << ", " << s.seconds
-             << " s";
-}
+std::ostream& operator<<(std::ostream& out, const Summary& s);
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -361,6 +341,39 @@ public:
   //! the work.
   const Summary& summary() const { return m_summary; }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
+{
+  static const char* const names[] = {
+      "none",    "tolerance",       "continuum suspected", "time limit",         "node limit",
+      "stopped", "domain boundary", "overdetermined",      "inequality boundary"};
+  return out << names[static_cast<int>(reason)];
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Summary& Summary::operator+=(const Summary& other)
+{
+  nodes += other.nodes;
+  restarts += other.restarts;
+  depth = (std::max)(depth, other.depth);
+  seconds += other.seconds;
+  setup_seconds += other.setup_seconds;
+  rebuild_seconds += other.rebuild_seconds;
+  if (is_complete)
+    why_not = other.why_not;
+  is_complete = is_complete && other.is_complete;
+  return *this;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const Summary& s)
+{
+  out << (s.is_complete ? "complete" : "incomplete");
+  if (!s.is_complete)
+    out << " (" << s.why_not << ')';
+  return out << ", " << s.nodes << " nodes, " << s.restarts << " exact rebuilds, depth " << s.depth << ", " << s.seconds
+             << " s";
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -99,12 +99,7 @@ public:
     m_denominators.push_back(row.denominator);
   }
 
-  void add_row(std::size_t first_column, const std::vector<Exact_rational>& row)
-  {
-    Integer_weights weights;
-    weights.denominator = over_common_denominator(row, weights.numerators);
-    add_row(first_column, weights);
-  }
+  void add_row(std::size_t first_column, const std::vector<Exact_rational>& row);
 
   // Every line of a tensor along one axis, transformed.
   std::vector<Exact_rational> applied_to(const std::vector<Exact_rational>& data, const Axis_view& view) const;
@@ -165,6 +160,16 @@ inline std::vector<Exact_rational> transform_axis(const std::vector<Exact_ration
 {
   return matrix.applied_to(data, view);
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Integer_band::add_row(std::size_t first_column,
+                                                          const std::vector<Exact_rational>& row)
+{
+  Integer_weights weights;
+  weights.denominator = over_common_denominator(row, weights.numerators);
+  add_row(first_column, weights);
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

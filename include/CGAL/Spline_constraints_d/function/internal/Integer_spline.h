@@ -32,20 +32,10 @@ using Breaks_of_axis = std::vector<Exact_rational>;
 
 inline std::size_t cells_between(const Breaks_of_axis& breaks) { return breaks.empty() ? 1 : breaks.size() - 1; }
 
-inline Breaks_of_axis united(const Breaks_of_axis& a, const Breaks_of_axis& b)
-{
-  Breaks_of_axis result;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-  return result;
-}
+Breaks_of_axis united(const Breaks_of_axis& a, const Breaks_of_axis& b);
 
 // The cell that begins at or before a number; the first or last one beyond the breaks.
-inline std::size_t cell_at(const Breaks_of_axis& breaks, const Exact_rational& x)
-{
-  if (breaks.size() < 3)
-    return 0;
-  return static_cast<std::size_t>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin()) - 1;
-}
+std::size_t cell_at(const Breaks_of_axis& breaks, const Exact_rational& x);
 
 /*
 A piecewise polynomial in power form with integer coefficients: cells, and the coefficients of each, in row-major order,
@@ -200,12 +190,7 @@ public:
   }
 
   // The axes that the spline depends on, and the spline of these.
-  std::pair<std::vector<int>, Integer_spline> without_trivial_axes() const
-  {
-    Integer_spline result(*this);
-    std::vector<int> axes = result.m_pieces.remove_trivial_axes();
-    return {std::move(axes), std::move(result)};
-  }
+  std::pair<std::vector<int>, Integer_spline> without_trivial_axes() const;
 
   // On a part of the domain of an axis. Where the part is a single point, on the cell that holds it.
   Integer_spline restricted(int axis, const Exact_rational& begin, const Exact_rational& end) const;
@@ -442,6 +427,29 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Exact_rational> Integer_spline::ratio
   for (const Big_integer& coefficient : pieces()[piece])
     result.push_back(scaled_rational(coefficient, 0));
   return result;
+}
+#endif
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Breaks_of_axis united(const Breaks_of_axis& a, const Breaks_of_axis& b)
+{
+  Breaks_of_axis result;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t cell_at(const Breaks_of_axis& breaks, const Exact_rational& x)
+{
+  if (breaks.size() < 3)
+    return 0;
+  return static_cast<std::size_t>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x) - breaks.begin()) - 1;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<std::vector<int>, Integer_spline> Integer_spline::without_trivial_axes() const
+{
+  Integer_spline result(*this);
+  std::vector<int> axes = result.m_pieces.remove_trivial_axes();
+  return {std::move(axes), std::move(result)};
 }
 #endif
 

@@ -29,37 +29,10 @@ namespace Spline_constraints {
 namespace internal {
 
 // Writes an integer, or a quotient of two, as digits: p or p/q.
-inline void write_rational(std::ostream& out, const Exact_rational& x)
-{
-  const Big_integer denominator = denominator_of(x);
-  out << numerator_of(x).str();
-  if (denominator != 1)
-    out << '/' << denominator.str();
-}
+void write_rational(std::ostream& out, const Exact_rational& x);
 
 // What `write_rational()` writes; else none, and the stream fails.
-inline std::optional<Exact_rational> read_rational(std::istream& in)
-{
-  std::string text;
-  in >> text;
-  const std::size_t slash = text.find('/'), begin = text.starts_with('-') ? 1 : 0;
-  const std::string numerator = text.substr(begin, slash == std::string::npos ? slash : slash - begin),
-                    denominator = slash == std::string::npos ? "1" : text.substr(slash + 1);
-  const auto is_number = [](const std::string& digits) {
-    return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return '0' <= c && c <= '9'; });
-  };
-  const auto is_zero = [](const std::string& digits) { return digits.find_first_not_of('0') == std::string::npos; };
-  if (!in || !is_number(numerator) || !is_number(denominator) || is_zero(denominator)) {
-    in.setstate(std::ios::failbit);
-    return std::nullopt;
-  }
-  const auto integer = [&](const std::string& digits) { // a leading zero would be an octal number
-    return is_zero(digits) ? Exact_rational(0)
-                           : scaled_rational(Big_integer(digits.substr(digits.find_first_not_of('0'))), 0);
-  };
-  const Exact_rational result(integer(numerator) / integer(denominator));
-  return begin == 1 ? Exact_rational(-result) : result;
-}
+std::optional<Exact_rational> read_rational(std::istream& in);
 
 template <class Object>
 void write_spline(std::ostream& out, const Object& object)
@@ -134,6 +107,39 @@ void read_spline(std::istream& in, Object& object)
     in.setstate(std::ios::failbit);
   }
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void write_rational(std::ostream& out, const Exact_rational& x)
+{
+  const Big_integer denominator = denominator_of(x);
+  out << numerator_of(x).str();
+  if (denominator != 1)
+    out << '/' << denominator.str();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Exact_rational> read_rational(std::istream& in)
+{
+  std::string text;
+  in >> text;
+  const std::size_t slash = text.find('/'), begin = text.starts_with('-') ? 1 : 0;
+  const std::string numerator = text.substr(begin, slash == std::string::npos ? slash : slash - begin),
+                    denominator = slash == std::string::npos ? "1" : text.substr(slash + 1);
+  const auto is_number = [](const std::string& digits) {
+    return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return '0' <= c && c <= '9'; });
+  };
+  const auto is_zero = [](const std::string& digits) { return digits.find_first_not_of('0') == std::string::npos; };
+  if (!in || !is_number(numerator) || !is_number(denominator) || is_zero(denominator)) {
+    in.setstate(std::ios::failbit);
+    return std::nullopt;
+  }
+  const auto integer = [&](const std::string& digits) { // a leading zero would be an octal number
+    return is_zero(digits) ? Exact_rational(0)
+                           : scaled_rational(Big_integer(digits.substr(digits.find_first_not_of('0'))), 0);
+  };
+  const Exact_rational result(integer(numerator) / integer(denominator));
+  return begin == 1 ? Exact_rational(-result) : result;
+}
+#endif
 
 } // namespace internal
 

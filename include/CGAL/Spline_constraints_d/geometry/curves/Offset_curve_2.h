@@ -27,8 +27,12 @@ namespace Spline_constraints {
 namespace internal {
 
 // The point of the offset of a curve at a parameter, which is clipped to its domain, rounded.
-inline std::array<double, 2> offset_point(const Differentiated_map& curve, const Exact_rational& distance,
-                                          const Exact_rational& t)
+std::array<double, 2> offset_point(const Differentiated_map& curve, const Exact_rational& distance,
+                                   const Exact_rational& t);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<double, 2>
+offset_point(const Differentiated_map& curve, const Exact_rational& distance, const Exact_rational& t)
 {
   const Exact_rational place = (std::max)(curve.begin(), (std::min)(t, curve.end()));
   const Exact_pair p = curve.at(0, place), tangent = curve.at(1, place);
@@ -36,6 +40,7 @@ inline std::array<double, 2> offset_point(const Differentiated_map& curve, const
                factor = to_nearest_double(distance) / std::hypot(dx, dy);
   return {to_nearest_double(p[0]) - factor * dy, to_nearest_double(p[1]) + factor * dx};
 }
+#endif
 
 } // namespace internal
 
@@ -100,44 +105,16 @@ public:
 
   //! the point at a parameter, rounded; at a corner, that of the part after it. \throws Invalid_input when the
   //! parameter is not in the domain.
-  std::array<double, 2> operator()(const Exact_rational& t) const
-  {
-    if (t < domain().first || domain().second < t)
-      throw Invalid_input("Offset_curve_2: the parameter is outside of the domain");
-    std::size_t i = 0;
-    while (i + 1 < m_parts.size() && m_parts[i].curve.end() <= t)
-      ++i;
-    return internal::offset_point(m_parts[i].curve, m_distance, t);
-  }
+  std::array<double, 2> operator()(const Exact_rational& t) const;
 
   /// \name Model of Locus
   /// @{
 
   //! one piece for each smooth part.
-  std::vector<Locus_piece<2>> locus_pieces() const
-  {
-    std::vector<Locus_piece<2>> result;
-    for (std::size_t i = 0; i < m_parts.size(); ++i) {
-      const internal::Differentiated_map& curve = m_parts[i].curve;
-      const auto point = [curve](std::span<const Unknown> u) { return curve(0, u[0]); };
-      result.push_back(piece(point, tangent_of(m_parts[i]), {curve.map().domain(0)}, m_speeds[i]));
-      result.back().is_without_end[0] = !m_parts[i].has_end;
-    }
-    return result;
-  }
+  std::vector<Locus_piece<2>> locus_pieces() const;
 
   //! both ends; the seam of a closed curve, too.
-  std::vector<Locus_end<2>> locus_ends() const
-  {
-    const auto end = [this](const internal::Differentiated_map& curve, const Exact_rational& t) {
-      const internal::Vector_formula<2> tangent = internal::constant_formula<2>(curve.at(1, t));
-      return Locus_end<2>{t,
-                          piece(internal::constant_formula<2>(curve.at(0, t)), tangent, {},
-                                internal::length_range<2>(tangent, {}, "Offset_curve_2: the derivative at an end"))};
-    };
-    const internal::Differentiated_map &first = m_parts.front().curve, &last = m_parts.back().curve;
-    return {end(first, first.begin()), end(last, last.end())};
-  }
+  std::vector<Locus_end<2>> locus_ends() const;
 
   /// @}
 
@@ -154,6 +131,42 @@ private:
     return internal::offset_piece<2>(point, {tangent}, normal, m_distance, parameters, speed);
   }
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<double, 2> Offset_curve_2::operator()(const Exact_rational& t) const
+{
+  if (t < domain().first || domain().second < t)
+    throw Invalid_input("Offset_curve_2: the parameter is outside of the domain");
+  std::size_t i = 0;
+  while (i + 1 < m_parts.size() && m_parts[i].curve.end() <= t)
+    ++i;
+  return internal::offset_point(m_parts[i].curve, m_distance, t);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Locus_piece<2>> Offset_curve_2::locus_pieces() const
+{
+  std::vector<Locus_piece<2>> result;
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    const internal::Differentiated_map& curve = m_parts[i].curve;
+    const auto point = [curve](std::span<const Unknown> u) { return curve(0, u[0]); };
+    result.push_back(piece(point, tangent_of(m_parts[i]), {curve.map().domain(0)}, m_speeds[i]));
+    result.back().is_without_end[0] = !m_parts[i].has_end;
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Locus_end<2>> Offset_curve_2::locus_ends() const
+{
+  const auto end = [this](const internal::Differentiated_map& curve, const Exact_rational& t) {
+    const internal::Vector_formula<2> tangent = internal::constant_formula<2>(curve.at(1, t));
+    return Locus_end<2>{t,
+                        piece(internal::constant_formula<2>(curve.at(0, t)), tangent, {},
+                              internal::length_range<2>(tangent, {}, "Offset_curve_2: the derivative at an end"))};
+  };
+  const internal::Differentiated_map &first = m_parts.front().curve, &last = m_parts.back().curve;
+  return {end(first, first.begin()), end(last, last.end())};
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

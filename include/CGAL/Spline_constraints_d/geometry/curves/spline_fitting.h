@@ -33,7 +33,14 @@ namespace Spline_constraints {
 namespace internal {
 
 // Knots of a cubic spline with simple breaks: clamped, or periodic.
-inline Knot_axis<double> cubic_axis(const std::vector<double>& breaks, bool is_closed)
+Knot_axis<double> cubic_axis(const std::vector<double>& breaks, bool is_closed);
+
+// The point of a spline, whose first control points come again at the end if the knots are periodic.
+std::vector<double> cubic_point(const Knot_axis<double>& axis, const std::vector<std::vector<double>>& control_points,
+                                double t);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Knot_axis<double> cubic_axis(const std::vector<double>& breaks, bool is_closed)
 {
   if (is_closed)
     return {3, unwrapped_knots(3, breaks, "Fitted_spline_d")};
@@ -43,9 +50,8 @@ inline Knot_axis<double> cubic_axis(const std::vector<double>& breaks, bool is_c
   return {3, std::move(knots)};
 }
 
-// The point of a spline, whose first control points come again at the end if the knots are periodic.
-inline std::vector<double> cubic_point(const Knot_axis<double>& axis,
-                                       const std::vector<std::vector<double>>& control_points, double t)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<double>
+cubic_point(const Knot_axis<double>& axis, const std::vector<std::vector<double>>& control_points, double t)
 {
   const std::size_t span = span_of(axis, t);
   const std::vector<double> weights = derivative_weights(axis, span, t, 0);
@@ -55,6 +61,7 @@ inline std::vector<double> cubic_point(const Knot_axis<double>& axis,
       result[k] += weights[i] * control_points[(span - 3 + i) % control_points.size()][k];
   return result;
 }
+#endif
 
 } // namespace internal
 
@@ -120,13 +127,7 @@ namespace internal {
 
 using Double_points = std::vector<std::vector<double>>;
 
-inline double distance(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double result = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    result = std::hypot(result, a[k] - b[k]);
-  return result;
-}
+double distance(const std::vector<double>& a, const std::vector<double>& b);
 
 // Cubic splines through samples of a curve, by least squares. The samples are in order; those of a closed curve end
 // with the first one.
@@ -148,95 +149,17 @@ public:
 
   // Splits pieces until none is further from its samples than the tolerance, or one that is has too few of them to be
   // split.
-  Fitted_spline_d operator()(double tolerance) const
-  {
-    const std::size_t last = m_samples.size() - 1;
-    std::vector<std::size_t> breaks{0, last};
-    if (m_is_closed) {
-      const std::size_t middle = middle_sample(0, last);
-      breaks = {0, middle_sample(0, middle), middle, middle_sample(middle, last), last};
-    }
-    for (;;) {
-      Fitted_spline_d spline = least_squares(breaks);
-      const Knot_axis<double> axis = cubic_axis(spline.breaks, m_is_closed);
-      std::vector<std::size_t> finer(1, 0);
-      bool is_fine = true;
-      for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-        double error = 0;
-        for (std::size_t j = breaks[i]; j <= breaks[i + 1]; ++j)
-          error = (std::max)(error, distance(cubic_point(axis, spline.control_points, m_parameters[j]), m_samples[j]));
-        spline.error = (std::max)(spline.error, error);
-        if (error > tolerance) {
-          is_fine = is_fine && breaks[i + 1] - breaks[i] >= 2 * least_chords;
-          finer.push_back(middle_sample(breaks[i], breaks[i + 1]));
-        }
-        finer.push_back(breaks[i + 1]);
-      }
-      if (!is_fine || finer.size() == breaks.size())
-        return spline;
-      breaks = std::move(finer);
-    }
-  }
+  Fitted_spline_d operator()(double tolerance) const;
 
 private:
   // The sample next to the middle of a piece that leaves enough chords on both sides, if there are enough.
-  std::size_t middle_sample(std::size_t first, std::size_t last) const
-  {
-    const auto begin = m_parameters.begin();
-    const std::size_t least = (std::min)(least_chords, (last - first) / 2),
-                      middle = std::lower_bound(begin + first, begin + last,
-                                                0.5 * (m_parameters[first] + m_parameters[last])) -
-        begin;
-    return (std::max)(first + least, (std::min)(middle, last - least));
-  }
+  std::size_t middle_sample(std::size_t first, std::size_t last) const;
 
   // Chords, each lengthened to an arc by the curvature at its ends: c (1 + (kappa c)^2 / 24).
-  static std::vector<double> arc_lengths(const Double_points& points)
-  {
-    std::vector<double> chords, squared_curvatures(points.size(), 0), result(1, 0);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      chords.push_back(distance(points[i], points[i + 1]));
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      double turn = 0;
-      for (std::size_t k = 0; k < points[i].size(); ++k)
-        turn = std::hypot(
-            turn, (points[i + 1][k] - points[i][k]) / chords[i] - (points[i][k] - points[i - 1][k]) / chords[i - 1]);
-      squared_curvatures[i] = std::pow(2 * turn / (chords[i] + chords[i - 1]), 2);
-    }
-    squared_curvatures.front() = squared_curvatures[1];
-    squared_curvatures.back() = squared_curvatures[points.size() - 2];
-    for (std::size_t i = 0; i < chords.size(); ++i)
-      result.push_back(result.back() +
-                       chords[i] *
-                           (1 + chords[i] * chords[i] * (squared_curvatures[i] + squared_curvatures[i + 1]) / 48));
-    return result;
-  }
+  static std::vector<double> arc_lengths(const Double_points& points);
 
   // The spline with these samples as breaks that is nearest to every second sample.
-  Fitted_spline_d least_squares(const std::vector<std::size_t>& breaks) const
-  {
-    Fitted_spline_d result{{}, {}, m_is_closed, 0};
-    for (const std::size_t i : breaks)
-      result.breaks.push_back(m_parameters[i]);
-    const Knot_axis<double> axis = cubic_axis(result.breaks, m_is_closed);
-    const int size = static_cast<int>(m_is_closed ? breaks.size() - 1 : axis.size());
-    const auto [matrix, right] = equations(axis, size);
-    Eigen::SparseMatrix<double> normal = matrix.transpose() * matrix;
-    for (int i = 0; i < size; ++i)
-      if (is_fixed(i, size))
-        normal.coeffRef(i, i) = 1;
-    const Eigen::MatrixXd solution =
-        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
-    for (int i = 0; i < size; ++i)
-      if (is_fixed(i, size))
-        result.control_points.push_back(end_of_curve(i));
-      else {
-        std::vector<double>& point = result.control_points.emplace_back();
-        for (int k = 0; k < dimension(); ++k)
-          point.push_back(solution(i, k));
-      }
-    return result;
-  }
+  Fitted_spline_d least_squares(const std::vector<std::size_t>& breaks) const;
 
   int dimension() const { return static_cast<int>(m_samples.front().size()); }
 
@@ -249,29 +172,7 @@ private:
 
   // One for each sample that is fitted: the weights of the control points, and the sample less what the fixed control
   // points make of it.
-  std::pair<Eigen::SparseMatrix<double>, Eigen::MatrixXd> equations(const Knot_axis<double>& axis, int size) const
-  {
-    const int rows = static_cast<int>(m_samples.size() / 2);
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixXd right(rows, dimension());
-    for (int row = 0; row < rows; ++row) {
-      const std::size_t sample = 2 * static_cast<std::size_t>(row), span = span_of(axis, m_parameters[sample]);
-      const std::vector<double> weights = derivative_weights(axis, span, m_parameters[sample], 0);
-      for (int k = 0; k < dimension(); ++k)
-        right(row, k) = m_samples[sample][k];
-      for (std::size_t i = 0; i < weights.size(); ++i) {
-        const int control = static_cast<int>(span - 3 + i) % size;
-        if (!is_fixed(control, size))
-          entries.emplace_back(row, control, weights[i]);
-        else
-          for (int k = 0; k < dimension(); ++k)
-            right(row, k) -= weights[i] * end_of_curve(control)[k];
-      }
-    }
-    Eigen::SparseMatrix<double> matrix(rows, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return {std::move(matrix), std::move(right)};
-  }
+  std::pair<Eigen::SparseMatrix<double>, Eigen::MatrixXd> equations(const Knot_axis<double>& axis, int size) const;
 };
 
 inline std::vector<double> coordinates_of(const std::vector<double>& point) { return point; }
@@ -296,7 +197,130 @@ Double_points distinct_points(const Points& points)
   return result;
 }
 
-inline void insert_middles(Double_points& points)
+void insert_middles(Double_points& points);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE double distance(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double result = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    result = std::hypot(result, a[k] - b[k]);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Fitted_spline_d Spline_fitting::operator()(double tolerance) const
+{
+  const std::size_t last = m_samples.size() - 1;
+  std::vector<std::size_t> breaks{0, last};
+  if (m_is_closed) {
+    const std::size_t middle = middle_sample(0, last);
+    breaks = {0, middle_sample(0, middle), middle, middle_sample(middle, last), last};
+  }
+  for (;;) {
+    Fitted_spline_d spline = least_squares(breaks);
+    const Knot_axis<double> axis = cubic_axis(spline.breaks, m_is_closed);
+    std::vector<std::size_t> finer(1, 0);
+    bool is_fine = true;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      double error = 0;
+      for (std::size_t j = breaks[i]; j <= breaks[i + 1]; ++j)
+        error = (std::max)(error, distance(cubic_point(axis, spline.control_points, m_parameters[j]), m_samples[j]));
+      spline.error = (std::max)(spline.error, error);
+      if (error > tolerance) {
+        is_fine = is_fine && breaks[i + 1] - breaks[i] >= 2 * least_chords;
+        finer.push_back(middle_sample(breaks[i], breaks[i + 1]));
+      }
+      finer.push_back(breaks[i + 1]);
+    }
+    if (!is_fine || finer.size() == breaks.size())
+      return spline;
+    breaks = std::move(finer);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t Spline_fitting::middle_sample(std::size_t first, std::size_t last) const
+{
+  const auto begin = m_parameters.begin();
+  const std::size_t least = (std::min)(least_chords, (last - first) / 2),
+                    middle = std::lower_bound(begin + first, begin + last,
+                                              0.5 * (m_parameters[first] + m_parameters[last])) -
+      begin;
+  return (std::max)(first + least, (std::min)(middle, last - least));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<double> Spline_fitting::arc_lengths(const Double_points& points)
+{
+  std::vector<double> chords, squared_curvatures(points.size(), 0), result(1, 0);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    chords.push_back(distance(points[i], points[i + 1]));
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    double turn = 0;
+    for (std::size_t k = 0; k < points[i].size(); ++k)
+      turn = std::hypot(
+          turn, (points[i + 1][k] - points[i][k]) / chords[i] - (points[i][k] - points[i - 1][k]) / chords[i - 1]);
+    squared_curvatures[i] = std::pow(2 * turn / (chords[i] + chords[i - 1]), 2);
+  }
+  squared_curvatures.front() = squared_curvatures[1];
+  squared_curvatures.back() = squared_curvatures[points.size() - 2];
+  for (std::size_t i = 0; i < chords.size(); ++i)
+    result.push_back(result.back() +
+                     chords[i] *
+                         (1 + chords[i] * chords[i] * (squared_curvatures[i] + squared_curvatures[i + 1]) / 48));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Fitted_spline_d
+Spline_fitting::least_squares(const std::vector<std::size_t>& breaks) const
+{
+  Fitted_spline_d result{{}, {}, m_is_closed, 0};
+  for (const std::size_t i : breaks)
+    result.breaks.push_back(m_parameters[i]);
+  const Knot_axis<double> axis = cubic_axis(result.breaks, m_is_closed);
+  const int size = static_cast<int>(m_is_closed ? breaks.size() - 1 : axis.size());
+  const auto [matrix, right] = equations(axis, size);
+  Eigen::SparseMatrix<double> normal = matrix.transpose() * matrix;
+  for (int i = 0; i < size; ++i)
+    if (is_fixed(i, size))
+      normal.coeffRef(i, i) = 1;
+  const Eigen::MatrixXd solution =
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
+  for (int i = 0; i < size; ++i)
+    if (is_fixed(i, size))
+      result.control_points.push_back(end_of_curve(i));
+    else {
+      std::vector<double>& point = result.control_points.emplace_back();
+      for (int k = 0; k < dimension(); ++k)
+        point.push_back(solution(i, k));
+    }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<Eigen::SparseMatrix<double>, Eigen::MatrixXd>
+Spline_fitting::equations(const Knot_axis<double>& axis, int size) const
+{
+  const int rows = static_cast<int>(m_samples.size() / 2);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd right(rows, dimension());
+  for (int row = 0; row < rows; ++row) {
+    const std::size_t sample = 2 * static_cast<std::size_t>(row), span = span_of(axis, m_parameters[sample]);
+    const std::vector<double> weights = derivative_weights(axis, span, m_parameters[sample], 0);
+    for (int k = 0; k < dimension(); ++k)
+      right(row, k) = m_samples[sample][k];
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const int control = static_cast<int>(span - 3 + i) % size;
+      if (!is_fixed(control, size))
+        entries.emplace_back(row, control, weights[i]);
+      else
+        for (int k = 0; k < dimension(); ++k)
+          right(row, k) -= weights[i] * end_of_curve(control)[k];
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(rows, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return {std::move(matrix), std::move(right)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void insert_middles(Double_points& points)
 {
   Double_points result{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -308,6 +332,7 @@ inline void insert_middles(Double_points& points)
   }
   points = std::move(result);
 }
+#endif
 
 } // namespace internal
 

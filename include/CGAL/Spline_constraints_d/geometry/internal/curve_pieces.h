@@ -34,20 +34,10 @@ class Differentiated_map
   std::vector<Planar_map> m_derivatives;
 
 public:
-  Differentiated_map(Planar_map map, int order)
-  {
-    m_derivatives.push_back(std::move(map));
-    for (int k = 0; k < order; ++k)
-      m_derivatives.push_back(derivative(m_derivatives.back()));
-  }
+  Differentiated_map(Planar_map map, int order);
 
   // With a multiple of the derivative in its place.
-  Differentiated_map with_tangent(Planar_map tangent) const
-  {
-    Differentiated_map result(*this);
-    result.m_derivatives[1] = std::move(tangent);
-    return result;
-  }
+  Differentiated_map with_tangent(Planar_map tangent) const;
 
   const Planar_map& map() const { return m_derivatives[0]; }
   int order() const { return static_cast<int>(m_derivatives.size()) - 1; }
@@ -62,14 +52,7 @@ public:
 };
 
 // The parts between successive breaks, where all derivatives exist.
-inline std::vector<Differentiated_map> polynomial_pieces(const Planar_map& curve, int order)
-{
-  const std::vector<Exact_rational> breaks = curve.breaks(0);
-  std::vector<Differentiated_map> result;
-  for (std::size_t i = 1; i < breaks.size(); ++i)
-    result.emplace_back(curve.restricted(0, breaks[i - 1], breaks[i]), order);
-  return result;
-}
+std::vector<Differentiated_map> polynomial_pieces(const Planar_map& curve, int order);
 
 inline bool are_codirectional(const Exact_pair& a, const Exact_pair& b)
 {
@@ -116,6 +99,31 @@ inline std::vector<Smooth_part> smooth_parts(const Planar_map& curve)
 {
   return smooth_parts(curve, has_same_derivative);
 }
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Differentiated_map::Differentiated_map(Planar_map map, int order)
+{
+  m_derivatives.push_back(std::move(map));
+  for (int k = 0; k < order; ++k)
+    m_derivatives.push_back(derivative(m_derivatives.back()));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Differentiated_map Differentiated_map::with_tangent(Planar_map tangent) const
+{
+  Differentiated_map result(*this);
+  result.m_derivatives[1] = std::move(tangent);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Differentiated_map> polynomial_pieces(const Planar_map& curve, int order)
+{
+  const std::vector<Exact_rational> breaks = curve.breaks(0);
+  std::vector<Differentiated_map> result;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+    result.emplace_back(curve.restricted(0, breaks[i - 1], breaks[i]), order);
+  return result;
+}
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -92,18 +92,7 @@ public:
   /// @{
 
   //! one piece.
-  std::vector<Locus_piece<3>> locus_pieces() const
-  {
-    const auto at = [](const Spline_map<2, 3>& map) -> internal::Vector_formula<3> {
-      return [map](std::span<const Unknown> u) { return map(u[0], u[1]); };
-    };
-    Locus_piece<3> piece = internal::offset_piece<3>(at(m_surface), {at(m_derivatives[0]), at(m_derivatives[1])},
-                                                     normal(), m_distance, {domain(0), domain(1)}, m_length_of_normal);
-    for (int axis : {0, 1})
-      piece.is_without_end[axis] =
-          m_surface.is_closed(axis) && m_derivatives[0].is_closed(axis) && m_derivatives[1].is_closed(axis);
-    return {piece};
-  }
+  std::vector<Locus_piece<3>> locus_pieces() const;
 
   //! surfaces have no ends.
   std::vector<Locus_end<3>> locus_ends() const { return {}; }
@@ -111,13 +100,30 @@ public:
   /// @}
 
 private:
-  internal::Vector_formula<3> normal() const
-  {
-    return [derivatives = m_derivatives](std::span<const Unknown> u) {
-      return cross(derivatives[0](u[0], u[1]), derivatives[1](u[0], u[1]));
-    };
-  }
+  internal::Vector_formula<3> normal() const;
 };
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Locus_piece<3>> Offset_surface_3::locus_pieces() const
+{
+  const auto at = [](const Spline_map<2, 3>& map) -> internal::Vector_formula<3> {
+    return [map](std::span<const Unknown> u) { return map(u[0], u[1]); };
+  };
+  Locus_piece<3> piece = internal::offset_piece<3>(at(m_surface), {at(m_derivatives[0]), at(m_derivatives[1])},
+                                                   normal(), m_distance, {domain(0), domain(1)}, m_length_of_normal);
+  for (int axis : {0, 1})
+    piece.is_without_end[axis] =
+        m_surface.is_closed(axis) && m_derivatives[0].is_closed(axis) && m_derivatives[1].is_closed(axis);
+  return {piece};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE internal::Vector_formula<3> Offset_surface_3::normal() const
+{
+  return [derivatives = m_derivatives](std::span<const Unknown> u) {
+    return cross(derivatives[0](u[0], u[1]), derivatives[1](u[0], u[1]));
+  };
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

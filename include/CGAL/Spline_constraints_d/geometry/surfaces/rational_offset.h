@@ -33,7 +33,43 @@ namespace internal {
 The continuous surface with these pieces on the cells of a grid, in row-major order, each of which may be multiplied by
 a constant: that which makes it fit the one before. None if their homogeneous coordinates do not fit.
 */
-inline std::optional<Bspline_surface_3<Exact_kernel>>
+std::optional<Bspline_surface_3<Exact_kernel>> joined_surface(std::vector<Homogeneous_polynomials> pieces,
+                                                              const std::array<std::vector<Exact_rational>, 2>& breaks);
+
+/*
+The surface whose pieces `change(piece, unit normal)` makes of those of a surface that has a rational unit normal, in
+the lowest degree if they fit together then.
+*/
+template <class Change>
+std::optional<Bspline_surface_3<Exact_kernel>> surface_of_unit_normals(const Bspline_surface_3<Exact_kernel>& surface,
+                                                                       const Change& change)
+{
+  const auto numerators = surface.homogeneous_coordinates();
+  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> coordinates{
+      numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
+  const auto weights = surface.is_rational()
+      ? surface.weight().bezier_pieces()
+      : std::vector(coordinates[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
+  std::vector<Homogeneous_polynomials> pieces, simpler;
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    Homogeneous_polynomials piece;
+    for (const auto& coordinate : coordinates)
+      piece.push_back(polynomial_of(coordinate[c]));
+    piece.push_back(polynomial_of(weights[c]));
+    const std::optional<Unit_normal> normal = unit_normal(piece);
+    if (!normal)
+      return std::nullopt;
+    pieces.push_back(change(piece, *normal));
+    simpler.push_back(without_common_factors(pieces.back()));
+  }
+  const std::array<std::vector<Exact_rational>, 2> breaks{surface.breaks(0), surface.breaks(1)};
+  if (auto result = joined_surface(std::move(simpler), breaks))
+    return result;
+  return joined_surface(std::move(pieces), breaks);
+}
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Bspline_surface_3<Exact_kernel>>
 joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std::vector<Exact_rational>, 2>& breaks)
 {
   const std::size_t columns = breaks[1].size() - 1;
@@ -70,38 +106,7 @@ joined_surface(std::vector<Homogeneous_polynomials> pieces, const std::array<std
   return Bspline_surface_3<Exact_kernel>::from_homogeneous_coordinates({coordinates[0], coordinates[1], coordinates[2]},
                                                                        coordinates[3]);
 }
-
-/*
-The surface whose pieces `change(piece, unit normal)` makes of those of a surface that has a rational unit normal, in
-the lowest degree if they fit together then.
-*/
-template <class Change>
-std::optional<Bspline_surface_3<Exact_kernel>> surface_of_unit_normals(const Bspline_surface_3<Exact_kernel>& surface,
-                                                                       const Change& change)
-{
-  const auto numerators = surface.homogeneous_coordinates();
-  const std::array<std::vector<Bernstein_tensor<Exact_rational>>, 3> coordinates{
-      numerators[0].bezier_pieces(), numerators[1].bezier_pieces(), numerators[2].bezier_pieces()};
-  const auto weights = surface.is_rational()
-      ? surface.weight().bezier_pieces()
-      : std::vector(coordinates[0].size(), Bernstein_tensor<Exact_rational>::constant(2, Exact_rational(1)));
-  std::vector<Homogeneous_polynomials> pieces, simpler;
-  for (std::size_t c = 0; c < weights.size(); ++c) {
-    Homogeneous_polynomials piece;
-    for (const auto& coordinate : coordinates)
-      piece.push_back(polynomial_of(coordinate[c]));
-    piece.push_back(polynomial_of(weights[c]));
-    const std::optional<Unit_normal> normal = unit_normal(piece);
-    if (!normal)
-      return std::nullopt;
-    pieces.push_back(change(piece, *normal));
-    simpler.push_back(without_common_factors(pieces.back()));
-  }
-  const std::array<std::vector<Exact_rational>, 2> breaks{surface.breaks(0), surface.breaks(1)};
-  if (auto result = joined_surface(std::move(simpler), breaks))
-    return result;
-  return joined_surface(std::move(pieces), breaks);
-}
+#endif
 
 } // namespace internal
 

@@ -56,25 +56,7 @@ public:
   one sign, or it is not proved that \f$\det M \neq 0\f$ at all times.
   */
   Rational_motion_2(const std::array<std::array<Function, 2>, 2>& columns, const std::array<Function, 2>& path,
-                    const Function& weight)
-    : m_columns{columns[0], columns[1], path}, m_weight(weight)
-  {
-    for (const auto& column : m_columns)
-      for (const Function& f : column)
-        if (f.dimension() != 1 || weight.dimension() != 1 || f.domain(0) != weight.domain(0))
-          throw Invalid_input("Rational_motion_2: not all functions are splines of the time on the same domain");
-    if (internal::certified_weight_sign(m_weight, {}) < 0) {
-      m_weight = -m_weight;
-      for (auto& column : m_columns)
-        for (Function& f : column)
-          f = -f;
-    }
-    try {
-      m_orientation = internal::certified_weight_sign(determinant(), {});
-    } catch (const Invalid_input&) {
-      throw Invalid_input("Rational_motion_2: it is not proved that the map is invertible at all times");
-    }
-  }
+                    const Function& weight);
 
   //! the translation that takes the origin along a curve, whose parameter is the time.
   template <ParametricCurve_2 Curve>
@@ -112,38 +94,14 @@ public:
 
   //! the map of a point at each time is that of the image under `second` by `first`.
   //! \throws Invalid_input when the domains differ.
-  friend Rational_motion_2 operator*(const Rational_motion_2& first, const Rational_motion_2& second)
-  {
-    if (first.domain() != second.domain())
-      throw Invalid_input("Rational_motion_2: motions that are composed have different domains");
-    std::array<std::array<Function, 2>, 3> columns;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < 2; ++i) {
-        const Function sum =
-            first.m_columns[0][i] * second.m_columns[k][0] + first.m_columns[1][i] * second.m_columns[k][1];
-        columns[k][i] = k < 2 ? sum : sum + first.m_columns[2][i] * second.m_weight;
-      }
-    return Rational_motion_2({columns[0], columns[1]}, columns[2], first.m_weight * second.m_weight);
-  }
+  friend Rational_motion_2 operator*(const Rational_motion_2& first, const Rational_motion_2& second);
 
   //! the motion back: with `*`, one body seen from another one that moves, too.
-  Rational_motion_2 inverse() const
-  {
-    const auto& [a, b, c] = m_columns;
-    return Rational_motion_2({{{m_weight * b[1], -(m_weight * a[1])}, {-(m_weight * b[0]), m_weight * a[0]}}},
-                             {b[0] * c[1] - b[1] * c[0], a[1] * c[0] - a[0] * c[1]}, determinant());
-  }
+  Rational_motion_2 inverse() const;
 
   //! the same from one time to another.
   //! \throws Invalid_input when the second time is not after the first one, or one is outside of the domain.
-  Rational_motion_2 restricted(const Exact_rational& begin, const Exact_rational& end) const
-  {
-    const auto part = [&](const Function& f) { return f.restricted(0, begin, end); };
-    const auto vector = [&](const std::array<Function, 2>& v) {
-      return std::array<Function, 2>{part(v[0]), part(v[1])};
-    };
-    return Rational_motion_2({vector(m_columns[0]), vector(m_columns[1])}, vector(m_columns[2]), part(m_weight));
-  }
+  Rational_motion_2 restricted(const Exact_rational& begin, const Exact_rational& end) const;
 
   //! the first and the last time.
   std::pair<Exact_rational, Exact_rational> domain() const { return m_weight.domain(0); }
@@ -158,13 +116,7 @@ public:
   bool keeps_orientation() const { return m_orientation > 0; }
 
   //! the map at a time, exactly. \throws Invalid_input when the time is outside of the domain.
-  CGAL::Aff_transformation_2<Kernel> operator()(const Exact_rational& time) const
-  {
-    const std::array<Exact_rational, 1> t{time};
-    const Exact_rational w = m_weight(t);
-    const auto entry = [&](std::size_t i, std::size_t k) { return Exact_rational(m_columns[k][i](t) / w); };
-    return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2)};
-  }
+  CGAL::Aff_transformation_2<Kernel> operator()(const Exact_rational& time) const;
 
 private:
   static Function constant(const std::pair<Exact_rational, Exact_rational>& domain, const Exact_rational& value)
@@ -174,6 +126,69 @@ private:
 
   Function determinant() const { return m_columns[0][0] * m_columns[1][1] - m_columns[0][1] * m_columns[1][0]; }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE
+Rational_motion_2::Rational_motion_2(const std::array<std::array<Function, 2>, 2>& columns,
+                                     const std::array<Function, 2>& path, const Function& weight)
+  : m_columns{columns[0], columns[1], path}, m_weight(weight)
+{
+  for (const auto& column : m_columns)
+    for (const Function& f : column)
+      if (f.dimension() != 1 || weight.dimension() != 1 || f.domain(0) != weight.domain(0))
+        throw Invalid_input("Rational_motion_2: not all functions are splines of the time on the same domain");
+  if (internal::certified_weight_sign(m_weight, {}) < 0) {
+    m_weight = -m_weight;
+    for (auto& column : m_columns)
+      for (Function& f : column)
+        f = -f;
+  }
+  try {
+    m_orientation = internal::certified_weight_sign(determinant(), {});
+  } catch (const Invalid_input&) {
+    throw Invalid_input("Rational_motion_2: it is not proved that the map is invertible at all times");
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_motion_2 operator*(const Rational_motion_2& first,
+                                                           const Rational_motion_2& second)
+{
+  if (first.domain() != second.domain())
+    throw Invalid_input("Rational_motion_2: motions that are composed have different domains");
+  std::array<std::array<Bspline_function<Exact_rational>, 2>, 3> columns;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Bspline_function<Exact_rational> sum =
+          first.m_columns[0][i] * second.m_columns[k][0] + first.m_columns[1][i] * second.m_columns[k][1];
+      columns[k][i] = k < 2 ? sum : sum + first.m_columns[2][i] * second.m_weight;
+    }
+  return Rational_motion_2({columns[0], columns[1]}, columns[2], first.m_weight * second.m_weight);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_motion_2 Rational_motion_2::inverse() const
+{
+  const auto& [a, b, c] = m_columns;
+  return Rational_motion_2({{{m_weight * b[1], -(m_weight * a[1])}, {-(m_weight * b[0]), m_weight * a[0]}}},
+                           {b[0] * c[1] - b[1] * c[0], a[1] * c[0] - a[0] * c[1]}, determinant());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_motion_2 Rational_motion_2::restricted(const Exact_rational& begin,
+                                                                               const Exact_rational& end) const
+{
+  const auto part = [&](const Function& f) { return f.restricted(0, begin, end); };
+  const auto vector = [&](const std::array<Function, 2>& v) { return std::array<Function, 2>{part(v[0]), part(v[1])}; };
+  return Rational_motion_2({vector(m_columns[0]), vector(m_columns[1])}, vector(m_columns[2]), part(m_weight));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE CGAL::Aff_transformation_2<Rational_motion_2::Kernel>
+Rational_motion_2::operator()(const Exact_rational& time) const
+{
+  const std::array<Exact_rational, 1> t{time};
+  const Exact_rational w = m_weight(t);
+  const auto entry = [&](std::size_t i, std::size_t k) { return Exact_rational(m_columns[k][i](t) / w); };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2)};
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

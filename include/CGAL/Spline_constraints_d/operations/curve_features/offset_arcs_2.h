@@ -64,14 +64,7 @@ class Offset_arcs_2
 
 public:
   //! what `offset_arcs()` has found; `undecided` are parts of the curve without arcs.
-  Offset_arcs_2(std::vector<Offset_arc_2> arcs, Locus_intersections<2> cusps, std::vector<Undecided_part> undecided)
-    : m_arcs(std::move(arcs)), m_cusps(std::move(cusps)), m_undecided(std::move(undecided)),
-      m_summary(m_cusps.summary())
-  {
-    for (Undecided_part& cusp : m_cusps.undecided())
-      m_undecided.push_back(std::move(cusp));
-    m_summary.is_complete = m_undecided.empty();
-  }
+  Offset_arcs_2(std::vector<Offset_arc_2> arcs, Locus_intersections<2> cusps, std::vector<Undecided_part> undecided);
 
   //! the arcs, by increasing parameters.
   const std::vector<Offset_arc_2>& arcs() const { return m_arcs; }
@@ -105,7 +98,21 @@ gaps. All breaks of the curve are among the points. A zero of \f$1 - r\kappa\f$ 
 
 Complexity: that of `cusps()`, and one exact evaluation of the curve and its derivative per point.
 */
-inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, const Solver_options& options = {})
+Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, const Solver_options& options = {});
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Offset_arcs_2::Offset_arcs_2(std::vector<Offset_arc_2> arcs,
+                                                            Locus_intersections<2> cusps,
+                                                            std::vector<Undecided_part> undecided)
+  : m_arcs(std::move(arcs)), m_cusps(std::move(cusps)), m_undecided(std::move(undecided)), m_summary(m_cusps.summary())
+{
+  for (Undecided_part& cusp : m_cusps.undecided())
+    m_undecided.push_back(std::move(cusp));
+  m_summary.is_complete = m_undecided.empty();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error,
+                                                         const Solver_options& options)
 {
   using namespace internal;
   using namespace internal::Curve_features;
@@ -154,6 +161,7 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
   }
   return {std::move(arcs), std::move(all_cusps), std::move(undecided)};
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

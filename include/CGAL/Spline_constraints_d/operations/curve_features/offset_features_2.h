@@ -41,7 +41,33 @@ breaks where the curvature jumps an offset may turn back without a zero; this is
 Complexity: one system in one unknown per polynomial piece, \f$r^2 (C' \times C'')^2 = |C'|^6\f$ with \f$r\,(C' \times
 C'') > 0\f$. Nothing is undecided unless a limit is reached.
 */
-inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_options& options = {})
+Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_options& options = {});
+
+/*!
+where an offset meets itself: all pairs of parameters \f$u < v\f$ with the same point. The parameters are those of
+operands 0 and 1 of the answers, which both are the offset.
+
+The solutions \f$u = v\f$ are removed exactly. On one polynomial piece this is done by division, and cusps go with them:
+what remains of the equations there is \f$1 - r\kappa = 0\f$ and the derivative of the curvature. Two pieces that join
+smoothly have a solution in their common end, which a blow-up removes: the unknowns of `Locus_intersection::solution()`
+then are the ratio of the distances from that end, the larger distance, and \f$|C'(u)|\f$. A cusp at a break stays
+undecided, as does the seam of a closed curve of one or two pieces.
+
+\param offset the offset.
+\param options those of the solver; limits hold for the operation as a whole.
+\throws Invalid_input when an option makes no sense.
+
+Complexity: a system of three equations in three unknowns, \f$u, v\f$ and \f$|C'(u)|\f$, for each pair of polynomial
+pieces, two for neighbours. Source: \cgalCite{p-cgl-03}.
+*/
+Locus_intersections<2> self_intersections(const Offset_curve_2& offset, const Solver_options& options = {});
+
+/*!
+@}
+*/
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_options& options)
 {
   internal::Common::Budgeted_solver solve(options);
   const Exact_rational& r = offset.distance();
@@ -80,24 +106,8 @@ inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_o
   return internal::Intersections::ordered_by_kind(std::move(result), solve.total());
 }
 
-/*!
-where an offset meets itself: all pairs of parameters \f$u < v\f$ with the same point. The parameters are those of
-operands 0 and 1 of the answers, which both are the offset.
-
-The solutions \f$u = v\f$ are removed exactly. On one polynomial piece this is done by division, and cusps go with them:
-what remains of the equations there is \f$1 - r\kappa = 0\f$ and the derivative of the curvature. Two pieces that join
-smoothly have a solution in their common end, which a blow-up removes: the unknowns of `Locus_intersection::solution()`
-then are the ratio of the distances from that end, the larger distance, and \f$|C'(u)|\f$. A cusp at a break stays
-undecided, as does the seam of a closed curve of one or two pieces.
-
-\param offset the offset.
-\param options those of the solver; limits hold for the operation as a whole.
-\throws Invalid_input when an option makes no sense.
-
-Complexity: a system of three equations in three unknowns, \f$u, v\f$ and \f$|C'(u)|\f$, for each pair of polynomial
-pieces, two for neighbours. Source: \cgalCite{p-cgl-03}.
-*/
-inline Locus_intersections<2> self_intersections(const Offset_curve_2& offset, const Solver_options& options = {})
+CGAL_SPLINE_CONSTRAINTS_INLINE Locus_intersections<2> self_intersections(const Offset_curve_2& offset,
+                                                                         const Solver_options& options)
 {
   internal::Common::Budgeted_solver solve(options);
   const std::vector<internal::Differentiated_map> curves = internal::polynomial_pieces(offset.curve(), 1);
@@ -122,10 +132,7 @@ inline Locus_intersections<2> self_intersections(const Offset_curve_2& offset, c
     }
   return internal::Intersections::ordered_by_kind(std::move(result), solve.total());
 }
-
-/*!
-@}
-*/
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -78,16 +78,8 @@ namespace Curve_features {
 // 000, equation 6: equal angles with the tangent T and the normal N, which
 // <in,T>/|in| = -<out,T>/|out| says, squared. The normal components have the same sign; they have opposite ones where
 // the ray goes straight on. Where the ray comes back to where it came from, it goes along the normal.
-inline std::vector<Constraint> reflection(const Vector_expression<2>& point, const Vector_expression<2>& tangent,
-                                          const Vector_expression<2>& before, const Vector_expression<2>& after,
-                                          bool returns)
-{
-  const Vector_expression<2> in = before - point, out = after - point, normal = perpendicular(tangent);
-  if (returns)
-    return {dot(in, tangent) == 0, squared_norm(in) != 0};
-  return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in),
-          dot(in, normal) * dot(out, normal) > 0};
-}
+std::vector<Constraint> reflection(const Vector_expression<2>& point, const Vector_expression<2>& tangent,
+                                   const Vector_expression<2>& before, const Vector_expression<2>& after, bool returns);
 
 // A part of a curve that has tangents, without those of its ends that are corners, or that count as the begin of the
 // next part.
@@ -97,7 +89,39 @@ struct Mirror
   bool has_begin, has_end;
 };
 
-inline std::vector<Mirror> mirrors(const Planar_map& curve)
+std::vector<Mirror> mirrors(const Planar_map& curve);
+
+// The reflection at one mirror of each curve.
+std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirror*>& mirrors);
+
+// What is undecided of the paths with parameters in a box.
+Undecided_part undecided_trap(const std::vector<Planar_map>& curves, const std::vector<Exact_range>& box,
+                              Undecided_reason reason);
+
+template <SplineKernel Kernel>
+Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const Solution_d<double>& solution)
+{
+  const auto box = solution.exact_box();
+  std::vector<typename Kernel::Point_2> points;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    points.push_back(Point_on_spline<Kernel, 1, 2>(curves[i], {box[i]}).point());
+  return {std::move(points), solution};
+}
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Constraint> reflection(const Vector_expression<2>& point,
+                                                                  const Vector_expression<2>& tangent,
+                                                                  const Vector_expression<2>& before,
+                                                                  const Vector_expression<2>& after, bool returns)
+{
+  const Vector_expression<2> in = before - point, out = after - point, normal = perpendicular(tangent);
+  if (returns)
+    return {dot(in, tangent) == 0, squared_norm(in) != 0};
+  return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in),
+          dot(in, normal) * dot(out, normal) > 0};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Mirror> mirrors(const Planar_map& curve)
 {
   const std::vector<Smooth_part> parts = smooth_parts(curve);
   const bool is_closed = curve.is_closed();
@@ -110,8 +134,7 @@ inline std::vector<Mirror> mirrors(const Planar_map& curve)
   return result;
 }
 
-// The reflection at one mirror of each curve.
-inline std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirror*>& mirrors)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirror*>& mirrors)
 {
   const std::size_t n = mirrors.size();
   std::vector<std::array<Bound, 2>> ranges;
@@ -135,25 +158,16 @@ inline std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirr
   return result;
 }
 
-// What is undecided of the paths with parameters in a box.
-inline Undecided_part undecided_trap(const std::vector<Planar_map>& curves, const std::vector<Exact_range>& box,
-                                     Undecided_reason reason)
+CGAL_SPLINE_CONSTRAINTS_INLINE Undecided_part undecided_trap(const std::vector<Planar_map>& curves,
+                                                             const std::vector<Exact_range>& box,
+                                                             Undecided_reason reason)
 {
   std::vector<Curve_range> parts;
   for (std::size_t i = 0; i < curves.size(); ++i)
     parts.push_back({curves[i], i, box[i]});
   return undecided_on_curves(parts, in_words(reason));
 }
-
-template <SplineKernel Kernel>
-Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const Solution_d<double>& solution)
-{
-  const auto box = solution.exact_box();
-  std::vector<typename Kernel::Point_2> points;
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    points.push_back(Point_on_spline<Kernel, 1, 2>(curves[i], {box[i]}).point());
-  return {std::move(points), solution};
-}
+#endif
 
 } // namespace Curve_features
 } // namespace internal

@@ -55,20 +55,7 @@ public:
   one sign.
   */
   Rational_motion_3(const std::array<std::array<Function, 3>, 3>& columns, const std::array<Function, 3>& path,
-                    const Function& weight)
-    : m_columns{columns[0], columns[1], columns[2], path}, m_weight(weight)
-  {
-    for (const auto& column : m_columns)
-      for (const Function& f : column)
-        if (f.dimension() != 1 || weight.dimension() != 1 || f.domain(0) != weight.domain(0))
-          throw Invalid_input("Rational_motion_3: not all functions are splines of the time on the same domain");
-    if (internal::certified_weight_sign(m_weight, {}) > 0)
-      return;
-    m_weight = -m_weight;
-    for (auto& column : m_columns)
-      for (Function& f : column)
-        f = -f;
-  }
+                    const Function& weight);
 
   //! the motion that a path and the images of the unit vectors give. \throws Invalid_input when there are axes, but not
   //! three, or domains differ.
@@ -130,18 +117,7 @@ public:
   it takes \f$x\f$ to \f$a x \bar a / |a|^2\f$. All rational rotations are of this form.
   \throws Invalid_input when the domains differ, or it is not proved that \f$a \neq 0\f$.
   */
-  static Rational_motion_3 rotation(const std::array<Function, 4>& a)
-  {
-    const auto product = [&](std::size_t i, std::size_t k) { return a[i] * a[k]; };
-    const auto twice = [](const Function& f) { return f * Exact_rational(2); };
-    const Function s = product(0, 0), x = product(1, 1), y = product(2, 2), z = product(3, 3), weight = s + x + y + z;
-    const Function xy = product(1, 2), xz = product(1, 3), yz = product(2, 3), sx = product(0, 1), sy = product(0, 2),
-                   sz = product(0, 3), zero = weight * Exact_rational(0);
-    return Rational_motion_3({{{s + x - y - z, twice(xy + sz), twice(xz - sy)},
-                               {twice(xy - sz), s - x + y - z, twice(yz + sx)},
-                               {twice(xz + sy), twice(yz - sx), s - x - y + z}}},
-                             {zero, zero, zero}, weight);
-  }
+  static Rational_motion_3 rotation(const std::array<Function, 4>& a);
 
   /*!
   the rotation about a line by the angle \f$2 \arctan(q\,|d| / p)\f$, where \f$d\f$ is the direction of the line.
@@ -186,17 +162,7 @@ public:
   }
 
   //! the first motion, applied to what the second one has moved. \throws Invalid_input when the domains differ.
-  friend Rational_motion_3 operator*(const Rational_motion_3& first, const Rational_motion_3& second)
-  {
-    std::array<std::array<Function, 3>, 4> columns;
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t i = 0; i < 3; ++i) {
-        Function sum = first.m_columns[0][i] * second.m_columns[k][0] + first.m_columns[1][i] * second.m_columns[k][1] +
-            first.m_columns[2][i] * second.m_columns[k][2];
-        columns[k][i] = k < 3 ? sum : sum + first.m_columns[3][i] * second.m_weight;
-      }
-    return Rational_motion_3({columns[0], columns[1], columns[2]}, columns[3], first.m_weight * second.m_weight);
-  }
+  friend Rational_motion_3 operator*(const Rational_motion_3& first, const Rational_motion_3& second);
 
   //! the first and the last time.
   std::pair<Exact_rational, Exact_rational> domain() const { return m_weight.domain(0); }
@@ -208,39 +174,14 @@ public:
   const Function& weight() const { return m_weight; }
 
   //! the map at a time, exactly. \throws Invalid_input when the time is outside of the domain.
-  CGAL::Aff_transformation_3<Kernel> operator()(const Exact_rational& time) const
-  {
-    const std::array<Exact_rational, 1> t{time};
-    const Exact_rational w = m_weight(t);
-    const auto entry = [&](std::size_t i, std::size_t k) { return Exact_rational(m_columns[k][i](t) / w); };
-    return {entry(0, 0), entry(0, 1), entry(0, 2), entry(0, 3), entry(1, 0), entry(1, 1),
-            entry(1, 2), entry(1, 3), entry(2, 0), entry(2, 1), entry(2, 2), entry(2, 3)};
-  }
+  CGAL::Aff_transformation_3<Kernel> operator()(const Exact_rational& time) const;
 
   //! the map at a time back, exactly: with a fixed point it is the path of this point seen from the moving space.
   //! \throws Invalid_input when the map at this time has none, or the time is outside of the domain.
-  CGAL::Aff_transformation_3<Kernel> inverse(const Exact_rational& time) const
-  {
-    const CGAL::Aff_transformation_3<Kernel> map = (*this)(time);
-    const auto m = [&](int i, int k) { return map.m(i, k); };
-    if (m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) - m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
-            m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0)) ==
-        0)
-      throw Invalid_input("Rational_motion_3: the map at this time is not invertible");
-    return map.inverse();
-  }
+  CGAL::Aff_transformation_3<Kernel> inverse(const Exact_rational& time) const;
 
   //! whether the maps at two times are the same. \throws Invalid_input when a time is outside of the domain.
-  bool has_same_map(const Exact_rational& time, const Exact_rational& other) const
-  {
-    const std::array<Exact_rational, 1> first{time}, last{other};
-    const Exact_rational w = m_weight(first), other_w = m_weight(last);
-    for (const auto& column : m_columns)
-      for (const Function& f : column)
-        if (f(first) * other_w != f(last) * w)
-          return false;
-    return true;
-  }
+  bool has_same_map(const Exact_rational& time, const Exact_rational& other) const;
 
 private:
   static Function constant(const std::pair<Exact_rational, Exact_rational>& domain, const Exact_rational& value)
@@ -260,6 +201,85 @@ private:
     return Rational_motion_3({linear.m_columns[0], linear.m_columns[1], linear.m_columns[2]}, path, linear.m_weight);
   }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE
+Rational_motion_3::Rational_motion_3(const std::array<std::array<Function, 3>, 3>& columns,
+                                     const std::array<Function, 3>& path, const Function& weight)
+  : m_columns{columns[0], columns[1], columns[2], path}, m_weight(weight)
+{
+  for (const auto& column : m_columns)
+    for (const Function& f : column)
+      if (f.dimension() != 1 || weight.dimension() != 1 || f.domain(0) != weight.domain(0))
+        throw Invalid_input("Rational_motion_3: not all functions are splines of the time on the same domain");
+  if (internal::certified_weight_sign(m_weight, {}) > 0)
+    return;
+  m_weight = -m_weight;
+  for (auto& column : m_columns)
+    for (Function& f : column)
+      f = -f;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_motion_3 Rational_motion_3::rotation(const std::array<Function, 4>& a)
+{
+  const auto product = [&](std::size_t i, std::size_t k) { return a[i] * a[k]; };
+  const auto twice = [](const Function& f) { return f * Exact_rational(2); };
+  const Function s = product(0, 0), x = product(1, 1), y = product(2, 2), z = product(3, 3), weight = s + x + y + z;
+  const Function xy = product(1, 2), xz = product(1, 3), yz = product(2, 3), sx = product(0, 1), sy = product(0, 2),
+                 sz = product(0, 3), zero = weight * Exact_rational(0);
+  return Rational_motion_3({{{s + x - y - z, twice(xy + sz), twice(xz - sy)},
+                             {twice(xy - sz), s - x + y - z, twice(yz + sx)},
+                             {twice(xz + sy), twice(yz - sx), s - x - y + z}}},
+                           {zero, zero, zero}, weight);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_motion_3 operator*(const Rational_motion_3& first,
+                                                           const Rational_motion_3& second)
+{
+  std::array<std::array<Bspline_function<Exact_rational>, 3>, 4> columns;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      Bspline_function<Exact_rational> sum = first.m_columns[0][i] * second.m_columns[k][0] +
+          first.m_columns[1][i] * second.m_columns[k][1] + first.m_columns[2][i] * second.m_columns[k][2];
+      columns[k][i] = k < 3 ? sum : sum + first.m_columns[3][i] * second.m_weight;
+    }
+  return Rational_motion_3({columns[0], columns[1], columns[2]}, columns[3], first.m_weight * second.m_weight);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE CGAL::Aff_transformation_3<Rational_motion_3::Kernel>
+Rational_motion_3::operator()(const Exact_rational& time) const
+{
+  const std::array<Exact_rational, 1> t{time};
+  const Exact_rational w = m_weight(t);
+  const auto entry = [&](std::size_t i, std::size_t k) { return Exact_rational(m_columns[k][i](t) / w); };
+  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(0, 3), entry(1, 0), entry(1, 1),
+          entry(1, 2), entry(1, 3), entry(2, 0), entry(2, 1), entry(2, 2), entry(2, 3)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE CGAL::Aff_transformation_3<Rational_motion_3::Kernel>
+Rational_motion_3::inverse(const Exact_rational& time) const
+{
+  const CGAL::Aff_transformation_3<Kernel> map = (*this)(time);
+  const auto m = [&](int i, int k) { return map.m(i, k); };
+  if (m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) - m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
+          m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0)) ==
+      0)
+    throw Invalid_input("Rational_motion_3: the map at this time is not invertible");
+  return map.inverse();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Rational_motion_3::has_same_map(const Exact_rational& time,
+                                                                    const Exact_rational& other) const
+{
+  const std::array<Exact_rational, 1> first{time}, last{other};
+  const Exact_rational w = m_weight(first), other_w = m_weight(last);
+  for (const auto& column : m_columns)
+    for (const Function& f : column)
+      if (f(first) * other_w != f(last) * w)
+        return false;
+  return true;
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

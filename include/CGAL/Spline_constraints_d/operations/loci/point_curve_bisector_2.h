@@ -115,23 +115,32 @@ public:
   }
 
   // Between two parameters without a break or a pole between them.
-  Curve operator()(const Exact_rational& begin, const Exact_rational& end) const
-  {
-    const Function w = m_weight.restricted(0, begin, end);
-    const auto difference = [&](std::size_t i) { return m_coordinates[i].restricted(0, begin, end) - w * m_point[i]; };
-    const Function x = difference(0), y = difference(1), dx = x.derivative(0), dy = y.derivative(0);
-    const Function turn = x * dy - y * dx, denominator = w * w * turn * Exact_rational(2);
-    Function slope = w * (x * dx + y * dy);
-    if (w.degree(0) > 0)
-      slope = slope - w.derivative(0) * (x * x + y * y);
-    return Curve::from_homogeneous_coordinates(
-        {denominator * m_point[0] + w * turn * x - slope * y, denominator * m_point[1] + w * turn * y + slope * x},
-        denominator);
-  }
+  Curve operator()(const Exact_rational& begin, const Exact_rational& end) const;
 };
 
-inline Point_curve_bisector_2 point_curve_bisector_of(const Exact_pair& q, const Exact_map<2>& c,
-                                                      const Exact_rational& margin, const Solver_options& options)
+Point_curve_bisector_2 point_curve_bisector_of(const Exact_pair& q, const Exact_map<2>& c, const Exact_rational& margin,
+                                               const Solver_options& options);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Point_curve_bisector::Curve
+Point_curve_bisector::operator()(const Exact_rational& begin, const Exact_rational& end) const
+{
+  const Function w = m_weight.restricted(0, begin, end);
+  const auto difference = [&](std::size_t i) { return m_coordinates[i].restricted(0, begin, end) - w * m_point[i]; };
+  const Function x = difference(0), y = difference(1), dx = x.derivative(0), dy = y.derivative(0);
+  const Function turn = x * dy - y * dx, denominator = w * w * turn * Exact_rational(2);
+  Function slope = w * (x * dx + y * dy);
+  if (w.degree(0) > 0)
+    slope = slope - w.derivative(0) * (x * x + y * y);
+  return Curve::from_homogeneous_coordinates(
+      {denominator * m_point[0] + w * turn * x - slope * y, denominator * m_point[1] + w * turn * y + slope * x},
+      denominator);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Point_curve_bisector_2 point_curve_bisector_of(const Exact_pair& q,
+                                                                              const Exact_map<2>& c,
+                                                                              const Exact_rational& margin,
+                                                                              const Solver_options& options)
 {
   using Range = Point_curve_bisector_2::Range;
   const Point_curve_bisector bisector(q, c);
@@ -175,6 +184,7 @@ inline Point_curve_bisector_2 point_curve_bisector_of(const Exact_pair& q, const
     parts.push_back({{}, {{1, {double_range(range)}}}, in_words(reason)});
   return {std::move(curves), std::move(known_poles), std::move(parts), solve.total()};
 }
+#endif
 
 } // namespace Loci
 } // namespace internal

@@ -62,13 +62,7 @@ public:
   const Summary& summary() const { return m_summary; }
 
   //! the largest degree of a piece in a parameter.
-  int degree(int axis) const
-  {
-    int result = 0;
-    for (const Rational_bisector_piece_3& piece : m_pieces)
-      result = (std::max)(result, piece.degree(axis));
-    return result;
-  }
+  int degree(int axis) const;
 
   //! whether all pieces are there and this is proved for each. \sa Rational_bisector_piece_3::is_free_of_poles()
   bool is_free_of_poles() const
@@ -96,21 +90,34 @@ public:
   Bspline_surface_3<Kernel> part(const std::array<Range, 2>& box) const { return piece_with(box).part(box); }
 
 private:
-  const Rational_bisector_piece_3& piece_with(const std::array<Range, 2>& box) const
-  {
-    const auto contains_box = [&](const Rational_bisector_piece_3& piece) {
-      const auto contains = [&](int axis) {
-        const auto& [begin, end] = piece.domain()[axis];
-        return begin <= box[axis].first && box[axis].second <= end;
-      };
-      return contains(0) && contains(1);
-    };
-    const auto position = std::ranges::find_if(m_pieces, contains_box);
-    if (position == m_pieces.end())
-      throw Invalid_input("Rational_bisector_3: parameters that are not within one piece");
-    return *position;
-  }
+  const Rational_bisector_piece_3& piece_with(const std::array<Range, 2>& box) const;
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE int Rational_bisector_3::degree(int axis) const
+{
+  int result = 0;
+  for (const Rational_bisector_piece_3& piece : m_pieces)
+    result = (std::max)(result, piece.degree(axis));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE const Rational_bisector_piece_3&
+Rational_bisector_3::piece_with(const std::array<Range, 2>& box) const
+{
+  const auto contains_box = [&](const Rational_bisector_piece_3& piece) {
+    const auto contains = [&](int axis) {
+      const auto& [begin, end] = piece.domain()[axis];
+      return begin <= box[axis].first && box[axis].second <= end;
+    };
+    return contains(0) && contains(1);
+  };
+  const auto position = std::ranges::find_if(m_pieces, contains_box);
+  if (position == m_pieces.end())
+    throw Invalid_input("Rational_bisector_3: parameters that are not within one piece");
+  return *position;
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -92,25 +92,7 @@ public:
   \throws Invalid_input when the box is empty or not within the domain, or it is not proved that the weight has no zero
   there.
   */
-  Bspline_surface_3<Kernel> part(const std::array<Range, 2>& box) const
-  {
-    for (const int axis : {0, 1})
-      if (!(box[axis].first < box[axis].second) || !contains(axis, box[axis].first) ||
-          !contains(axis, box[axis].second))
-        throw Invalid_input("Rational_bisector_piece_3: the box of parameters is empty or not within the domain");
-    const std::vector<Range> ranges(box.begin(), box.end());
-    const std::vector<Range> local{{local_parameter(0, box[0].first), local_parameter(0, box[0].second)},
-                                   {local_parameter(1, box[1].first), local_parameter(1, box[1].second)}};
-    const std::vector<int> degrees{(std::max)(degree(0), 1), (std::max)(degree(1), 1)};
-    const auto on_box = [&](const Bernstein_tensor<Exact_rational>& f) {
-      return Bspline_function<Exact_rational>::from_tensor(f.elevated(degrees).restricted_to_box(local), ranges);
-    };
-    const auto& [x, y, z, w] = m_coordinates;
-    const Bspline_function<Exact_rational> weight = on_box(w);
-    if (!has_one_sign(weight))
-      throw Invalid_input("Rational_bisector_piece_3: the bisector may have poles in this box of parameters");
-    return Bspline_surface_3<Kernel>::from_homogeneous_coordinates({on_box(x), on_box(y), on_box(z)}, weight);
-  }
+  Bspline_surface_3<Kernel> part(const std::array<Range, 2>& box) const;
 
   //! whether a parameter is within its range.
   bool contains(int axis, const Exact_rational& t) const
@@ -137,18 +119,43 @@ private:
     }
   }
 
-  Kernel::Point_3 at(const Coordinates& f, const Exact_rational& u, const Exact_rational& v) const
-  {
-    if (!contains(0, u) || !contains(1, v))
-      throw Invalid_input("Rational_bisector_piece_3: parameters outside of the domain");
-    const std::array<Exact_rational, 2> local{local_parameter(0, u), local_parameter(1, v)};
-    const Exact_rational weight = f[3](local);
-    if (weight == 0)
-      throw Invalid_input("Rational_bisector_piece_3: a pole of the bisector");
-    return {Exact_rational(f[0](local) / weight), Exact_rational(f[1](local) / weight),
-            Exact_rational(f[2](local) / weight)};
-  }
+  Kernel::Point_3 at(const Coordinates& f, const Exact_rational& u, const Exact_rational& v) const;
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Bspline_surface_3<Rational_bisector_piece_3::Kernel>
+Rational_bisector_piece_3::part(const std::array<Range, 2>& box) const
+{
+  for (const int axis : {0, 1})
+    if (!(box[axis].first < box[axis].second) || !contains(axis, box[axis].first) || !contains(axis, box[axis].second))
+      throw Invalid_input("Rational_bisector_piece_3: the box of parameters is empty or not within the domain");
+  const std::vector<Range> ranges(box.begin(), box.end());
+  const std::vector<Range> local{{local_parameter(0, box[0].first), local_parameter(0, box[0].second)},
+                                 {local_parameter(1, box[1].first), local_parameter(1, box[1].second)}};
+  const std::vector<int> degrees{(std::max)(degree(0), 1), (std::max)(degree(1), 1)};
+  const auto on_box = [&](const Bernstein_tensor<Exact_rational>& f) {
+    return Bspline_function<Exact_rational>::from_tensor(f.elevated(degrees).restricted_to_box(local), ranges);
+  };
+  const auto& [x, y, z, w] = m_coordinates;
+  const Bspline_function<Exact_rational> weight = on_box(w);
+  if (!has_one_sign(weight))
+    throw Invalid_input("Rational_bisector_piece_3: the bisector may have poles in this box of parameters");
+  return Bspline_surface_3<Kernel>::from_homogeneous_coordinates({on_box(x), on_box(y), on_box(z)}, weight);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_bisector_piece_3::Kernel::Point_3
+Rational_bisector_piece_3::at(const Coordinates& f, const Exact_rational& u, const Exact_rational& v) const
+{
+  if (!contains(0, u) || !contains(1, v))
+    throw Invalid_input("Rational_bisector_piece_3: parameters outside of the domain");
+  const std::array<Exact_rational, 2> local{local_parameter(0, u), local_parameter(1, v)};
+  const Exact_rational weight = f[3](local);
+  if (weight == 0)
+    throw Invalid_input("Rational_bisector_piece_3: a pole of the bisector");
+  return {Exact_rational(f[0](local) / weight), Exact_rational(f[1](local) / weight),
+          Exact_rational(f[2](local) / weight)};
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -31,7 +31,12 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-inline std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
+std::vector<Surface_curves_3<Rational_bisector_3::Kernel>> curves_on_bisector(const Rational_bisector_3& bisector,
+                                                                              const Function_of_piece& function,
+                                                                              const Solver_options& options);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
 curves_on_bisector(const Rational_bisector_3& bisector, const Function_of_piece& function,
                    const Solver_options& options)
 {
@@ -42,6 +47,7 @@ curves_on_bisector(const Rational_bisector_3& bisector, const Function_of_piece&
     result.emplace_back(std::move(found));
   return result;
 }
+#endif
 
 } // namespace Rational_bisectors
 } // namespace internal
@@ -65,24 +71,9 @@ Their unknowns are the parameters of the bisector. Boxes in space of what is und
 Complexity: that of `solve_curves()` with one equation of twice the degrees of the bisector and of a foot in two
 unknowns.
 */
-inline std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
+std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
 distance_curves(const Rational_bisector_3& bisector, const Exact_rational& distance,
-                const Solver_options& options = {.tolerance = 1e-8})
-{
-  if (!(distance > 0))
-    throw Invalid_input("distance_curves: the distance is not positive");
-  const auto function = [&](const Rational_bisector_piece_3& piece) {
-    // both feet are as far away
-    const auto degrees = [&](int operand) {
-      const auto& weight = piece.foot_coordinates(operand)[3];
-      return weight.degree(0) + weight.degree(1);
-    };
-    return internal::Rational_bisectors::power_of_distance(piece.coordinates(),
-                                                           piece.foot_coordinates(degrees(0) <= degrees(1) ? 0 : 1),
-                                                           Exact_rational(distance * distance));
-  };
-  return internal::Rational_bisectors::curves_on_bisector(bisector, function, options);
-}
+                const Solver_options& options = {.tolerance = 1e-8});
 
 /*!
 \ingroup PkgSplineConstraintsDRationalBisectors
@@ -116,6 +107,26 @@ sphere_sections(const Rational_bisector_3& bisector, const CGAL::Sphere_3<Kernel
   };
   return internal::Rational_bisectors::curves_on_bisector(bisector, function, options);
 }
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Surface_curves_3<Rational_bisector_3::Kernel>>
+distance_curves(const Rational_bisector_3& bisector, const Exact_rational& distance, const Solver_options& options)
+{
+  if (!(distance > 0))
+    throw Invalid_input("distance_curves: the distance is not positive");
+  const auto function = [&](const Rational_bisector_piece_3& piece) {
+    // both feet are as far away
+    const auto degrees = [&](int operand) {
+      const auto& weight = piece.foot_coordinates(operand)[3];
+      return weight.degree(0) + weight.degree(1);
+    };
+    return internal::Rational_bisectors::power_of_distance(piece.coordinates(),
+                                                           piece.foot_coordinates(degrees(0) <= degrees(1) ? 0 : 1),
+                                                           Exact_rational(distance * distance));
+  };
+  return internal::Rational_bisectors::curves_on_bisector(bisector, function, options);
+}
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

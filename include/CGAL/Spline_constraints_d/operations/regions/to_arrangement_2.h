@@ -81,13 +81,17 @@ struct Solution_arrangement_2
 namespace internal {
 namespace Regions {
 
-inline std::vector<Undecided_part::Range> box_of(const Constraint_system_d& system)
+std::vector<Undecided_part::Range> box_of(const Constraint_system_d& system);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part::Range> box_of(const Constraint_system_d& system)
 {
   std::vector<Undecided_part::Range> result;
   for (int i = 0; i < system.dimension(); ++i)
     result.push_back(to_double_range(system.domain(i)));
   return result;
 }
+#endif
 
 } // namespace Regions
 } // namespace internal
@@ -113,8 +117,13 @@ no arrangement; the sweep over them is one step.
 \throws Invalid_input when there are not two unknowns, the error is not positive, a coordinate is too great, as above,
 or an option makes no sense.
 */
-inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set,
-                                             double error, const Solver_options& options = {})
+Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set, double error,
+                                      const Solver_options& options = {});
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Solution_arrangement_2 to_arrangement(const Constraint_system_d& system,
+                                                                     const Curve_solution_set_d& set, double error,
+                                                                     const Solver_options& options)
 {
   if (system.dimension() != 2)
     throw Invalid_input("to_arrangement: " + std::to_string(system.dimension()) + " unknowns instead of two");
@@ -140,6 +149,7 @@ inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, 
   result.work = run.summary(result.is_complete());
   return result;
 }
+#endif
 
 } // namespace Spline_constraints
 } // namespace CGAL

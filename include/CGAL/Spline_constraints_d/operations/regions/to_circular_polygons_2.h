@@ -57,17 +57,7 @@ public:
 
   Circular_runs(const std::vector<Point>& points, double error) : m_points(points), m_error(error) {}
 
-  std::vector<Run> operator()() const
-  {
-    std::vector<Run> result;
-    for (std::size_t begin = 0, end = 0; begin < m_points.size(); begin = end) {
-      const std::size_t straight = farthest(begin, [&](std::size_t end) { return is_straight(begin, end); });
-      const std::size_t round = farthest(begin, [&](std::size_t end) { return is_round(begin, end); });
-      end = (std::max)(straight, round);
-      result.push_back({begin, round > straight ? std::optional(middle(begin, round)) : std::nullopt});
-    }
-    return result;
-  }
+  std::vector<Run> operator()() const;
 
 private:
   const Point& point(std::size_t i) const { return m_points[i % m_points.size()]; }
@@ -95,49 +85,12 @@ private:
   }
 
   // Whether the edges in between are near the segment, in its direction.
-  bool is_straight(std::size_t begin, std::size_t end) const
-  {
-    const Point &p = point(begin), &q = point(end);
-    const double length = distance(p, q);
-    double last = 0;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const Point arm{point(i)[0] - p[0], point(i)[1] - p[1]}, side{(q[0] - p[0]) / length, (q[1] - p[1]) / length};
-      const double along = arm[0] * side[0] + arm[1] * side[1];
-      if (!(std::abs(side[0] * arm[1] - side[1] * arm[0]) <= m_error && along >= last && along <= length))
-        return false;
-      last = along;
-    }
-    return length > 0;
-  }
+  bool is_straight(std::size_t begin, std::size_t end) const;
 
   // Whether the edges in between are near the arc of a circle through the ends and the vertex in the middle, which is
   // less than half a circle: their ends are near it, in order, and the rest is not farther than that and the height of
   // the arc over an edge.
-  bool is_round(std::size_t begin, std::size_t end) const
-  {
-    const Point &p = point(begin), &m = point(middle(begin, end)), &q = point(end);
-    const Point a{m[0] - p[0], m[1] - p[1]}, b{q[0] - m[0], q[1] - m[1]};
-    const double turn = a[0] * b[1] - a[1] * b[0], a2 = a[0] * a[0] + a[1] * a[1],
-                 c2 = (a[0] + b[0]) * (a[0] + b[0]) + (a[1] + b[1]) * (a[1] + b[1]);
-    if (turn == 0 || !(a[0] * b[0] + a[1] * b[1] > 0))
-      return false;
-    const Point c{a[0] + b[0], a[1] + b[1]};
-    const Point to_center{(c[1] * a2 - a[1] * c2) / (2 * turn), (a[0] * c2 - c[0] * a2) / (2 * turn)};
-    const Point center{p[0] + to_center[0], p[1] + to_center[1]};
-    const double radius = std::hypot(to_center[0], to_center[1]);
-    double off = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point r{point(i)[0] - center[0], point(i)[1] - center[1]},
-          s{point(i + 1)[0] - center[0], point(i + 1)[1] - center[1]};
-      const double next = std::abs(std::hypot(s[0], s[1]) - radius), half = distance(r, s) / 2;
-      const bool is_in_order = (r[0] * s[1] - r[1] * s[0] > 0) == (turn > 0);
-      // the height is at most that
-      if (!(is_in_order && half < radius && (std::max)(off, next) + half * half / radius <= m_error))
-        return false;
-      off = next;
-    }
-    return true;
-  }
+  bool is_round(std::size_t begin, std::size_t end) const;
 };
 
 template <class Traits, class Kernel>
@@ -240,6 +193,61 @@ private:
     }
   }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Circular_runs::Run> Circular_runs::operator()() const
+{
+  std::vector<Run> result;
+  for (std::size_t begin = 0, end = 0; begin < m_points.size(); begin = end) {
+    const std::size_t straight = farthest(begin, [&](std::size_t end) { return is_straight(begin, end); });
+    const std::size_t round = farthest(begin, [&](std::size_t end) { return is_round(begin, end); });
+    end = (std::max)(straight, round);
+    result.push_back({begin, round > straight ? std::optional(middle(begin, round)) : std::nullopt});
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Circular_runs::is_straight(std::size_t begin, std::size_t end) const
+{
+  const Point &p = point(begin), &q = point(end);
+  const double length = distance(p, q);
+  double last = 0;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const Point arm{point(i)[0] - p[0], point(i)[1] - p[1]}, side{(q[0] - p[0]) / length, (q[1] - p[1]) / length};
+    const double along = arm[0] * side[0] + arm[1] * side[1];
+    if (!(std::abs(side[0] * arm[1] - side[1] * arm[0]) <= m_error && along >= last && along <= length))
+      return false;
+    last = along;
+  }
+  return length > 0;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Circular_runs::is_round(std::size_t begin, std::size_t end) const
+{
+  const Point &p = point(begin), &m = point(middle(begin, end)), &q = point(end);
+  const Point a{m[0] - p[0], m[1] - p[1]}, b{q[0] - m[0], q[1] - m[1]};
+  const double turn = a[0] * b[1] - a[1] * b[0], a2 = a[0] * a[0] + a[1] * a[1],
+               c2 = (a[0] + b[0]) * (a[0] + b[0]) + (a[1] + b[1]) * (a[1] + b[1]);
+  if (turn == 0 || !(a[0] * b[0] + a[1] * b[1] > 0))
+    return false;
+  const Point c{a[0] + b[0], a[1] + b[1]};
+  const Point to_center{(c[1] * a2 - a[1] * c2) / (2 * turn), (a[0] * c2 - c[0] * a2) / (2 * turn)};
+  const Point center{p[0] + to_center[0], p[1] + to_center[1]};
+  const double radius = std::hypot(to_center[0], to_center[1]);
+  double off = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Point r{point(i)[0] - center[0], point(i)[1] - center[1]},
+        s{point(i + 1)[0] - center[0], point(i + 1)[1] - center[1]};
+    const double next = std::abs(std::hypot(s[0], s[1]) - radius), half = distance(r, s) / 2;
+    const bool is_in_order = (r[0] * s[1] - r[1] * s[0] > 0) == (turn > 0);
+    // the height is at most that
+    if (!(is_in_order && half < radius && (std::max)(off, next) + half * half / radius <= m_error))
+      return false;
+    off = next;
+  }
+  return true;
+}
+#endif
 
 } // namespace Regions
 } // namespace internal

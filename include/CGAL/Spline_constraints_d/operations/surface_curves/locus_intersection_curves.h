@@ -90,32 +90,9 @@ public:
   const Locus_system<3>& system() const { return m_system; }
 
   // What the unknowns are in space.
-  static Place_of_unknowns place(const std::shared_ptr<const Locus_pair>& pair)
-  {
-    const auto point = [pair](const std::vector<double>& unknowns) {
-      Unknown_domains box;
-      for (const double x : unknowns)
-        box.emplace_back(x, x);
-      std::array<double, 3> result;
-      const Coordinate_ranges<3> ranges = pair->m_system.coordinates(box);
-      std::transform(ranges.begin(), ranges.end(), result.begin(),
-                     [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
-      return result;
-    };
-    const auto bounds = [pair](const Curve_vertex::Exact_box& box) {
-      const Coordinate_ranges<3> ranges = pair->m_system.coordinates(Unknown_domains(box.begin(), box.end()));
-      return std::vector<Undecided_part::Range>(ranges.begin(), ranges.end());
-    };
-    return {point, bounds, pair->numbers_of_parameters()};
-  }
+  static Place_of_unknowns place(const std::shared_ptr<const Locus_pair>& pair);
 
-  Domain_joints joints() const
-  {
-    Domain_joints result;
-    for (const auto& [surface, axis] : m_closed)
-      result.closed_unknowns.push_back(m_system.first_unknown(surface) + axis);
-    return result;
-  }
+  Domain_joints joints() const;
 
 private:
   std::vector<std::size_t> numbers_of_parameters() const
@@ -132,17 +109,7 @@ private:
     return std::move(pieces.front());
   }
 
-  static std::vector<std::pair<std::size_t, std::size_t>> opened(std::vector<Locus_piece<3>>& pieces)
-  {
-    std::vector<std::pair<std::size_t, std::size_t>> result;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (std::size_t axis = 0; axis < pieces[i].is_without_end.size(); ++axis)
-        if (pieces[i].is_without_end[axis]) {
-          result.emplace_back(i, axis);
-          pieces[i].is_without_end[axis] = false;
-        }
-    return result;
-  }
+  static std::vector<std::pair<std::size_t, std::size_t>> opened(std::vector<Locus_piece<3>>& pieces);
 };
 
 // A rational or implicit surface; also an offset, if it is rational.
@@ -160,8 +127,55 @@ Shape rational_shape(const Surface& surface)
 
 // The curves of two surfaces, if both are rational, or implicit without an end within the other one, so that parameters
 // are all unknowns.
-inline std::optional<Found_surface_curves> rational_curves(const Surface_shape& first, const Surface_shape& second,
-                                                           Operation_budget& budget)
+std::optional<Found_surface_curves> rational_curves(const Surface_shape& first, const Surface_shape& second,
+                                                    Operation_budget& budget);
+
+// Those of others.
+Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair, Operation_budget& budget);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Place_of_unknowns Locus_pair::place(const std::shared_ptr<const Locus_pair>& pair)
+{
+  const auto point = [pair](const std::vector<double>& unknowns) {
+    Unknown_domains box;
+    for (const double x : unknowns)
+      box.emplace_back(x, x);
+    std::array<double, 3> result;
+    const Coordinate_ranges<3> ranges = pair->m_system.coordinates(box);
+    std::transform(ranges.begin(), ranges.end(), result.begin(),
+                   [](const std::pair<double, double>& range) { return 0.5 * (range.first + range.second); });
+    return result;
+  };
+  const auto bounds = [pair](const Curve_vertex::Exact_box& box) {
+    const Coordinate_ranges<3> ranges = pair->m_system.coordinates(Unknown_domains(box.begin(), box.end()));
+    return std::vector<Undecided_part::Range>(ranges.begin(), ranges.end());
+  };
+  return {point, bounds, pair->numbers_of_parameters()};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Domain_joints Locus_pair::joints() const
+{
+  Domain_joints result;
+  for (const auto& [surface, axis] : m_closed)
+    result.closed_unknowns.push_back(m_system.first_unknown(surface) + axis);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::pair<std::size_t, std::size_t>>
+Locus_pair::opened(std::vector<Locus_piece<3>>& pieces)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t axis = 0; axis < pieces[i].is_without_end.size(); ++axis)
+      if (pieces[i].is_without_end[axis]) {
+        result.emplace_back(i, axis);
+        pieces[i].is_without_end[axis] = false;
+      }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Found_surface_curves>
+rational_curves(const Surface_shape& first, const Surface_shape& second, Operation_budget& budget)
 {
   const Surface_equations surfaces(first, second, Unknowns_of_surfaces::ALL_PARAMETERS);
   if (surfaces.has_coordinates())
@@ -177,8 +191,8 @@ inline std::optional<Found_surface_curves> rational_curves(const Surface_shape& 
   return result.found();
 }
 
-// Those of others.
-inline Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair, Operation_budget& budget)
+CGAL_SPLINE_CONSTRAINTS_INLINE Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_pair>& pair,
+                                                                      Operation_budget& budget)
 {
   Surface_curve_collector result(Locus_pair::place(pair));
   if (pair->system().is_void())
@@ -193,6 +207,7 @@ inline Found_surface_curves procedural_curves(const std::shared_ptr<const Locus_
   result.add(std::move(system), std::move(solutions), pair->joints());
   return result.found();
 }
+#endif
 
 } // namespace Surface_curves
 } // namespace internal

@@ -41,7 +41,17 @@ Polygon exact_polygon(const CGAL::Polygon_2<Kernel>& polygon)
 
 // A number that is at most the length of a vector, and less than that by a factor of more than 1 - 2^-40 only; the
 // length, if this is rational with few digits. The vector is not zero.
-inline Exact_rational length_below(const Exact_kernel::Vector_2& v)
+Exact_rational length_below(const Exact_kernel::Vector_2& v);
+
+std::vector<Edge_strip_2> strips_of_width(const Polygon& polygon, const std::vector<Exact_rational>& half_widths);
+
+std::vector<Edge_strip_2> strips_between(const Polygon& inner, const Polygon& outer);
+
+// Defined in cells_of_signatures.h; the compiled library has it.
+Signature_cells_2 cells_of_signatures(const Banded_polygon_2& polygon, const Solver_options& options);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational length_below(const Exact_kernel::Vector_2& v)
 {
   const Exact_rational scale = (std::max)(Exact_rational(CGAL::abs(v.x())), Exact_rational(CGAL::abs(v.y())));
   const Exact_rational square((v.x() * v.x() + v.y() * v.y()) / (scale * scale)); // between 1 and 2
@@ -51,7 +61,8 @@ inline Exact_rational length_below(const Exact_kernel::Vector_2& v)
   return Exact_rational(scale * root);
 }
 
-inline std::vector<Edge_strip_2> strips_of_width(const Polygon& polygon, const std::vector<Exact_rational>& half_widths)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Edge_strip_2> strips_of_width(const Polygon& polygon,
+                                                                         const std::vector<Exact_rational>& half_widths)
 {
   if (half_widths.size() != polygon.size())
     throw Invalid_input("approximate_polygon: " + std::to_string(half_widths.size()) + " half widths for " +
@@ -72,7 +83,7 @@ inline std::vector<Edge_strip_2> strips_of_width(const Polygon& polygon, const s
   return result;
 }
 
-inline std::vector<Edge_strip_2> strips_between(const Polygon& inner, const Polygon& outer)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Edge_strip_2> strips_between(const Polygon& inner, const Polygon& outer)
 {
   if (inner.size() != outer.size())
     throw Invalid_input("approximate_polygon_between: " + std::to_string(inner.size()) + " and " +
@@ -87,9 +98,7 @@ inline std::vector<Edge_strip_2> strips_between(const Polygon& inner, const Poly
   }
   return result;
 }
-
-// Defined in cells_of_signatures.h; the compiled library has it.
-Signature_cells_2 cells_of_signatures(const Banded_polygon_2& polygon, const Solver_options& options);
+#endif
 
 } // namespace Approximate_polygons
 } // namespace internal

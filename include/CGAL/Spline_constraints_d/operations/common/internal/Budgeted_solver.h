@@ -23,23 +23,11 @@ namespace Spline_constraints {
 namespace internal {
 namespace Common {
 
-inline std::vector<Constraint_system_d::Domain> domains_of(const std::vector<Unknown>& unknowns)
-{
-  std::vector<Constraint_system_d::Domain> result;
-  for (const Unknown& unknown : unknowns)
-    result.push_back(unknown.domain());
-  return result;
-}
+std::vector<Constraint_system_d::Domain> domains_of(const std::vector<Unknown>& unknowns);
 
 // The system with these unknowns, whether constraints use them or not; `check()` may end the work by an exception.
-inline Constraint_system_d system_of(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns,
-                                     const std::function<void()>& check = {})
-{
-  Constraint_system_d system(domains_of(unknowns));
-  for (const Constraint& constraint : constraints)
-    system.add(constraint, check);
-  return system;
-}
+Constraint_system_d system_of(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns,
+                              const std::function<void()>& check = {});
 
 // Solves the systems of one operation, and adds up the work. Limits are for all systems together.
 class Budgeted_solver
@@ -61,34 +49,15 @@ public:
     return solved(domains_of(unknowns), [&] { return system_of(constraints, unknowns, check()); });
   }
 
-  Solution_set_d<double> operator()(const Constraint_system_d& system)
-  {
-    Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(m_budget.remaining())(system);
-    m_budget.add(result.summary());
-    return result;
-  }
+  Solution_set_d<double> operator()(const Constraint_system_d& system);
 
   Operation_budget& budget() { return m_budget; }
   const Summary& total() const { return m_budget.total(); }
 
   // One for a few more nodes, whose work is added afterwards.
-  Budgeted_solver limited(std::size_t nodes) const
-  {
-    Budgeted_solver result(*this);
-    result.m_budget.limit_nodes(nodes);
-    return result;
-  }
+  Budgeted_solver limited(std::size_t nodes) const;
 
-  void add_work_of(const Budgeted_solver& limited)
-  {
-    Summary more = limited.total();
-    more.nodes -= total().nodes;
-    more.restarts -= total().restarts;
-    more.seconds -= total().seconds;
-    more.setup_seconds -= total().setup_seconds;
-    more.rebuild_seconds -= total().rebuild_seconds;
-    m_budget.add(more);
-  }
+  void add_work_of(const Budgeted_solver& limited);
 
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_budget.has_reached_node_limit(); }
@@ -122,12 +91,59 @@ private:
 };
 
 // Whether constraints without unknowns are satisfied.
-inline bool hold(const std::vector<Constraint>& constraints)
+bool hold(const std::vector<Constraint>& constraints);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Constraint_system_d::Domain> domains_of(const std::vector<Unknown>& unknowns)
+{
+  std::vector<Constraint_system_d::Domain> result;
+  for (const Unknown& unknown : unknowns)
+    result.push_back(unknown.domain());
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Constraint_system_d system_of(const std::vector<Constraint>& constraints,
+                                                             const std::vector<Unknown>& unknowns,
+                                                             const std::function<void()>& check)
+{
+  Constraint_system_d system(domains_of(unknowns));
+  for (const Constraint& constraint : constraints)
+    system.add(constraint, check);
+  return system;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double> Budgeted_solver::operator()(const Constraint_system_d& system)
+{
+  Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(m_budget.remaining())(system);
+  m_budget.add(result.summary());
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Budgeted_solver Budgeted_solver::limited(std::size_t nodes) const
+{
+  Budgeted_solver result(*this);
+  result.m_budget.limit_nodes(nodes);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Budgeted_solver::add_work_of(const Budgeted_solver& limited)
+{
+  Summary more = limited.total();
+  more.nodes -= total().nodes;
+  more.restarts -= total().restarts;
+  more.seconds -= total().seconds;
+  more.setup_seconds -= total().setup_seconds;
+  more.rebuild_seconds -= total().rebuild_seconds;
+  m_budget.add(more);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool hold(const std::vector<Constraint>& constraints)
 {
   return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) {
     return is_satisfied(c.relation, CGAL::sign(c.function.constant_term()));
   });
 }
+#endif
 
 } // namespace Common
 } // namespace internal

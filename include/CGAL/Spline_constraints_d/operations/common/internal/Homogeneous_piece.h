@@ -74,15 +74,7 @@ struct Homogeneous_piece
   }
 
   // The derivative in an end, up to a positive factor.
-  Exact_pair tangent_at(bool end) const
-  {
-    const std::array<Exact_rational, 1> t{Exact_rational(end)};
-    const auto& [x, y, w] = coordinates;
-    const auto numerator = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
-      return Exact_rational(f.derivative(0)(t) * w(t) - f(t) * w.derivative(0)(t));
-    };
-    return {numerator(x), numerator(y)};
-  }
+  Exact_pair tangent_at(bool end) const;
 
   // Whether the derivative is zero in an end.
   bool stops_at(bool end) const { return tangent_at(end) == Exact_pair{Exact_rational(0), Exact_rational(0)}; }
@@ -98,49 +90,18 @@ struct Homogeneous_piece
 
 private:
   // The same polynomials on another range.
-  Homogeneous_piece between(const Parameter_range& range) const
-  {
-    if (range == domain)
-      return *this;
-    Homogeneous_piece result{range, coordinates, is_smooth_at_begin && range.first == domain.first,
-                             is_smooth_at_end && range.second == domain.second, whole ? whole : domain};
-    for (Bernstein_tensor<Exact_rational>& tensor : result.coordinates)
-      tensor = tensor.restricted(0, local(range.first), local(range.second));
-    return result;
-  }
+  Homogeneous_piece between(const Parameter_range& range) const;
 };
 
 // The function of 1 - u.
-inline Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
-{
-  std::vector<Exact_rational> coefficients = tensor.coefficients();
-  std::reverse(coefficients.begin(), coefficients.end());
-  return {tensor.degrees(), std::move(coefficients)};
-}
+Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor);
 
 // From the end of its domain to the begin.
-inline Homogeneous_piece reversed(Homogeneous_piece piece)
-{
-  for (Bernstein_tensor<Exact_rational>& coordinate : piece.coordinates)
-    coordinate = reversed(coordinate);
-  return piece;
-}
+Homogeneous_piece reversed(Homogeneous_piece piece);
 
 // Refuses a piece of a curve that is one point: it has no sides, and goes nowhere.
-inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates,
-                              const Parameter_range& domain, std::size_t curve, const std::string& prefix)
-{
-  const auto& [x, y, w] = coordinates;
-  const std::array<Exact_rational, 1> begin{Exact_rational(0)};
-  const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
-    return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(),
-                               [](const Exact_rational& c) { return sign_of(c) == 0; });
-  };
-  if (is_constant(x) && is_constant(y))
-    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " +
-                        shortest_text(to_nearest_double(domain.first)) + " and " +
-                        shortest_text(to_nearest_double(domain.second)) + " is a point");
-}
+void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates,
+                       const Parameter_range& domain, std::size_t curve, const std::string& prefix);
 
 template <class Curve>
 std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Planar_map& map)
@@ -164,6 +125,59 @@ std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Plan
   }
   return result;
 }
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_pair Homogeneous_piece::tangent_at(bool end) const
+{
+  const std::array<Exact_rational, 1> t{Exact_rational(end)};
+  const auto& [x, y, w] = coordinates;
+  const auto numerator = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
+    return Exact_rational(f.derivative(0)(t) * w(t) - f(t) * w.derivative(0)(t));
+  };
+  return {numerator(x), numerator(y)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Homogeneous_piece Homogeneous_piece::between(const Parameter_range& range) const
+{
+  if (range == domain)
+    return *this;
+  Homogeneous_piece result{range, coordinates, is_smooth_at_begin && range.first == domain.first,
+                           is_smooth_at_end && range.second == domain.second, whole ? whole : domain};
+  for (Bernstein_tensor<Exact_rational>& tensor : result.coordinates)
+    tensor = tensor.restricted(0, local(range.first), local(range.second));
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
+{
+  std::vector<Exact_rational> coefficients = tensor.coefficients();
+  std::reverse(coefficients.begin(), coefficients.end());
+  return {tensor.degrees(), std::move(coefficients)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Homogeneous_piece reversed(Homogeneous_piece piece)
+{
+  for (Bernstein_tensor<Exact_rational>& coordinate : piece.coordinates)
+    coordinate = reversed(coordinate);
+  return piece;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void
+check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates, const Parameter_range& domain,
+                  std::size_t curve, const std::string& prefix)
+{
+  const auto& [x, y, w] = coordinates;
+  const std::array<Exact_rational, 1> begin{Exact_rational(0)};
+  const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) {
+    return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(),
+                               [](const Exact_rational& c) { return sign_of(c) == 0; });
+  };
+  if (is_constant(x) && is_constant(y))
+    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " +
+                        shortest_text(to_nearest_double(domain.first)) + " and " +
+                        shortest_text(to_nearest_double(domain.second)) + " is a point");
+}
+#endif
 
 } // namespace Common
 } // namespace internal

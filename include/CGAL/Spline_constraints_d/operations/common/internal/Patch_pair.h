@@ -133,29 +133,11 @@ public:
   }
 };
 
-inline Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
-{
-  for (std::size_t j = 0; j < box.size(); ++j) {
-    box[j].first = (std::max)(box[j].first, domain[j].first);
-    box[j].second = (std::min)(box[j].second, domain[j].second);
-  }
-  return box;
-}
+Parameter_box clipped(Parameter_box box, const Parameter_box& domain);
 
 // A box that holds another one and has ends of about 256 digits: those around irrational roots may have thousands,
 // which enclosures of points do not need.
-inline Parameter_box with_short_ends(Parameter_box box)
-{
-  constexpr int digits = 256;
-  const auto outwards = [](const Exact_rational& end, int direction) {
-    const Exact_rational rounded = round_to_dyadic(end, digits), error(CGAL::abs(Exact_rational(rounded - end)));
-    return error == 0 ? end : Exact_rational(rounded + direction * round_to_dyadic(Exact_rational(2 * error), 1));
-  };
-  for (Parameter_range& range : box)
-    if (range.first < range.second)
-      range = {outwards(range.first, -1), outwards(range.second, 1)};
-  return box;
-}
+Parameter_box with_short_ends(Parameter_box box);
 
 inline bool has_interior(const Parameter_box& box)
 {
@@ -168,13 +150,7 @@ inline bool has_extent(const Parameter_box& box)
   return std::any_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.first < range.second; });
 }
 
-inline bool have_common_part(const Parameter_box& a, const Parameter_box& b)
-{
-  for (std::size_t j = 0; j < a.size(); ++j)
-    if (a[j].second < b[j].first || b[j].second < a[j].first)
-      return false;
-  return true;
-}
+bool have_common_part(const Parameter_box& a, const Parameter_box& b);
 
 // A box of parameters, without the upper ends of some of its ranges.
 struct Parameter_region
@@ -184,7 +160,45 @@ struct Parameter_region
 };
 
 // A region without a box, in parts that have no common points. Of the boundary of the box, parts may be left.
-inline std::vector<Parameter_region> without(Parameter_region region, const Parameter_box& hole)
+std::vector<Parameter_region> without(Parameter_region region, const Parameter_box& hole);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Patch_pair<2>;
+extern template class Patch_pair<3>;
+#endif
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
+{
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    box[j].first = (std::max)(box[j].first, domain[j].first);
+    box[j].second = (std::min)(box[j].second, domain[j].second);
+  }
+  return box;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Parameter_box with_short_ends(Parameter_box box)
+{
+  constexpr int digits = 256;
+  const auto outwards = [](const Exact_rational& end, int direction) {
+    const Exact_rational rounded = round_to_dyadic(end, digits), error(CGAL::abs(Exact_rational(rounded - end)));
+    return error == 0 ? end : Exact_rational(rounded + direction * round_to_dyadic(Exact_rational(2 * error), 1));
+  };
+  for (Parameter_range& range : box)
+    if (range.first < range.second)
+      range = {outwards(range.first, -1), outwards(range.second, 1)};
+  return box;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool have_common_part(const Parameter_box& a, const Parameter_box& b)
+{
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].second < b[j].first || b[j].second < a[j].first)
+      return false;
+  return true;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Parameter_region> without(Parameter_region region, const Parameter_box& hole)
 {
   const Parameter_box common = clipped(hole, region.box);
   if (!has_interior(common))
@@ -208,10 +222,6 @@ inline std::vector<Parameter_region> without(Parameter_region region, const Para
   }
   return result;
 }
-
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-extern template class Patch_pair<2>;
-extern template class Patch_pair<3>;
 #endif
 
 } // namespace Common

@@ -105,62 +105,70 @@ private:
     m_signs.push_back(sign_between(last, piece.end()));
   }
 
-  void append(Sign_sequence next, const Exact_rational& at, bool is_joined)
-  {
-    const bool is_zero_before = m_signs.back() == 0, is_zero_after = next.m_signs.front() == 0;
-    const bool is_needed = !is_joined || (!is_zero_before && !is_zero_after && m_signs.back() != next.m_signs.front());
-    if (is_needed) {
-      m_events.push_back({{at, at}, 0, 0, true, !is_joined});
-      m_signs.push_back(next.m_signs.front());
-    } else if (is_zero_before && is_zero_after) {
-      merge(m_events.back(), next.m_events.front());
-      m_signs.back() = next.m_signs[1];
-      next.m_events.erase(next.m_events.begin());
-      next.m_signs.erase(next.m_signs.begin());
-    } else if (is_zero_before) {
-      m_signs.back() = next.m_signs.front();
-      m_events.back().is_break = true;
-    } else if (is_zero_after)
-      next.m_events.front().is_break = true;
-    std::move(next.m_events.begin(), next.m_events.end(), std::back_inserter(m_events));
-    m_signs.insert(m_signs.end(), next.m_signs.begin() + 1, next.m_signs.end());
-  }
+  void append(Sign_sequence next, const Exact_rational& at, bool is_joined);
 
-  static void merge(Sign_event& event, Sign_event& next)
-  {
-    event.range.second = next.range.second;
-    event.is_break = true;
-    std::move(next.zeros.begin(), next.zeros.end(), std::back_inserter(event.zeros));
-  }
+  static void merge(Sign_event& event, Sign_event& next);
 
   // The end of a closed curve is the begin: an event there is reported with the first parameter. Families that meet
   // there remain two.
-  void close(const Exact_rational& begin, bool is_joined)
-  {
-    const std::size_t size = m_events.size();
-    const bool is_zero_begin = m_signs.front() == 0, is_zero_end = m_signs.back() == 0;
-    if (!is_joined || (!is_zero_begin && !is_zero_end)) {
-      if (!is_joined || m_signs.front() != m_signs.back())
-        m_events.insert(m_events.begin(), {{begin, begin}, m_signs.back(), m_signs.front(), true, !is_joined});
-      return;
-    }
-    if (size == 1 && is_zero_begin && is_zero_end)
-      return;   // zero everywhere
-    if (is_zero_begin)
-      m_events.front().before = is_zero_end ? m_signs[size - 1] : m_signs[size];
-    if (is_zero_end)
-      m_events.back().after = is_zero_begin ? m_signs[1] : m_signs[0];
-    if (is_zero_end && !m_events.back().is_family()) {
-      Sign_event at_end = std::move(m_events.back());
-      m_events.pop_back();
-      at_end.range = {begin, begin};
-      if (!is_zero_begin)
-        m_events.insert(m_events.begin(), std::move(at_end));
-    } else if (is_zero_end && is_zero_begin && !m_events.front().is_family())
-      m_events.erase(m_events.begin());   // a part of the family at the end
-    (is_zero_end && m_events.back().is_family() ? m_events.back() : m_events.front()).is_break = true;
-  }
+  void close(const Exact_rational& begin, bool is_joined);
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE void Sign_sequence::append(Sign_sequence next, const Exact_rational& at, bool is_joined)
+{
+  const bool is_zero_before = m_signs.back() == 0, is_zero_after = next.m_signs.front() == 0;
+  const bool is_needed = !is_joined || (!is_zero_before && !is_zero_after && m_signs.back() != next.m_signs.front());
+  if (is_needed) {
+    m_events.push_back({{at, at}, 0, 0, true, !is_joined});
+    m_signs.push_back(next.m_signs.front());
+  } else if (is_zero_before && is_zero_after) {
+    merge(m_events.back(), next.m_events.front());
+    m_signs.back() = next.m_signs[1];
+    next.m_events.erase(next.m_events.begin());
+    next.m_signs.erase(next.m_signs.begin());
+  } else if (is_zero_before) {
+    m_signs.back() = next.m_signs.front();
+    m_events.back().is_break = true;
+  } else if (is_zero_after)
+    next.m_events.front().is_break = true;
+  std::move(next.m_events.begin(), next.m_events.end(), std::back_inserter(m_events));
+  m_signs.insert(m_signs.end(), next.m_signs.begin() + 1, next.m_signs.end());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Sign_sequence::merge(Sign_event& event, Sign_event& next)
+{
+  event.range.second = next.range.second;
+  event.is_break = true;
+  std::move(next.zeros.begin(), next.zeros.end(), std::back_inserter(event.zeros));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Sign_sequence::close(const Exact_rational& begin, bool is_joined)
+{
+  const std::size_t size = m_events.size();
+  const bool is_zero_begin = m_signs.front() == 0, is_zero_end = m_signs.back() == 0;
+  if (!is_joined || (!is_zero_begin && !is_zero_end)) {
+    if (!is_joined || m_signs.front() != m_signs.back())
+      m_events.insert(m_events.begin(), {{begin, begin}, m_signs.back(), m_signs.front(), true, !is_joined});
+    return;
+  }
+  if (size == 1 && is_zero_begin && is_zero_end)
+    return; // zero everywhere
+  if (is_zero_begin)
+    m_events.front().before = is_zero_end ? m_signs[size - 1] : m_signs[size];
+  if (is_zero_end)
+    m_events.back().after = is_zero_begin ? m_signs[1] : m_signs[0];
+  if (is_zero_end && !m_events.back().is_family()) {
+    Sign_event at_end = std::move(m_events.back());
+    m_events.pop_back();
+    at_end.range = {begin, begin};
+    if (!is_zero_begin)
+      m_events.insert(m_events.begin(), std::move(at_end));
+  } else if (is_zero_end && is_zero_begin && !m_events.front().is_family())
+    m_events.erase(m_events.begin()); // a part of the family at the end
+  (is_zero_end && m_events.back().is_family() ? m_events.back() : m_events.front()).is_break = true;
+}
+#endif
 
 } // namespace Common
 } // namespace internal

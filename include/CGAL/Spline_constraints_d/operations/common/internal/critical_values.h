@@ -26,7 +26,25 @@ namespace Common {
 // Coefficients of powers, without zeros at the end; empty: zero.
 using Coefficients = std::vector<Exact_rational>;
 
-inline Coefficients power_coefficients(const Bernstein_tensor<Exact_rational>& tensor)
+Coefficients power_coefficients(const Bernstein_tensor<Exact_rational>& tensor);
+
+// b is not zero.
+Coefficients remainder(Coefficients a, const Coefficients& b);
+
+// The product of g over all complex zeros of f, with multiplicity, by Euclid's algorithm: product of g over f is that
+// of f over g but for leading coefficients. f is not zero.
+Exact_rational product_over_zeros(Coefficients f, Coefficients g);
+
+/*
+A polynomial in `x` that vanishes at all values that n/w has where its derivative is zero: the product of n - x w over
+the zeros of n'w - nw', which are as many as its degree, interpolated at 0, 1, ... It is zero where n and w have a
+common zero.
+*/
+Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_rational>& n,
+                                           const Bernstein_tensor<Exact_rational>& w, const Power_polynomial& x);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Coefficients power_coefficients(const Bernstein_tensor<Exact_rational>& tensor)
 {
   Coefficients result = tensor.power_coefficients();
   while (!result.empty() && result.back() == 0)
@@ -34,8 +52,7 @@ inline Coefficients power_coefficients(const Bernstein_tensor<Exact_rational>& t
   return result;
 }
 
-// b is not zero.
-inline Coefficients remainder(Coefficients a, const Coefficients& b)
+CGAL_SPLINE_CONSTRAINTS_INLINE Coefficients remainder(Coefficients a, const Coefficients& b)
 {
   while (a.size() >= b.size()) {
     const Exact_rational factor(a.back() / b.back());
@@ -47,9 +64,7 @@ inline Coefficients remainder(Coefficients a, const Coefficients& b)
   return a;
 }
 
-// The product of g over all complex zeros of f, with multiplicity, by Euclid's algorithm: product of g over f is that
-// of f over g but for leading coefficients. f is not zero.
-inline Exact_rational product_over_zeros(Coefficients f, Coefficients g)
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational product_over_zeros(Coefficients f, Coefficients g)
 {
   Exact_rational result(1);
   for (;;) {
@@ -70,13 +85,9 @@ inline Exact_rational product_over_zeros(Coefficients f, Coefficients g)
   }
 }
 
-/*
-A polynomial in `x` that vanishes at all values that n/w has where its derivative is zero: the product of n - x w over
-the zeros of n'w - nw', which are as many as its degree, interpolated at 0, 1, ... It is zero where n and w have a
-common zero.
-*/
-inline Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_rational>& n,
-                                                  const Bernstein_tensor<Exact_rational>& w, const Power_polynomial& x)
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_rational>& n,
+                                                                          const Bernstein_tensor<Exact_rational>& w,
+                                                                          const Power_polynomial& x)
 {
   const Coefficients slope = power_coefficients(n.derivative(0) * w - n * w.derivative(0));
   if (slope.empty())
@@ -92,6 +103,7 @@ inline Power_polynomial critical_value_polynomial(const Bernstein_tensor<Exact_r
   }
   return result;
 }
+#endif
 
 } // namespace Common
 } // namespace internal

@@ -26,7 +26,18 @@ namespace internal {
 namespace Common {
 
 // The integral of a polynomial over [0,1].
-inline Exact_rational integral(const Bernstein_tensor<Exact_rational>& f)
+Exact_rational integral(const Bernstein_tensor<Exact_rational>& f);
+
+/*
+Bounds of the integral of n/v over [0,1] for a positive polynomial v, whose difference is at most 2 `error`: n/v = q +
+(n - q v)/v with a polynomial q, the begin of the power series of the quotient about the middle. Ranges are halved until
+the rest is small.
+*/
+Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_rational>& n,
+                                       const Bernstein_tensor<Exact_rational>& v, const Exact_rational& error);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational integral(const Bernstein_tensor<Exact_rational>& f)
 {
   Exact_rational sum(0);
   for (const Exact_rational& c : f.coefficients())
@@ -34,13 +45,9 @@ inline Exact_rational integral(const Bernstein_tensor<Exact_rational>& f)
   return Exact_rational(sum / Exact_rational(static_cast<int>(f.coefficients().size())));
 }
 
-/*
-Bounds of the integral of n/v over [0,1] for a positive polynomial v, whose difference is at most 2 `error`: n/v = q +
-(n - q v)/v with a polynomial q, the begin of the power series of the quotient about the middle. Ranges are halved until
-the rest is small.
-*/
-inline Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_rational>& n,
-                                              const Bernstein_tensor<Exact_rational>& v, const Exact_rational& error)
+CGAL_SPLINE_CONSTRAINTS_INLINE Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_rational>& n,
+                                                                      const Bernstein_tensor<Exact_rational>& v,
+                                                                      const Exact_rational& error)
 {
   constexpr std::size_t length = 16;
   constexpr int bits = 128;
@@ -71,6 +78,7 @@ inline Rational_interval integral_of_quotient(const Bernstein_tensor<Exact_ratio
   const Rational_interval half(Exact_rational(Exact_rational(1) / 2));
   return half * (integral_of_quotient(n0, v0, error) + integral_of_quotient(n1, v1, error));
 }
+#endif
 
 } // namespace Common
 } // namespace internal

@@ -33,7 +33,13 @@ struct Curve_range
   Exact_range range;
 };
 
-inline void extend(std::vector<Undecided_part::Range>& box, const Coordinate_ranges<2>& by)
+void extend(std::vector<Undecided_part::Range>& box, const Coordinate_ranges<2>& by);
+
+// What is undecided on parts of curves; its place is the box around these parts.
+Undecided_part undecided_on_curves(const std::vector<Curve_range>& parts, std::string reason);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE void extend(std::vector<Undecided_part::Range>& box, const Coordinate_ranges<2>& by)
 {
   if (box.empty())
     box.assign(by.begin(), by.end());
@@ -41,8 +47,8 @@ inline void extend(std::vector<Undecided_part::Range>& box, const Coordinate_ran
     box[i] = {(std::min)(box[i].first, by[i].first), (std::max)(box[i].second, by[i].second)};
 }
 
-// What is undecided on parts of curves; its place is the box around these parts.
-inline Undecided_part undecided_on_curves(const std::vector<Curve_range>& parts, std::string reason)
+CGAL_SPLINE_CONSTRAINTS_INLINE Undecided_part undecided_on_curves(const std::vector<Curve_range>& parts,
+                                                                  std::string reason)
 {
   Undecided_part result{{}, {}, std::move(reason)};
   for (const auto& [curve, operand, range] : parts) {
@@ -55,6 +61,7 @@ inline Undecided_part undecided_on_curves(const std::vector<Curve_range>& parts,
   }
   return result;
 }
+#endif
 
 } // namespace Common
 } // namespace internal

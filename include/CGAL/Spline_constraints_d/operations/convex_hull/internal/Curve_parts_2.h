@@ -40,48 +40,15 @@ public:
 
   // Of curves, each of which is given as its pieces.
   // \throws Run_stopped
-  Curve_parts_2(const std::vector<std::vector<Boundary_piece>>& curves, Run_of_steps& run)
-  {
-    for (const std::vector<Boundary_piece>& curve : curves) {
-      m_pieces.emplace_back();
-      for (const Boundary_piece& piece : curve) {
-        run.check();
-        append_hull_pieces(piece, m_pieces.back());
-      }
-    }
-  }
+  Curve_parts_2(const std::vector<std::vector<Boundary_piece>>& curves, Run_of_steps& run);
 
   const std::vector<Pieces>& pieces() const { return m_pieces; }
   std::size_t number_of_curves() const { return m_pieces.size(); }
 
-  Exact_pair point(std::size_t curve, const Exact_rational& parameter) const
-  {
-    const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1,
-                                    [&](const Hull_piece_2& p) { return parameter <= p.curve().parameters[1]; });
-    const auto& [begin, end] = piece->curve().parameters;
-    return piece->curve().at(Exact_rational((parameter - begin) / (end - begin)));
-  }
+  Exact_pair point(std::size_t curve, const Exact_rational& parameter) const;
 
   // A part of a curve, run backwards if parameters decrease.
-  Pieces between(std::size_t curve, const Exact_rational& from, const Exact_rational& to) const
-  {
-    Pieces result;
-    for (const Hull_piece_2& piece : m_pieces[curve]) {
-      const auto& [begin, end] = piece.curve().parameters;
-      const Exact_rational lower = (std::max)(begin, (std::min)(from, to)),
-                           upper = (std::min)(end, (std::max)(from, to));
-      if (!(lower < upper))
-        continue;
-      result.emplace_back(restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)),
-                                     Exact_rational((upper - begin) / (end - begin))));
-    }
-    if (to < from) {
-      std::reverse(result.begin(), result.end());
-      for (Hull_piece_2& piece : result)
-        piece = piece.reversed();
-    }
-    return result;
-  }
+  Pieces between(std::size_t curve, const Exact_rational& from, const Exact_rational& to) const;
 
   // Appends points of a part after its begin, so that no point of it is farther from the chords between them than the
   // error, but for the rounding of coordinates.
@@ -99,29 +66,10 @@ public:
   origin, and adds bounds of the rest.
   */
   void append_sector(std::size_t curve, const Parameter_range& source, const Parameter_range& target,
-                     const Exact_pair& origin, std::vector<Boundary_piece>& arcs, Rational_interval& rest) const
-  {
-    const bool is_reversed = target < source;
-    for (const Hull_piece_2& piece :
-         between(curve, is_reversed ? source.first : source.second, is_reversed ? target.second : target.first))
-      arcs.push_back(seen_from(origin, piece.curve()));
-    for (const auto& [first, last] : {source, target})
-      for (const Hull_piece_2& part : between(curve, first, last)) {
-        const Boundary_piece piece = seen_from(origin, part.curve());
-        const auto& [x, y, w] = piece.coordinates;
-        const auto [least, greatest] = (x * y.derivative(0) - y * x.derivative(0)).bounds();
-        const Exact_rational weight = w.bounds().first;
-        rest.upper += (std::max)(CGAL::abs(least), CGAL::abs(greatest)) / (2 * weight * weight);
-      }
-  }
+                     const Exact_pair& origin, std::vector<Boundary_piece>& arcs, Rational_interval& rest) const;
 
 private:
-  static Boundary_piece seen_from(const Exact_pair& origin, Boundary_piece piece)
-  {
-    for (std::size_t k = 0; k < 2; ++k)
-      piece.coordinates[k] -= piece.coordinates[2] * origin[k];
-    return piece;
-  }
+  static Boundary_piece seen_from(const Exact_pair& origin, Boundary_piece piece);
 
   template <class Kernel>
   static void append_samples_of(const Hull_piece_2& piece, const Exact_rational& error,
@@ -141,6 +89,73 @@ private:
         append_samples_of<Kernel>(half, error, samples);
   }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_parts_2::Curve_parts_2(const std::vector<std::vector<Boundary_piece>>& curves,
+                                                            Run_of_steps& run)
+{
+  for (const std::vector<Boundary_piece>& curve : curves) {
+    m_pieces.emplace_back();
+    for (const Boundary_piece& piece : curve) {
+      run.check();
+      append_hull_pieces(piece, m_pieces.back());
+    }
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Exact_pair Curve_parts_2::point(std::size_t curve, const Exact_rational& parameter) const
+{
+  const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1,
+                                  [&](const Hull_piece_2& p) { return parameter <= p.curve().parameters[1]; });
+  const auto& [begin, end] = piece->curve().parameters;
+  return piece->curve().at(Exact_rational((parameter - begin) / (end - begin)));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Curve_parts_2::Pieces
+Curve_parts_2::between(std::size_t curve, const Exact_rational& from, const Exact_rational& to) const
+{
+  Pieces result;
+  for (const Hull_piece_2& piece : m_pieces[curve]) {
+    const auto& [begin, end] = piece.curve().parameters;
+    const Exact_rational lower = (std::max)(begin, (std::min)(from, to)), upper = (std::min)(end, (std::max)(from, to));
+    if (!(lower < upper))
+      continue;
+    result.emplace_back(restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)),
+                                   Exact_rational((upper - begin) / (end - begin))));
+  }
+  if (to < from) {
+    std::reverse(result.begin(), result.end());
+    for (Hull_piece_2& piece : result)
+      piece = piece.reversed();
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void
+Curve_parts_2::append_sector(std::size_t curve, const Parameter_range& source, const Parameter_range& target,
+                             const Exact_pair& origin, std::vector<Boundary_piece>& arcs, Rational_interval& rest) const
+{
+  const bool is_reversed = target < source;
+  for (const Hull_piece_2& piece :
+       between(curve, is_reversed ? source.first : source.second, is_reversed ? target.second : target.first))
+    arcs.push_back(seen_from(origin, piece.curve()));
+  for (const auto& [first, last] : {source, target})
+    for (const Hull_piece_2& part : between(curve, first, last)) {
+      const Boundary_piece piece = seen_from(origin, part.curve());
+      const auto& [x, y, w] = piece.coordinates;
+      const auto [least, greatest] = (x * y.derivative(0) - y * x.derivative(0)).bounds();
+      const Exact_rational weight = w.bounds().first;
+      rest.upper += (std::max)(CGAL::abs(least), CGAL::abs(greatest)) / (2 * weight * weight);
+    }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Boundary_piece Curve_parts_2::seen_from(const Exact_pair& origin, Boundary_piece piece)
+{
+  for (std::size_t k = 0; k < 2; ++k)
+    piece.coordinates[k] -= piece.coordinates[2] * origin[k];
+  return piece;
+}
+#endif
 
 } // namespace Convex_hull
 } // namespace internal

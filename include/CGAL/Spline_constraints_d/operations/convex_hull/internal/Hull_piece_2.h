@@ -40,14 +40,7 @@ inline Exact_pair scaled(const Exact_pair& v)
 
 inline Interval_pair enclosed(const Exact_pair& point) { return {interval_of(point[0]), interval_of(point[1])}; }
 
-inline Boundary_piece restricted(Boundary_piece piece, const Exact_rational& begin, const Exact_rational& end)
-{
-  for (Exact_tensor& tensor : piece.coordinates)
-    tensor = tensor.restricted(0, begin, end);
-  const auto [first, last] = piece.parameters;
-  piece.parameters = {Exact_rational(first + begin * (last - first)), Exact_rational(first + end * (last - first))};
-  return piece;
-}
+Boundary_piece restricted(Boundary_piece piece, const Exact_rational& begin, const Exact_rational& end);
 
 inline Exact_rational one_half() { return Exact_rational(1) / 2; }
 
@@ -60,18 +53,7 @@ class Hull_piece_2
   std::vector<Interval_pair> m_boxes;
 
 public:
-  explicit Hull_piece_2(Boundary_piece curve, int halvings = 0) : m_curve(std::move(curve)), m_halvings(halvings)
-  {
-    const auto& [x, y, w] = m_curve.coordinates;
-    for (std::size_t i = 0; i < w.coefficients().size(); ++i) {
-      Exact_pair point{Exact_rational(x.coefficients()[i] / w.coefficients()[i]),
-                       Exact_rational(y.coefficients()[i] / w.coefficients()[i])};
-      if (m_points.empty() || point != m_points.back())
-        m_points.push_back(std::move(point));
-    }
-    for (const Exact_pair& point : m_points)
-      m_boxes.push_back(enclosed(point));
-  }
+  explicit Hull_piece_2(Boundary_piece curve, int halvings = 0);
 
   const Boundary_piece& curve() const { return m_curve; }
   int halvings() const { return m_halvings; }
@@ -90,21 +72,50 @@ public:
   Hull_piece_2 reversed() const { return Hull_piece_2(m_curve.reversed(), m_halvings); }
 
   // The parts between parameters of (0,1).
-  std::vector<Hull_piece_2> parts(const std::set<Exact_rational>& cuts) const
-  {
-    std::vector<Hull_piece_2> result;
-    Exact_rational begin(0);
-    for (auto cut = cuts.begin(); begin < 1; ++cut) {
-      const Exact_rational end = cut != cuts.end() ? *cut : Exact_rational(1);
-      result.emplace_back(restricted(m_curve, begin, end), m_halvings + 1);
-      begin = end;
-    }
-    return result;
-  }
+  std::vector<Hull_piece_2> parts(const std::set<Exact_rational>& cuts) const;
 };
 
 // Cut until all weights are positive, as the weight of a curve is.
-inline void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_piece_2>& pieces)
+void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_piece_2>& pieces);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Boundary_piece restricted(Boundary_piece piece, const Exact_rational& begin,
+                                                         const Exact_rational& end)
+{
+  for (Exact_tensor& tensor : piece.coordinates)
+    tensor = tensor.restricted(0, begin, end);
+  const auto [first, last] = piece.parameters;
+  piece.parameters = {Exact_rational(first + begin * (last - first)), Exact_rational(first + end * (last - first))};
+  return piece;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Hull_piece_2::Hull_piece_2(Boundary_piece curve, int halvings)
+  : m_curve(std::move(curve)), m_halvings(halvings)
+{
+  const auto& [x, y, w] = m_curve.coordinates;
+  for (std::size_t i = 0; i < w.coefficients().size(); ++i) {
+    Exact_pair point{Exact_rational(x.coefficients()[i] / w.coefficients()[i]),
+                     Exact_rational(y.coefficients()[i] / w.coefficients()[i])};
+    if (m_points.empty() || point != m_points.back())
+      m_points.push_back(std::move(point));
+  }
+  for (const Exact_pair& point : m_points)
+    m_boxes.push_back(enclosed(point));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Hull_piece_2> Hull_piece_2::parts(const std::set<Exact_rational>& cuts) const
+{
+  std::vector<Hull_piece_2> result;
+  Exact_rational begin(0);
+  for (auto cut = cuts.begin(); begin < 1; ++cut) {
+    const Exact_rational end = cut != cuts.end() ? *cut : Exact_rational(1);
+    result.emplace_back(restricted(m_curve, begin, end), m_halvings + 1);
+    begin = end;
+  }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_piece_2>& pieces)
 {
   if (piece.coordinates[2].bounds().first > 0)
     pieces.emplace_back(piece);
@@ -112,6 +123,7 @@ inline void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_pie
     for (int half = 0; half < 2; ++half)
       append_hull_pieces(restricted(piece, half * one_half(), (half + 1) * one_half()), pieces);
 }
+#endif
 
 } // namespace Convex_hull
 } // namespace internal

@@ -24,7 +24,22 @@ namespace internal {
 namespace Distances {
 
 // The root of a number that is not negative, nearly, also if the number is too great or too small for a double.
-inline double near_root(const Exact_rational& x)
+double near_root(const Exact_rational& x);
+
+// The closest doubles below and above the roots of the ends of a range. Outside of 2^-900 to 2^900, squares of roots
+// would have other errors; there the range is larger.
+std::pair<double, double> root_range(const std::pair<double, double>& squares);
+
+// The same of exact ends, the closest doubles or those beside them; \pre they are not negative.
+std::pair<double, double> root_range(const std::pair<Deferred_rational, Deferred_rational>& squares);
+
+inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
+{
+  return root_range(std::pair(Deferred_rational(squares.first), Deferred_rational(squares.second)));
+}
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE double near_root(const Exact_rational& x)
 {
   const Exact_rational most(to_rational(0x1p1000)), least(to_rational(0x1p-1000));
   if (x > most)
@@ -34,9 +49,7 @@ inline double near_root(const Exact_rational& x)
   return std::sqrt(to_nearest_double(x));
 }
 
-// The closest doubles below and above the roots of the ends of a range. Outside of 2^-900 to 2^900, squares of roots
-// would have other errors; there the range is larger.
-inline std::pair<double, double> root_range(const std::pair<double, double>& squares)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<double, double> root_range(const std::pair<double, double>& squares)
 {
   const auto& [low, high] = squares;
   const double lower_root = std::sqrt(low), upper_root = std::sqrt(high);
@@ -49,8 +62,8 @@ inline std::pair<double, double> root_range(const std::pair<double, double>& squ
               : std::nextafter(upper_root, std::numeric_limits<double>::infinity())};
 }
 
-// The same of exact ends, the closest doubles or those beside them; \pre they are not negative.
-inline std::pair<double, double> root_range(const std::pair<Deferred_rational, Deferred_rational>& squares)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<double, double>
+root_range(const std::pair<Deferred_rational, Deferred_rational>& squares)
 {
   const double low = squares.first.double_interval().first, high = squares.second.double_interval().second;
   if (low > 0x1p-900 && high < 0x1p900)
@@ -64,11 +77,7 @@ inline std::pair<double, double> root_range(const std::pair<Deferred_rational, D
     upper = std::nextafter(upper, std::numeric_limits<double>::infinity());
   return {lower, upper};
 }
-
-inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
-{
-  return root_range(std::pair(Deferred_rational(squares.first), Deferred_rational(squares.second)));
-}
+#endif
 
 } // namespace Distances
 } // namespace internal

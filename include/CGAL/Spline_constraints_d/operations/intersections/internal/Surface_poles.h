@@ -36,7 +36,17 @@ struct Surface_pole
 inline bool are_orthogonal(const Exact_vector<3>& a, const Exact_vector<3>& b) { return exact_dot(a, b) == 0; }
 
 // The derivatives across an edge (axis, side), times a positive function.
-inline Vector_of_functions<3> tangents_across(const Spline_patch<3>& surface, int axis, int side)
+Vector_of_functions<3> tangents_across(const Spline_patch<3>& surface, int axis, int side);
+
+// Two vectors that span what the derivatives across a pole span, if that is a plane.
+std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis, int side);
+
+// Bounds of the derivatives across a pole, at the parameters in a range along it.
+Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int axis, int side, const Parameter_range& range);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_of_functions<3> tangents_across(const Spline_patch<3>& surface, int axis,
+                                                                      int side)
 {
   const std::vector<Exact_rational> breaks = surface.breaks(axis);
   return surface.one_sided_tangent(axis,
@@ -45,9 +55,8 @@ inline Vector_of_functions<3> tangents_across(const Spline_patch<3>& surface, in
                                    side);
 }
 
-// Two vectors that span what the derivatives across a pole span, if that is a plane.
-inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis,
-                                                                      int side)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<std::array<Exact_vector<3>, 2>>
+tangents_at_pole(const Spline_patch<3>& surface, int axis, int side)
 {
   const Vector_of_functions<3> tangent = tangents_across(surface, axis, side);
   const std::vector<Exact_rational> along = surface.breaks(1 - axis);
@@ -70,9 +79,8 @@ inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spli
   return std::nullopt;
 }
 
-// Bounds of the derivatives across a pole, at the parameters in a range along it.
-inline Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int axis, int side,
-                                           const Parameter_range& range)
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int axis, int side,
+                                                                   const Parameter_range& range)
 {
   const Vector_of_functions<3> tangent = tangents_across(surface, axis, side);
   Vector_bounds<3> result;
@@ -84,6 +92,7 @@ inline Vector_bounds<3> directions_at_pole(const Spline_patch<3>& surface, int a
           Rational_interval(least_and_greatest(tangent[i].restricted(0, range.first, range.second).coefficients()));
   return result;
 }
+#endif
 
 } // namespace Intersections
 } // namespace internal

@@ -40,15 +40,7 @@ struct Surface_shape
   std::optional<Vector_bounds<3>> box = {};       // has all of it; none: it is unbounded
   bool ends_at_box = false;                       // or it may go on beyond the box
 
-  explicit Surface_shape(Spline_patch<3> surface) : patch(std::move(surface))
-  {
-    const auto to_double = [](const Exact_function& f) {
-      return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
-    };
-    for (int i = 0; i < 3; ++i)
-      rounded[i] = to_double(patch->numerators()[i]);
-    rounded[3] = to_double(patch->weight());
-  }
+  explicit Surface_shape(Spline_patch<3> surface);
 
   explicit Surface_shape(Power_polynomial f) : polynomial(std::move(f)) {}
 
@@ -66,13 +58,7 @@ struct Surface_shape
   }
 
   // Whether its zeros in other bounds are not all points of the surface.
-  bool ends_within(const Vector_bounds<3>& other) const
-  {
-    for (int i = 0; ends_at_box && i < 3; ++i)
-      if (other[i].lower < (*box)[i].lower || (*box)[i].upper < other[i].upper)
-        return true;
-    return false;
-  }
+  bool ends_within(const Vector_bounds<3>& other) const;
 
   // \pre It is parametric.
   std::array<Exact_rational, 3> point(const std::vector<Exact_rational>& parameters) const
@@ -80,33 +66,13 @@ struct Surface_shape
     return (*patch)(parameters);
   }
 
-  std::array<double, 3> point(std::vector<double> parameters) const
-  {
-    for (int axis = 0; axis < 2; ++axis) {   // rounding may lead out of the domain
-      const auto [begin, end] = rounded[0].domain(axis);
-      parameters[axis] = (std::min)((std::max)(parameters[axis], begin), end);
-    }
-    const Values_at_point<double> value(rounded[0], parameters);
-    const double weight = patch->is_rational() ? value(rounded[3]) : 1;
-    return {value(rounded[0]) / weight, value(rounded[1]) / weight, value(rounded[2]) / weight};
-  }
+  std::array<double, 3> point(std::vector<double> parameters) const;
 
 private:
   // Whether all control weights are positive.
   bool is_in_hull() const { return patch->is_rational() && patch->weight().bounds().first > 0; }
 
-  Vector_bounds<3> hull_of_control_points() const
-  {
-    const std::vector<Exact_rational>& weights = patch->weight().coefficients();
-    Vector_bounds<3> result;
-    for (int i = 0; i < 3; ++i) {
-      std::vector<Exact_rational> coordinates;
-      for (std::size_t k = 0; k < weights.size(); ++k)
-        coordinates.emplace_back(patch->numerators()[i].coefficients()[k] / weights[k]);
-      result[i] = Rational_interval(least_and_greatest(coordinates));
-    }
-    return result;
-  }
+  Vector_bounds<3> hull_of_control_points() const;
 };
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_map(const Exact_map<3>& surface)
@@ -132,6 +98,50 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Shape shape_of_implicit_surface(const Implicit_hy
 {
   return std::make_shared<const Surface_shape>(surface, true);
 }
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Surface_shape::Surface_shape(Spline_patch<3> surface) : patch(std::move(surface))
+{
+  const auto to_double = [](const Exact_function& f) {
+    return f.converted<double>([](const Exact_rational& x) { return to_nearest_double(x); });
+  };
+  for (int i = 0; i < 3; ++i)
+    rounded[i] = to_double(patch->numerators()[i]);
+  rounded[3] = to_double(patch->weight());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Surface_shape::ends_within(const Vector_bounds<3>& other) const
+{
+  for (int i = 0; ends_at_box && i < 3; ++i)
+    if (other[i].lower < (*box)[i].lower || (*box)[i].upper < other[i].upper)
+      return true;
+  return false;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<double, 3> Surface_shape::point(std::vector<double> parameters) const
+{
+  for (int axis = 0; axis < 2; ++axis) { // rounding may lead out of the domain
+    const auto [begin, end] = rounded[0].domain(axis);
+    parameters[axis] = (std::min)((std::max)(parameters[axis], begin), end);
+  }
+  const Values_at_point<double> value(rounded[0], parameters);
+  const double weight = patch->is_rational() ? value(rounded[3]) : 1;
+  return {value(rounded[0]) / weight, value(rounded[1]) / weight, value(rounded[2]) / weight};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_bounds<3> Surface_shape::hull_of_control_points() const
+{
+  const std::vector<Exact_rational>& weights = patch->weight().coefficients();
+  Vector_bounds<3> result;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Exact_rational> coordinates;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      coordinates.emplace_back(patch->numerators()[i].coefficients()[k] / weights[k]);
+    result[i] = Rational_interval(least_and_greatest(coordinates));
+  }
+  return result;
+}
+#endif
 
 } // namespace Intersections
 } // namespace internal

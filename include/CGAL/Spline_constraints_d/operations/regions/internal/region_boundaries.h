@@ -27,7 +27,41 @@ namespace Regions {
 
 // The boundaries that rings are, with the region on their left.
 // \throws Run_stopped
-inline Region_boundaries_2 boundaries_of(const Simple_rings_2& rings, std::size_t number_of_curves, Run_of_steps& run)
+Region_boundaries_2 boundaries_of(const Simple_rings_2& rings, std::size_t number_of_curves, Run_of_steps& run);
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Region_boundaries_2 region_boundaries(std::vector<std::vector<Boundary_piece>> curves,
+                                                                     const Solver_options& options)
+{
+  Run_of_steps run(options);
+  Region_boundaries_2 result;
+  try {
+    result = boundaries_of(Simple_rings_2(curves, run), curves.size(), run);
+  } catch (const Run_stopped& stop) {
+    result.undecided.push_back({box_of_pieces(curves), {}, in_words(stop.reason)});
+  }
+  result.summary = run.summary(result.undecided.empty());
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE CGAL::Bounded_side bounded_side(const std::vector<Boundary_loop_2>& loops,
+                                                               const Exact_pair& point)
+{
+  constexpr int halvings = 24;
+  int turns = 0;
+  for (const Boundary_loop_2& loop : loops) {
+    if (loop.may_contain(point, halvings)) {
+      Budgeted_solver solve({});
+      if (!common_points<2>(Patch_pair<2>(Spline_patch<2>(point), Spline_patch<2>(loop.curve())), solve).empty())
+        return CGAL::ON_BOUNDARY;
+    }
+    turns += loop.winding_number(point);
+  }
+  return turns > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
+}
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Region_boundaries_2 boundaries_of(const Simple_rings_2& rings,
+                                                                 std::size_t number_of_curves, Run_of_steps& run)
 {
   Region_boundaries_2 result;
   result.have_common_vertices = rings.has_rings_that_touch();
@@ -60,36 +94,7 @@ inline Region_boundaries_2 boundaries_of(const Simple_rings_2& rings, std::size_
   });
   return result;
 }
-
-CGAL_SPLINE_CONSTRAINTS_INLINE Region_boundaries_2 region_boundaries(std::vector<std::vector<Boundary_piece>> curves,
-                                                                     const Solver_options& options)
-{
-  Run_of_steps run(options);
-  Region_boundaries_2 result;
-  try {
-    result = boundaries_of(Simple_rings_2(curves, run), curves.size(), run);
-  } catch (const Run_stopped& stop) {
-    result.undecided.push_back({box_of_pieces(curves), {}, in_words(stop.reason)});
-  }
-  result.summary = run.summary(result.undecided.empty());
-  return result;
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE CGAL::Bounded_side bounded_side(const std::vector<Boundary_loop_2>& loops,
-                                                               const Exact_pair& point)
-{
-  constexpr int halvings = 24;
-  int turns = 0;
-  for (const Boundary_loop_2& loop : loops) {
-    if (loop.may_contain(point, halvings)) {
-      Budgeted_solver solve({});
-      if (!common_points<2>(Patch_pair<2>(Spline_patch<2>(point), Spline_patch<2>(loop.curve())), solve).empty())
-        return CGAL::ON_BOUNDARY;
-    }
-    turns += loop.winding_number(point);
-  }
-  return turns > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
-}
+#endif
 
 } // namespace Regions
 } // namespace internal

@@ -76,8 +76,16 @@ inline Exact_kernel::Point_3 center_of_facet(const Oriented_mesh& mesh, std::siz
   return CGAL::centroid(mesh.points[p], mesh.points[q], mesh.points[r]);
 }
 
-inline Neighborhood neighborhood_of(const Oriented_mesh& mesh, const Neighborhood::Heights& heights,
-                                    const Exact_rational& gap_position)
+Neighborhood neighborhood_of(const Oriented_mesh& mesh, const Neighborhood::Heights& heights,
+                             const Exact_rational& gap_position);
+
+// The least heights: apexes above are above the tangent planes of the corners, those below are below.
+Neighborhood::Heights least_heights(const Oriented_mesh& mesh);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Neighborhood neighborhood_of(const Oriented_mesh& mesh,
+                                                            const Neighborhood::Heights& heights,
+                                                            const Exact_rational& gap_position)
 {
   Neighborhood result;
   result.numbers = Node_numbers(mesh);
@@ -111,8 +119,7 @@ inline Neighborhood neighborhood_of(const Oriented_mesh& mesh, const Neighborhoo
   return result;
 }
 
-// The least heights: apexes above are above the tangent planes of the corners, those below are below.
-inline Neighborhood::Heights least_heights(const Oriented_mesh& mesh)
+CGAL_SPLINE_CONSTRAINTS_INLINE Neighborhood::Heights least_heights(const Oriented_mesh& mesh)
 {
   Neighborhood::Heights result;
   for (const int side : {OUTER, INNER})
@@ -128,6 +135,7 @@ inline Neighborhood::Heights least_heights(const Oriented_mesh& mesh)
     }
   return result;
 }
+#endif
 
 } // namespace Smooth_surfaces
 } // namespace internal

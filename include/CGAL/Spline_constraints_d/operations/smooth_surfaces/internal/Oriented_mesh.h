@@ -60,16 +60,7 @@ struct Oriented_mesh
   std::vector<Edge> edges;
   std::vector<std::array<std::size_t, 3>> edges_of_facets; // edge i is between the corners i and i + 1
 
-  std::size_t number_of_components() const
-  {
-    CGAL::Union_find<std::size_t> sets;
-    std::vector<CGAL::Union_find<std::size_t>::handle> handles;
-    for (std::size_t f = 0; f < facets.size(); ++f)
-      handles.push_back(sets.make_set(f));
-    for (const Edge& edge : edges)
-      sets.unify_sets(handles[edge.facets[0]], handles[edge.facets[1]]);
-    return sets.number_of_sets();
-  }
+  std::size_t number_of_components() const;
 
   std::string name_of_vertex(std::size_t v) const { return "vertex " + std::to_string(vertex_names[v]); }
   std::string name_of_facet(std::size_t f) const { return "face " + std::to_string(facet_names[f]); }
@@ -77,7 +68,30 @@ struct Oriented_mesh
 
 [[noreturn]] inline void refuse_mesh(const std::string& reason) { throw Invalid_input("smooth_surface: " + reason); }
 
-inline void find_edges(Oriented_mesh& mesh)
+void find_edges(Oriented_mesh& mesh);
+
+// Whether the facets at each vertex are one fan.
+void check_vertices(const Oriented_mesh& mesh);
+
+// Also whether apexes exist, see Neighborhood.
+void check_gradients(const Oriented_mesh& mesh);
+
+// Fills in what follows from points and facets. \throws Invalid_input when the mesh is not as it must be.
+void prepare_mesh(Oriented_mesh& mesh);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t Oriented_mesh::number_of_components() const
+{
+  CGAL::Union_find<std::size_t> sets;
+  std::vector<CGAL::Union_find<std::size_t>::handle> handles;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    handles.push_back(sets.make_set(f));
+  for (const Edge& edge : edges)
+    sets.unify_sets(handles[edge.facets[0]], handles[edge.facets[1]]);
+  return sets.number_of_sets();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void find_edges(Oriented_mesh& mesh)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> facet_of; // by source and target
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -107,8 +121,7 @@ inline void find_edges(Oriented_mesh& mesh)
     }
 }
 
-// Whether the facets at each vertex are one fan.
-inline void check_vertices(const Oriented_mesh& mesh)
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_vertices(const Oriented_mesh& mesh)
 {
   std::vector<std::size_t> facet_at(mesh.points.size(), mesh.facets.size()), valence(mesh.points.size(), 0);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -133,8 +146,7 @@ inline void check_vertices(const Oriented_mesh& mesh)
   }
 }
 
-// Also whether apexes exist, see Neighborhood.
-inline void check_gradients(const Oriented_mesh& mesh)
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_gradients(const Oriented_mesh& mesh)
 {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (mesh.gradients[v] == CGAL::NULL_VECTOR)
@@ -146,8 +158,7 @@ inline void check_gradients(const Oriented_mesh& mesh)
                     mesh.name_of_facet(f));
 }
 
-// Fills in what follows from points and facets. \throws Invalid_input when the mesh is not as it must be.
-inline void prepare_mesh(Oriented_mesh& mesh)
+CGAL_SPLINE_CONSTRAINTS_INLINE void prepare_mesh(Oriented_mesh& mesh)
 {
   if (mesh.facets.empty())
     refuse_mesh("the mesh has no faces");
@@ -161,6 +172,7 @@ inline void prepare_mesh(Oriented_mesh& mesh)
       refuse_mesh("the corners of " + mesh.name_of_facet(f) + " are on a line");
   }
 }
+#endif
 
 } // namespace Smooth_surfaces
 } // namespace internal

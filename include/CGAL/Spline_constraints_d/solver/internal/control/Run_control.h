@@ -52,13 +52,7 @@ public:
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
 
-  void add_progress(double share)
-  {
-    if (share > 0) {
-      const std::lock_guard lock(m_mutex);
-      m_done = (std::min)(m_done + share, 1.0);
-    }
-  }
+  void add_progress(double share);
 
   // The share that is told is that of the part in hand.
   void begin_part()
@@ -68,12 +62,7 @@ public:
   }
 
   // `is_asked`: looks at the clock and asks the visitor, which is not done for every node.
-  bool must_stop(bool is_asked)
-  {
-    if (is_asked && reason() == Undecided_reason::NONE)
-      ask();
-    return reason() != Undecided_reason::NONE;
-  }
+  bool must_stop(bool is_asked);
 
   // Asks the visitor as often as for boxes that take as long as what comes next, so that one which counts how often it
   // is asked knows how much work is done.
@@ -94,46 +83,74 @@ public:
   void on_progress(double) {}
 
   // Options of runs that are a part of this one.
-  Solver_options options_of_parts(const Solver_options& options)
-  {
-    Solver_options result = options;
-    result.time_limit = 0;
-    result.visitor = *this;
-    return result;
-  }
+  Solver_options options_of_parts(const Solver_options& options);
 
 private:
   // A visitor that throws ends the run, too, wherever that is caught: operations watch the systems they solve so.
-  bool is_stopped_by_visitor()
-  {
-    try {
-      return m_visitor.stop();
-    } catch (...) {
-      m_reason = Undecided_reason::STOPPED;
-      throw;
-    }
-  }
+  bool is_stopped_by_visitor();
 
-  void ask()
-  {
-    const std::lock_guard lock(m_mutex);
-    if (reason() != Undecided_reason::NONE)   // another thread was told while this one waited
-      return;
-    const Clock::time_point now = Clock::now();
-    if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
-      m_reason = Undecided_reason::TIME;
-    else if (is_stopped_by_visitor())
-      m_reason = Undecided_reason::STOPPED;
-    else if (now - m_last_report > std::chrono::milliseconds(50)) {
-      m_last_report = now;
-      m_visitor.on_progress(m_done);
-    }
-  }
+  void ask();
 };
 
 // The summary of a run of so many nodes that was ended for a reason, or for none: what is undecided then is too small
 // for the numbers.
-inline Summary summary_of(const Run_control& run, std::size_t nodes, Undecided_reason reason, bool is_complete)
+Summary summary_of(const Run_control& run, std::size_t nodes, Undecided_reason reason, bool is_complete);
+
+// What is left of the limits after some work, a little at least: zero would be no limit.
+Solver_options rest_of(const Solver_options& options, const Summary& work);
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE void Run_control::add_progress(double share)
+{
+  if (share > 0) {
+    const std::lock_guard lock(m_mutex);
+    m_done = (std::min)(m_done + share, 1.0);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Run_control::must_stop(bool is_asked)
+{
+  if (is_asked && reason() == Undecided_reason::NONE)
+    ask();
+  return reason() != Undecided_reason::NONE;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Solver_options Run_control::options_of_parts(const Solver_options& options)
+{
+  Solver_options result = options;
+  result.time_limit = 0;
+  result.visitor = *this;
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Run_control::is_stopped_by_visitor()
+{
+  try {
+    return m_visitor.stop();
+  } catch (...) {
+    m_reason = Undecided_reason::STOPPED;
+    throw;
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Run_control::ask()
+{
+  const std::lock_guard lock(m_mutex);
+  if (reason() != Undecided_reason::NONE) // another thread was told while this one waited
+    return;
+  const Clock::time_point now = Clock::now();
+  if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
+    m_reason = Undecided_reason::TIME;
+  else if (is_stopped_by_visitor())
+    m_reason = Undecided_reason::STOPPED;
+  else if (now - m_last_report > std::chrono::milliseconds(50)) {
+    m_last_report = now;
+    m_visitor.on_progress(m_done);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Summary summary_of(const Run_control& run, std::size_t nodes, Undecided_reason reason,
+                                                  bool is_complete)
 {
   Summary result;
   result.nodes = nodes;
@@ -144,8 +161,7 @@ inline Summary summary_of(const Run_control& run, std::size_t nodes, Undecided_r
   return result;
 }
 
-// What is left of the limits after some work, a little at least: zero would be no limit.
-inline Solver_options rest_of(const Solver_options& options, const Summary& work)
+CGAL_SPLINE_CONSTRAINTS_INLINE Solver_options rest_of(const Solver_options& options, const Summary& work)
 {
   Solver_options result = options;
   if (options.time_limit > 0)
@@ -154,6 +170,7 @@ inline Solver_options rest_of(const Solver_options& options, const Summary& work
     result.node_limit = work.nodes < options.node_limit ? options.node_limit - work.nodes : 1;
   return result;
 }
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints
