@@ -58,11 +58,22 @@ template class Bernstein_tensor<Exact_rational>;
 template class Bspline_function<double>;
 template class Bspline_function<Exact_rational>;
 
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_CURVES(, double)
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_CURVES(, Exact_rational)
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_SURFACES(, double)
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_SURFACES(, Exact_rational)
 CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Mpfr_interval)
 CGAL_SPLINE_CONSTRAINTS_CURVE_DIFFERENTIALS(, Exact_rational)
 
 namespace internal {
 
+template std::size_t checked_tensor_size<double>(const std::vector<int>&, std::string_view);
+template std::size_t checked_tensor_size<Exact_rational>(const std::vector<int>&, std::string_view);
+CGAL_SPLINE_CONSTRAINTS_SPLINE_CELLS(, double)
+CGAL_SPLINE_CONSTRAINTS_SPLINE_CELLS(, Exact_rational)
+template int certified_weight_sign(const Bspline_function<double>&, const Weight_options&);
+template int certified_weight_sign(const Bspline_function<Exact_rational>&, const Weight_options&);
+template class Local_weights<double>;
 template class Local_weights<Exact_rational>;
 template class Homogeneous_spline<double, 2>;
 template class Homogeneous_spline<double, 3>;

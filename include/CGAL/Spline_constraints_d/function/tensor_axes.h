@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Value_and_gradient.h>
 #include <CGAL/Spline_constraints_d/function/bernstein_kernels.h>
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Interval_nt.h>
@@ -118,7 +119,7 @@ std::size_t tensor_size(const std::vector<int>& degrees);
 
 // The same for degrees that come from outside: throws when one is negative or the size cannot be represented.
 template <class NT>
-inline std::size_t checked_tensor_size(const std::vector<int>& degrees, std::string_view who)
+std::size_t checked_tensor_size(const std::vector<int>& degrees, std::string_view who)
 {
   const std::size_t limit = static_cast<std::size_t>((std::numeric_limits<std::ptrdiff_t>::max)()) / sizeof(NT);
   std::size_t size = 1;
@@ -133,6 +134,11 @@ inline std::size_t checked_tensor_size(const std::vector<int>& degrees, std::str
   }
   return size;
 }
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template std::size_t checked_tensor_size<double>(const std::vector<int>&, std::string_view);
+extern template std::size_t checked_tensor_size<Exact_rational>(const std::vector<int>&, std::string_view);
+#endif
 
 // A tensor seen along one of its axes.
 Axis_view axis_view(const std::vector<int>& degrees, std::size_t axis);

@@ -116,6 +116,7 @@ private:
 
   // All orders over the denominator of the first one, which those of the others divide.
   void add_weights(std::vector<std::vector<Short_integer>>& all, Integer_weights weights)
+    requires is_exact_rational<NT>
   {
     if (all.empty())
       m_denominator *= m_denominator_of_axis = weights.denominator;
@@ -160,6 +161,7 @@ private:
 };
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template class Local_weights<double>;
 extern template class Local_weights<Exact_rational>;
 #endif
 

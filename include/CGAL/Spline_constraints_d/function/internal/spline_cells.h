@@ -76,6 +76,12 @@ bool has_bezier_points(const Knot_axis<NT>& axis, std::size_t cells)
   return axis.is_clamped() && axis.size() == static_cast<std::size_t>(axis.degree) * cells + 1;
 }
 
+#define CGAL_SPLINE_CONSTRAINTS_SPLINE_CELLS(EXTERN, NT)                                                               \
+  EXTERN template std::vector<Bernstein_tensor<NT>> pieces_on_cells<NT>(const std::vector<Knot_axis<NT>>&,             \
+                                                                        std::vector<NT>, const Break_grid<NT>&);       \
+  EXTERN template std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells<NT>(                          \
+      const std::vector<int>&, const Break_grid<NT>&, const std::vector<Bernstein_tensor<NT>>&);
+
 // The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is
 // as fine as the knots at least.
 template <class NT>
@@ -126,6 +132,11 @@ std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells(const std
   }
   return {std::move(axes), std::move(data)};
 }
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_SPLINE_CELLS(extern, double)
+CGAL_SPLINE_CONSTRAINTS_SPLINE_CELLS(extern, Exact_rational)
+#endif
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -255,6 +255,19 @@ private:
   }
 };
 
+#define CGAL_SPLINE_CONSTRAINTS_BSPLINE_CURVES(EXTERN, NT)                                                             \
+  EXTERN template class Parametric_spline<Bspline_curve<CGAL::Simple_cartesian<NT>, 2>,                                \
+                                          CGAL::Simple_cartesian<NT>, 2>;                                              \
+  EXTERN template class Parametric_spline<Bspline_curve<CGAL::Simple_cartesian<NT>, 3>,                                \
+                                          CGAL::Simple_cartesian<NT>, 3>;                                              \
+  EXTERN template class Bspline_curve<CGAL::Simple_cartesian<NT>, 2>;                                                  \
+  EXTERN template class Bspline_curve<CGAL::Simple_cartesian<NT>, 3>;
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_CURVES(extern, double)
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_CURVES(extern, Exact_rational)
+#endif
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

@@ -357,6 +357,8 @@ private:
 };
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template int certified_weight_sign(const Bspline_function<double>&, const Weight_options&);
+extern template int certified_weight_sign(const Bspline_function<Exact_rational>&, const Weight_options&);
 extern template class Homogeneous_spline<double, 2>;
 extern template class Homogeneous_spline<double, 3>;
 extern template class Homogeneous_spline<Exact_rational, 2>;

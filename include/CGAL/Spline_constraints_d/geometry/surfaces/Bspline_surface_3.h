@@ -247,6 +247,16 @@ private:
   }
 };
 
+#define CGAL_SPLINE_CONSTRAINTS_BSPLINE_SURFACES(EXTERN, NT)                                                           \
+  EXTERN template class Parametric_spline<Bspline_surface_3<CGAL::Simple_cartesian<NT>>,                               \
+                                          CGAL::Simple_cartesian<NT>, 3>;                                              \
+  EXTERN template class Bspline_surface_3<CGAL::Simple_cartesian<NT>>;
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_SURFACES(extern, double)
+CGAL_SPLINE_CONSTRAINTS_BSPLINE_SURFACES(extern, Exact_rational)
+#endif
+
 } // namespace Spline_constraints
 } // namespace CGAL
 
