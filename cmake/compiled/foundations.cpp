@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_VTP.h>
 #include <CGAL/Spline_constraints_d/IO/write_minibex.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/function.h>
 #include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
 #include <CGAL/Spline_constraints_d/function/internal/decompositions.h>

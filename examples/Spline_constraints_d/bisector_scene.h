@@ -10,7 +10,7 @@
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
-#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/bisector_parts_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
 
@@ -159,16 +159,6 @@ inline Mesh show(const std::string& name, const SC::Rational_bisector_3& bisecto
   std::cout << name << ": degree (" << bisector.degree(0) << ',' << bisector.degree(1) << "), " << parts
             << (parts == 1 ? " part\n" : " parts\n");
   return mesh_of(SC::bisector_parts(bisector, reach), {SC::WITH_POSITIVE_WEIGHT, SC::WITH_NEGATIVE_WEIGHT}, 0.06);
-}
-
-inline bool write_mesh(const std::string& path, const Mesh& mesh)
-{
-  std::ofstream file(path);
-  if (path.ends_with(".vtp"))
-    SC::IO::write_VTP(file, mesh);
-  else
-    CGAL::IO::write_OFF(file, mesh);
-  return static_cast<bool>(file);
 }
 
 #endif // BISECTOR_SCENE_H

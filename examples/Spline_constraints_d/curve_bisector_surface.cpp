@@ -45,8 +45,8 @@ int of_files(const Bisector_arguments& arguments)
       group.add(mesh);
       std::ofstream file(arguments.output);
       scene.write(file);
-    } else if (!write_mesh(arguments.output, mesh))
-      throw SC::Invalid_input(arguments.output + ": cannot be written");
+    } else
+      SC::IO::write_surface_mesh(arguments.output, mesh);
   }
   const char* const least = is_complete ? "" : "at least ";
   std::cout << "bisector: degree (" << bisector.degree(0) << ',' << bisector.degree(1) << "), " << least << parts

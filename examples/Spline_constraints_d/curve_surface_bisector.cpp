@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/curve_surface_bisector.h>
 
 #include <exception>
+#include <fstream>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -38,7 +39,7 @@ try {
   if (argc != 4)
     throw SC::Invalid_input("usage: curve_surface_bisector CURVE SURFACE RADIUS");
   const auto bisector = SC::curve_surface_bisector(curve_in(argv[1]), surface_in(argv[2]), std::stod(argv[3]));
-  write_envelope("curve_surface_bisector.vtp", bisector.mesh());
+  SC::IO::write_surface_mesh("curve_surface_bisector.vtp", bisector.mesh());
   return print_envelope(bisector);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

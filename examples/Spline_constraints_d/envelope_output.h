@@ -9,14 +9,13 @@
 #include <CGAL/Spline_constraints_d/IO/Scene_3.h>
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
-#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 
 #include <CGAL/IO/Color.h>
 
 #include <cstddef>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -137,25 +136,6 @@ inline Surface_operand surface_of_heights(const std::vector<double>& heights)
     for (int j = 0; j < 4; ++j)
       points.emplace_back(2 * i - 3, 2 * j - 3, heights[static_cast<std::size_t>(4 * i + j)]);
   return Surface_operand({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
-}
-
-// Triangles alone into .off, .ply and .stl, with all unknowns, normals and curvatures into .vtp.
-inline void write_envelope(const std::string& path, const CGAL::Spline_constraints::Solution_surface_mesh& mesh)
-{
-  std::ofstream out(path);
-  out.precision(17);
-  if (path.ends_with(".off"))
-    CGAL::IO::write_OFF(out, mesh.mesh);
-  else if (path.ends_with(".ply"))
-    CGAL::IO::write_PLY(out, mesh.mesh);
-  else if (path.ends_with(".stl"))
-    CGAL::IO::write_STL(out, mesh.mesh);
-  else if (path.ends_with(".vtp"))
-    CGAL::Spline_constraints::IO::write_VTP(out, mesh);
-  else
-    throw CGAL::Spline_constraints::Invalid_input("--output: " + path + " ends neither with .off, .ply, .stl nor .vtp");
-  if (!out.flush())
-    throw CGAL::Spline_constraints::Invalid_input("--output: " + path + " cannot be written");
 }
 
 #endif // ENVELOPE_OUTPUT_H

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/envelope_surface.h>
 
 #include <exception>
+#include <fstream>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -42,7 +43,7 @@ try {
   if (argc != 3)
     throw SC::Invalid_input("usage: envelope_surface A B");
   const auto envelope = SC::envelope_surface(surface_in(argv[1]), surface_in(argv[2]));
-  write_envelope("envelope_surface.vtp", envelope.mesh());
+  SC::IO::write_surface_mesh("envelope_surface.vtp", envelope.mesh());
   return print_envelope(envelope);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
 
 #include <exception>
+#include <fstream>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -33,7 +34,7 @@ try {
   if (argc != 3)
     throw SC::Invalid_input("usage: offset_surface SURFACE DISTANCE");
   const auto offset = SC::offset_surface(surface_in(argv[1]), std::stod(argv[2]));
-  write_envelope("offset_surface.vtp", offset.mesh());
+  SC::IO::write_surface_mesh("offset_surface.vtp", offset.mesh());
   return print_envelope(offset);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -12,6 +12,7 @@
 #include "arguments.h"
 
 #include <CGAL/Spline_constraints_d/IO/Scene_3.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/operations/smooth_surfaces/smooth_surfaces_3.h>
 
 #include <CGAL/IO/Color.h>
@@ -73,20 +74,12 @@ void draw(SC::Scene_3& scene, Mesh mesh, const Color& color, const K::Vector_3& 
 
 void write(const std::string& path, const Mesh& mesh)
 {
+  if (!path.ends_with(".svg"))
+    return SC::IO::write_surface_mesh(path, mesh);
+  SC::Scene_3 scene;
+  draw(scene, mesh, Color(150, 195, 235), {0, 0, 0}, {}, true);
   std::ofstream out(path);
-  out.precision(17);
-  if (path.ends_with(".off"))
-    CGAL::IO::write_OFF(out, mesh);
-  else if (path.ends_with(".ply"))
-    CGAL::IO::write_PLY(out, mesh);
-  else if (path.ends_with(".stl"))
-    CGAL::IO::write_STL(out, mesh);
-  else if (path.ends_with(".svg")) {
-    SC::Scene_3 scene;
-    draw(scene, mesh, Color(150, 195, 235), {0, 0, 0}, {}, true);
-    scene.write(out);
-  } else
-    throw SC::Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .svg");
+  scene.write(out);
   if (!out.flush())
     throw SC::Invalid_input("--output: " + path + " cannot be written");
 }

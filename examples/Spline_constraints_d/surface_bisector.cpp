@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fstream>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -64,7 +65,7 @@ try {
     std::ofstream picture(output);
     draw_between(picture, first, second, {mesh});
   } else
-    write_envelope(output, mesh);
+    SC::IO::write_surface_mesh(output, mesh);
   return print_envelope(bisector);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -7,7 +7,7 @@
 #define SURFACE_OUTPUT_H
 
 #include <CGAL/Spline_constraints_d/IO/Scene_3.h>
-#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/solver/surface_mesh.h>
 
 #include <CGAL/IO/Color.h>
@@ -34,25 +34,15 @@ inline void draw_surfaces(std::ostream& out, const CGAL::Spline_constraints::Sol
 inline void write_surfaces(const std::string& path, const CGAL::Spline_constraints::Surface_solution_set_d& set,
                            double chord_error)
 {
-  using CGAL::Spline_constraints::Invalid_input;
   using CGAL::Spline_constraints::View_3;
   const auto surfaces = CGAL::Spline_constraints::to_surface_mesh(set, {.chord_error = chord_error});
-  std::ofstream out(path);
-  out.precision(17);
-  if (path.ends_with(".off"))
-    CGAL::IO::write_OFF(out, surfaces.mesh);
-  else if (path.ends_with(".ply"))
-    CGAL::IO::write_PLY(out, surfaces.mesh);
-  else if (path.ends_with(".stl"))
-    CGAL::IO::write_STL(out, surfaces.mesh);
-  else if (path.ends_with(".vtp"))
-    CGAL::Spline_constraints::IO::write_VTP(out, surfaces);
-  else if (path.ends_with(".svg"))
+  if (path.ends_with(".svg")) {
+    std::ofstream out(path);
     draw_surfaces(out, surfaces, set.dimension() > 3 ? View_3{.most_splits = 2000} : View_3()); // may cross themselves
-  else
-    throw Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .vtp or .svg");
-  if (!out.flush())
-    throw Invalid_input("--output: " + path + " cannot be written");
+    if (!out.flush())
+      throw CGAL::Spline_constraints::Invalid_input("--output: " + path + " cannot be written");
+  } else
+    CGAL::Spline_constraints::IO::write_surface_mesh(path, surfaces);
   std::cout << "mesh: " << surfaces.mesh.number_of_vertices() << " vertices, " << surfaces.mesh.number_of_faces()
             << " triangles, error " << surfaces.error << '\n';
 }

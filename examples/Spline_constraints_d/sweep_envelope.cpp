@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fstream>
 
 namespace SC = CGAL::Spline_constraints;
 using Point = Kernel_of_operands::Point_3;
@@ -59,7 +60,7 @@ try {
   const auto envelope =
       SC::sweep_envelope(surface_in(arguments[0]), SC::Rational_motion_3::along(curve_in(arguments[1])));
   if (arguments.size() == 4)
-    write_envelope(arguments[3], envelope.mesh());
+    SC::IO::write_surface_mesh(arguments[3], envelope.mesh());
   return print_envelope(envelope);
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -36,8 +36,8 @@ inline int report(const SC::Trimmed_bisector_3& bisector, const Surface& surface
       group.add(mesh);
       std::ofstream file(arguments.output);
       scene.write(file);
-    } else if (!write_mesh(arguments.output, mesh))
-      throw SC::Invalid_input(arguments.output + ": cannot be written");
+    } else
+      SC::IO::write_surface_mesh(arguments.output, mesh);
   }
   const char* const least = is_complete ? "" : "at least ";
   std::cout << "bisector: degree (" << bisector.bisector().degree(0) << ',' << bisector.bisector().degree(1) << "), "

@@ -25,6 +25,7 @@
 #include <CGAL/Spline_constraints_d/IO/write_g2.h>
 #include <CGAL/Spline_constraints_d/IO/write_minibex.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
+#include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 
 #if __has_include(<pugixml.hpp>)
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
