@@ -185,6 +185,53 @@ TEST(Propagation, large_systems)
   complete(everywhere(100, 100), tridiagonal(100), 2);
   complete(everywhere(300, 100), banded(300), 1);
   complete(everywhere(40, 100000000), coupled_cubics(40), 9);
+  complete(everywhere(200, 100000000), coupled_cubics(200), 13);
+}
+
+// Unknowns with a function of another one each as their value: those whose range says no more are replaced, others cut
+// off solutions.
+TEST(Propagation, explicit_unknowns)
+{
+  Planted_simple_roots planted(20261130);
+  std::size_t found = 0, cut_off = 0;
+  for (int k = 0; k < 40; ++k) {
+    const auto [problem, polynomials] = planted.make_polynomials(1 + k % 3);
+    SCOPED_TRACE(k);
+    const int n = problem.system.dimension();
+    const auto value_of = []<class T>(const T& x) { return T(x * x * x / 3 - 2 * x); };
+    std::vector<Power_polynomial> named = polynomials;
+    for (int j = 0; j < n; ++j) {
+      const Power_polynomial difference = value_of(Power_polynomial::variable(j)) - Power_polynomial::variable(n + j);
+      named.push_back(difference / 7);
+      for (int i = 0; i < n; ++i)
+        named[i] += (i + j + 1) * difference;
+    }
+    for (const bool is_cut : {false, true}) {
+      Domain domain = domain_of_problem(problem);
+      const Rational far(1000000000);
+      for (int j = 0; j < n; ++j)
+        domain.emplace_back(is_cut && j == k % n ? Rational(0) : Rational(-far), far);
+      std::vector<Point> expected;
+      for (Point point : problem.known) {
+        for (int j = 0; j < n; ++j)
+          point.push_back(value_of(point[j].lower));
+        if (point[n + k % n].lower >= domain[n + k % n].first)
+          expected.push_back(point);
+        else
+          ++cut_off;
+      }
+      const auto solutions = complete(domain, equalities(named), expected.size());
+      for (const Point& point : expected) {
+        std::size_t holders = 0;
+        for (const auto& solution : solutions)
+          holders += meets(solution.exact_box(), point);
+        EXPECT_EQ(holders, 1u) << text_of(point);
+      }
+      found += expected.size();
+    }
+  }
+  EXPECT_GT(found, 150u);
+  EXPECT_GT(cut_off, 20u);
 }
 
 TEST(Propagation, multiple_solutions_and_faces)
@@ -333,6 +380,47 @@ TEST(Propagation, sparse_elimination_inverts)
         EXPECT_NEAR(row[j], j == unknown ? 1 : 0, 1e-12);
     }
   }
+}
+
+// An arrow is not filled in: rows that are sums of many are left in others, which have only unknowns of later pivots
+// besides their own one.
+TEST(Propagation, sparse_elimination_of_arrows)
+{
+  Random_numbers random(11);
+  const int n = 300;
+  SC::internal::Sparse_elimination elimination(n);
+  std::vector<std::vector<double>> matrix(n, std::vector<double>(n, 0.0));
+  const auto add = [&](int i, int j, double value) {
+    matrix[i][j] = value;
+    elimination.add_entry(i, j, value);
+  };
+  elimination.begin();
+  for (int i = 0; i + 1 < n; ++i) {
+    add(i, i, random.integer(5, 9));
+    add(i, n - 1, 1);
+    add(n - 1, i, 1);
+  }
+  add(n - 1, n - 1, -1);
+  for (int i = 0; i < n; ++i)
+    elimination.set_radius(i, 0);
+  elimination.run([] {});
+  ASSERT_EQ(elimination.solved_rows().size(), static_cast<std::size_t>(n));
+  std::vector<int> step(n, -1);
+  for (int k = 0; k < n; ++k)
+    step[elimination.pivot(elimination.solved_rows()[k])] = k;
+  std::size_t size = 0;
+  for (int i = 0; i < n; ++i) {
+    std::vector<double> row(n, 0.0);
+    size += elimination.multipliers(i).size();
+    for (const auto& [equation, factor] : elimination.multipliers(i))
+      for (int j = 0; j < n; ++j)
+        row[j] += factor * matrix[equation][j];
+    const int unknown = elimination.pivot(i);
+    EXPECT_NEAR(row[unknown], 1, 1e-12);
+    for (int j = 0; j < n; ++j)
+      EXPECT_TRUE(step[j] > step[unknown] || j == unknown || std::abs(row[j]) < 1e-12) << i << ' ' << j;
+  }
+  EXPECT_LT(size, static_cast<std::size_t>(4 * n));
 }
 
 } // namespace propagation_test

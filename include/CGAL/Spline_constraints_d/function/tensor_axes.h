@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Value_and_gradient.h>
 #include <CGAL/Spline_constraints_d/function/bernstein_kernels.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Interval_nt.h>

@@ -144,16 +144,20 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_sparsely()
   visit_equalities([&](int i, int j, double slope) { m_sparse->add_entry(i, j, slope); },
                    [&](int i, double radius) { m_sparse->set_radius(i, radius); });
   m_sparse->run(m_check);
-  bool is_any = false;
-  for (int i = 0; i < m_dimension; ++i) {
-    Row& row = m_rows[i];
+  int count = 0;
+  const auto add_row = [&](int i) {
+    Row& row = m_rows[count++];
     row.unknown = m_sparse->pivot(i);
     row.multiples.clear();
     for (const auto& [k, part] : m_sparse->multipliers(i))
       row.multiples.emplace_back(m_system.equalities()[k], part);
-    is_any = is_any || row.unknown >= 0;
-  }
-  return is_any && has_finite_multiples();
+  };
+  const std::vector<int>& solved_rows = m_sparse->solved_rows();
+  std::for_each(solved_rows.rbegin(), solved_rows.rend(), add_row);
+  for (int i = 0; i < m_dimension; ++i)
+    if (m_sparse->pivot(i) < 0)
+      add_row(i);
+  return !solved_rows.empty() && has_finite_multiples();
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::invert_densely()

@@ -26,7 +26,9 @@ namespace internal {
 Gauss-Jordan of sparse rows with interval right-hand sides, weighed as by Row_elimination: by what a row can still
 contract; of pivots that are about as good, the one that makes the fewest new entries (Markowitz). Entries far below the
 interval part of their row are dropped, so that the inverse stays sparse where its entries decay; what is done with the
-rows does not depend on it, for they are formed anew with the multipliers that come out.
+rows does not depend on it, for they are formed anew with the multipliers that come out. A row that is the sum of many
+is taken away from rows without a pivot only: those that have one keep its unknown, as in Gauss's elimination, and bound
+their own one after it, if they are used in the reverse order of solved_rows().
 */
 class Sparse_elimination
 {
@@ -48,10 +50,11 @@ private:
   std::vector<std::vector<int>> m_rows_of; // where a column may have an entry
   std::vector<double> m_work;
   std::vector<char> m_mark;
-  std::vector<int> m_touched, m_others;
+  std::vector<int> m_touched, m_others, m_solved_rows;
 
   static constexpr double least_entry = 1e-3; // beside the radius of the row
   static constexpr double about_as_good = 0.9;
+  static constexpr std::size_t most_multipliers = 64; // that are added to rows which have a pivot
 
 public:
   explicit Sparse_elimination(int size)
@@ -68,6 +71,7 @@ public:
       m_rows_of[i].clear();
       m_is_done[i] = 0;
     }
+    m_solved_rows.clear();
   }
   void add_entry(int row, int column, double value)
   {
@@ -79,6 +83,8 @@ public:
   // `check()` may end the work by an exception.
   void run(const std::function<void()>& check);
 
+  // Those with a pivot, in the order of their elimination.
+  const std::vector<int>& solved_rows() const { return m_solved_rows; }
   // The column that a row was solved for, or -1.
   int pivot(int row) const { return m_rows[row].pivot; }
   // The multiples of rows that it is the sum of now.
@@ -100,9 +106,14 @@ private:
   }
 
   int next_pivot() const;
+  std::pair<int, double> cheapest_pivot(double least_weight) const;
   void eliminate(int pivot_row);
   template <class Stays>
   void add_multiple(Row& target, double factor, const Row& source, const Stays& stays);
+  template <class Stays>
+  void add_short_multiple(Row& target, double factor, const Row& source, const Stays& stays);
+  template <class Stays>
+  void add_long_multiple(Row& target, double factor, const Row& source, const Stays& stays);
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -125,31 +136,67 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_elimination::run(const std::function<
   }
 }
 
-// Of rows that can still contract, and weigh nearly as much as any.
+// Of rows that can still contract, and weigh nearly as much as any; or less, where that would fill many rows.
 CGAL_SPLINE_CONSTRAINTS_INLINE int Sparse_elimination::next_pivot() const
 {
+  constexpr double many_entries = 4096, still_good = 0.05;
   double best = 1e-16;
   for (const Own& row : m_rows)
     if (row.pivot < 0 && row.candidate >= 0)
       best = (std::max)(best, row.largest * row.scale);
-  int result = -1;
-  double least_cost = 0;
+  const auto [result, cost] = cheapest_pivot(about_as_good * best);
+  return cost > many_entries ? cheapest_pivot(still_good * best).first : result;
+}
+
+// With the bound for new entries.
+CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<int, double> Sparse_elimination::cheapest_pivot(double least_weight) const
+{
+  std::pair<int, double> result(-1, 0.0);
   for (int i = 0; i < m_size; ++i) {
     const Own& row = m_rows[i];
-    if (row.pivot >= 0 || row.candidate < 0 || !(row.largest * row.scale >= about_as_good * best))
+    if (row.pivot >= 0 || row.candidate < 0 || !(row.largest * row.scale >= least_weight))
       continue;
     const double cost = (row.entries.size() - 1.0) * (m_rows_of[row.candidate].size() - 1.0);
-    if (result < 0 || cost < least_cost) {
-      result = i;
-      least_cost = cost;
-    }
+    if (result.first < 0 || cost < result.second)
+      result = {i, cost};
   }
   return result;
 }
 
-// `stays(place, value, is_new)`: whether an entry is kept.
+// `stays(place, value, is_new)`: whether an entry that was changed is kept.
 template <class Stays>
 void Sparse_elimination::add_multiple(Row& target, double factor, const Row& source, const Stays& stays)
+{
+  constexpr std::size_t times_as_long = 8;
+  if (target.size() > times_as_long * source.size())
+    add_short_multiple(target, factor, source, stays);
+  else
+    add_long_multiple(target, factor, source, stays);
+}
+
+// To a long row, of which most is left as it is.
+template <class Stays>
+void Sparse_elimination::add_short_multiple(Row& target, double factor, const Row& source, const Stays& stays)
+{
+  for (const auto& [place, value] : source) {
+    const auto found =
+        std::find_if(target.begin(), target.end(), [&, &p = place](const Entry& entry) { return entry.first == p; });
+    const bool is_new = found == target.end();
+    const double sum = factor * value + (is_new ? 0 : found->second);
+    const bool is_kept = stays(place, sum, is_new);
+    if (is_kept && is_new)
+      target.emplace_back(place, sum);
+    else if (is_kept)
+      found->second = sum;
+    else if (!is_new) {
+      *found = target.back();
+      target.pop_back();
+    }
+  }
+}
+
+template <class Stays>
+void Sparse_elimination::add_long_multiple(Row& target, double factor, const Row& source, const Stays& stays)
 {
   enum : char
   {
@@ -193,10 +240,14 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_elimination::eliminate(int pivot_row)
   for (auto& [place, value] : solved.multipliers)
     value /= entry;
   solved.radius /= std::abs(entry);
+  m_solved_rows.push_back(pivot_row);
+  const bool is_sum_of_many = solved.multipliers.size() > most_multipliers;
   m_others.swap(m_rows_of[column]);
   m_rows_of[column].clear();
   for (const int i : m_others) {
     Own& row = m_rows[i];
+    if (is_sum_of_many && row.pivot >= 0)
+      continue;
     double factor = 0;
     if (i != pivot_row)
       for (const auto& [place, value] : row.entries)

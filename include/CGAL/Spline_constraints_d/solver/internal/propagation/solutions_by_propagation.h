@@ -20,6 +20,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Common_part.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Explicit_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Propagation_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
@@ -103,8 +104,8 @@ private:
   }
 
   void search();
-  void search(const Sparse_system& system, const Box_of_ranges& box);
-  void add_root(Proved_root root, const Sparse_system& system);
+  void search(const Sparse_system& system, const Box_of_ranges& box, const Explicit_unknowns& explicit_unknowns);
+  void add_root(const Proved_root& root, const Sparse_system& system, const Explicit_unknowns& explicit_unknowns);
   void settle_open();
   void settle(const Box_of_ranges& box);
   void add_settled(Solution solution);
@@ -187,42 +188,48 @@ inline bool forgets_common_part(Proved_root& root, const Sparse_system& system)
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search()
 {
   const auto check = [this] { m_control.check(); };
-  const Common_part common(m_constraints, dimension(), check);
+  const Explicit_unknowns explicit_unknowns(box_of_domain(), m_constraints, check);
+  const int dimension = explicit_unknowns.dimension();
+  Box_of_ranges box = explicit_unknowns.reduced(box_of_domain());
+  const Common_part common(explicit_unknowns.constraints(), dimension, check);
   if (common.is_found()) {
-    const Sparse_system system(dimension() + 1, common.constraints(), check);
-    Box_of_ranges box = box_of_domain();
+    const Sparse_system system(dimension + 1, common.constraints(), check);
     box.push_back(Interval(0));
     box.back() = system.value(system.constraints() - 1, box);
     if (is_finite(box.back())) {
-      search(system, box);
+      search(system, box, explicit_unknowns);
       return;
     }
+    box.pop_back();
   }
-  search(Sparse_system(dimension(), m_constraints, check), box_of_domain());
+  search(Sparse_system(dimension, explicit_unknowns.constraints(), check), box, explicit_unknowns);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Sparse_system& system,
-                                                                     const Box_of_ranges& box)
+                                                                     const Box_of_ranges& box,
+                                                                     const Explicit_unknowns& explicit_unknowns)
 {
+  const int dimension = explicit_unknowns.dimension();
+  const auto expanded = [&](Box_of_ranges ranges) {
+    ranges.resize(dimension);
+    return explicit_unknowns.expanded(ranges);
+  };
   Propagation_search search(system, m_options, m_control);
   search.run(box);
   m_summary.nodes += search.nodes();
   for (Proved_root& root : search.roots())
-    if (system.dimension() == dimension() || forgets_common_part(root, system))
-      add_root(std::move(root), system);
+    if (system.dimension() == dimension || forgets_common_part(root, system))
+      add_root(root, system, explicit_unknowns);
     else
-      m_open.push_back(std::move(root.enclosure));
-  for (Box_of_ranges open : search.undecided()) {
-    open.resize(dimension());
-    m_open.push_back(std::move(open));
-  }
+      m_open.push_back(expanded(root.enclosure));
+  for (const Box_of_ranges& open : search.undecided())
+    m_open.push_back(expanded(open));
   if (!search.rest().empty()) {
     Box_of_ranges hull = search.rest().front();
     for (const Box_of_ranges& part : search.rest())
       for (std::size_t j = 0; j < hull.size(); ++j)
         hull[j] = Interval((std::min)(hull[j].inf(), part[j].inf()), (std::max)(hull[j].sup(), part[j].sup()));
-    hull.resize(dimension());
-    add_undecided(hull, search.reason());
+    add_undecided(expanded(hull), search.reason());
   }
 }
 
@@ -255,17 +262,25 @@ inline Whereabouts place_of_point(const std::vector<Exact_rational>& point,
   return satisfies ? Whereabouts::INSIDE : Whereabouts::OUTSIDE;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_root root, const Sparse_system& system)
+// With the values of explicit unknowns. In the region no other root has those that it has there, whichever they are.
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(const Proved_root& found,
+                                                                       const Sparse_system& system,
+                                                                       const Explicit_unknowns& explicit_unknowns)
 {
+  Proved_root root{explicit_unknowns.expanded(found.enclosure), explicit_unknowns.expanded(found.region)};
+  for (std::size_t j = 0; j < root.region.size(); ++j)
+    root.region[j] = Interval((std::min)(root.region[j].inf(), root.enclosure[j].inf()),
+                              (std::max)(root.region[j].sup(), root.enclosure[j].sup()));
   Whereabouts place = place_in_domain(root.enclosure, m_domain);
   if (place != Whereabouts::OUTSIDE) {
     // a common part is subtracted from inequalities, too: its unknown is its value there
-    Box_of_ranges box = root.enclosure;
-    if (system.dimension() > dimension()) {
+    Box_of_ranges box = found.enclosure;
+    if (system.dimension() > explicit_unknowns.dimension()) {
       box.push_back(Interval(0));
       box.back() = system.value(system.constraints() - 1, box);
     }
-    if (const Whereabouts other = place_in_inequalities(box, system, m_constraints); other != Whereabouts::INSIDE)
+    const auto other = place_in_inequalities(box, system, explicit_unknowns.constraints());
+    if (other != Whereabouts::INSIDE)
       place = other;
   }
   if (place == Whereabouts::OPEN)
