@@ -59,6 +59,8 @@ public:
 
   void add_work_of(const Budgeted_solver& limited);
 
+  bool has_node_limit() const { return m_budget.has_node_limit(); }
+
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_budget.has_reached_node_limit(); }
 

@@ -59,6 +59,7 @@ public:
   void add(const Summary& work) { m_total += work; }
   const Summary& total() const { return m_total; }
 
+  bool has_node_limit() const { return m_options.node_limit > 0; }
   bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_total.nodes >= m_options.node_limit; }
 
   // For a few more nodes at most.

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/doubles/Crossing_search.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/regular_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -37,7 +38,7 @@ template <int d>
 class Regular_finder
 {
   using Operand = Elementary_operand<d>;
-  static constexpr std::size_t most_nodes = d == 2 ? 500 : 250;   // those after which others look at the pair
+  static constexpr std::size_t most_nodes = d == 2 ? 500 : 250; // those after which others look at the pair
 
   const Operand &m_first, &m_second;
   std::size_t m_split, m_size;
@@ -52,12 +53,14 @@ public:
   {
     if (!has_direct_equations())
       return {};
+    if (auto crossings = crossings_in_doubles(solve); crossings && are_seen_to_be_regular(*crossings))
+      return {std::nullopt, regular_points(std::move(*crossings))};
     Budgeted_solver limited = solve.limited(most_nodes);
     Solution_set_d<double> solutions = limited(system());
     solve.add_work_of(limited);
     if (limited.has_reached_node_limit())
       return {};
-    if (!std::all_of(solutions.begin(), solutions.end(), [&](const auto& x) { return is_seen_to_be_regular(x); }))
+    if (!are_seen_to_be_regular(solutions))
       return {std::move(solutions)};
     return {std::nullopt, regular_points(std::move(solutions).solutions())};
   }
@@ -76,6 +79,24 @@ private:
              });
     };
     return m_size == d && is_curved(m_first) && is_curved(m_second);
+  }
+
+  // The solutions of two planar curves that cross in all common points, if they are seen to; limits are left to the
+  // solver.
+  std::optional<std::vector<Solution_d<double>>> crossings_in_doubles(Budgeted_solver& solve) const
+  {
+    if constexpr (d == 2)
+      if (!solve.has_node_limit() && !solve.must_stop() && Crossing_search::can_search(m_first.coefficients) &&
+          Crossing_search::can_search(m_second.coefficients)) {
+        Crossing_search search(m_first.coefficients, m_second.coefficients);
+        const std::size_t most_points = static_cast<std::size_t>(m_first.degrees[0] * m_second.degrees[0]);
+        auto result = search(200 + 20 * most_points);
+        Summary work;
+        work.nodes = search.nodes();
+        solve.budget().add(work);
+        return result;
+      }
+    return std::nullopt;
   }
 
   Constraint_system_d system() const
@@ -97,9 +118,8 @@ private:
       degrees.push_back(x.degrees[axis]);
       unknowns.push_back(static_cast<int>(first_unknown + axis));
     }
-    return Spline_function::from_bernstein(
-        std::move(unknowns),
-        Bernstein_tensor<double>(std::move(degrees), std::move(coefficients)));
+    return Spline_function::from_bernstein(std::move(unknowns),
+                                           Bernstein_tensor<double>(std::move(degrees), std::move(coefficients)));
   }
 
   Elementary_points<d> regular_points(std::vector<Solution_d<double>> solutions) const
@@ -122,6 +142,12 @@ private:
     }
     result.points.sort(is_before<d>);
     return result;
+  }
+
+  template <class Solutions>
+  bool are_seen_to_be_regular(const Solutions& solutions) const
+  {
+    return std::all_of(solutions.begin(), solutions.end(), [&](const auto& x) { return is_seen_to_be_regular(x); });
   }
 
   // Whether there is no more to tell of a solution.
