@@ -90,11 +90,9 @@ public:
               std::vector<double>& point)
   {
     const std::size_t n = point.size(), m = inverse.size() / n;
-    m_values.resize(layout.functions);
     m_next.resize(n);
-    m_work.resize(layout.size);
     for (double last = 0.5;;) {
-      evaluate(layout, coefficients, point);
+      values(layout, coefficients, point);
       double largest = 0;
       for (std::size_t j = 0; j < n; ++j) {
         double step = 0;
@@ -112,11 +110,12 @@ public:
     }
   }
 
-private:
-  // Fills m_values, axis by axis of each block.
-  void evaluate(const System_layout& layout, const double* coefficients, const std::vector<double>& point)
+  // Of all functions at a point, axis by axis of each block; they stay until the next call.
+  const std::vector<double>& values(const System_layout& layout, const double* coefficients,
+                                    const std::vector<double>& point)
   {
-    std::fill(m_values.begin(), m_values.end(), 0.0);
+    m_values.assign(static_cast<std::size_t>(layout.functions), 0.0);
+    m_work.resize(layout.size);
     double* work = m_work.data();
     for (const Block& block : layout.blocks) {
       const double* rest = coefficients + block.offset;
@@ -136,8 +135,10 @@ private:
       }
       add_to_values(block.functions, rest);
     }
+    return m_values;
   }
 
+private:
   // Two by two where the functions follow each other: numbers that are stored one by one wait before they are read as a
   // pair.
   void add_to_values(const std::vector<int>& functions, const double* addend)
