@@ -312,14 +312,27 @@ Value_and_gradient<NT> contracted_gradient(const std::vector<NT>& data, const Co
   return result;
 }
 
+// Axis by axis, in one row.
 template <class NT>
 NT contracted_value(const std::vector<NT>& data, const Contraction_weights<NT>& weights)
 {
-  NT result(0);
-  std::vector<int> orders;
-  contract(data.data(), data.size(), weights, 0, orders,
-           [&](const std::vector<int>&, const NT& value) { result = value; });
-  return result;
+  std::vector<NT> row;
+  std::size_t size = data.size();
+  for (const std::vector<std::vector<NT>>& all_orders : weights) {
+    const std::vector<NT>& factors = all_orders[0];
+    const std::size_t rest = size / factors.size();
+    const NT* source = row.empty() ? data.data() : row.data();
+    if (row.empty())
+      row.resize(rest, NT(0));
+    for (std::size_t s = 0; s < rest; ++s) {
+      NT sum = factors[0] * source[s];
+      for (std::size_t k = 1; k < factors.size(); ++k)
+        sum += factors[k] * source[k * rest + s];
+      row[s] = std::move(sum);   // nothing reads it any more
+    }
+    size = rest;
+  }
+  return row.empty() ? data[0] : row[0];
 }
 
 // The symmetric matrix of second derivatives, row by row.

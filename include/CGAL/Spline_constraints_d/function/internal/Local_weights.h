@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,13 +45,16 @@ class Local_weights
 
 public:
   //! \throws Invalid_input when the point is of the wrong dimension or outside of the domain; `who` begins the message.
-  Local_weights(const std::vector<Knot_axis<NT>>& axes, std::span<const NT> u, int order, const std::string& who)
+  Local_weights(const std::vector<Knot_axis<NT>>& axes, std::span<const NT> u, int order, std::string_view who)
     : m_weights(u.size())
   {
-    check_count(u.size(), axes.size(), who + "parameters of a point");
+    if (u.size() != axes.size())
+      check_count(u.size(), axes.size(), std::string(who) + "parameters of a point");
+    for (std::vector<int>* numbers : {&m_lower, &m_degrees, &m_extents})
+      numbers->reserve(u.size());
     for (std::size_t j = 0; j < u.size(); ++j) {
       if (!(axes[j].begin() <= u[j] && u[j] <= axes[j].end()))
-        throw Invalid_input(who + "parameter " + std::to_string(j) + " is outside of the domain");
+        throw Invalid_input(std::string(who) + "parameter " + std::to_string(j) + " is outside of the domain");
       m_extents.push_back(static_cast<int>(axes[j].size()) - 1);
       if (const bool is_at_begin = u[j] == axes[j].begin();
           order == 0 && (is_at_begin || u[j] == axes[j].end()) && axes[j].is_clamped())
@@ -62,6 +66,9 @@ public:
 
   NT value(const std::vector<NT>& control_points) const
   {
+    if constexpr (!is_exact_rational<NT>)
+      if (is_single_piece())
+        return contracted_value(control_points, m_weights);
     const auto [data, denominator] = numbers(control_points);
     return quotient_of(contracted_value(data, m_weights), denominator);
   }
@@ -126,19 +133,20 @@ private:
     all.push_back(std::move(weights.numerators));
   }
 
+  bool is_single_piece() const { return m_extents == m_degrees; }
+
   // The control points that matter, and what to divide results by.
   std::pair<std::vector<Number>, Number> numbers(const std::vector<NT>& control_points) const
   {
-    const bool is_single_piece = m_extents == m_degrees;
     std::vector<NT> block;
-    if (!is_single_piece)
+    if (!is_single_piece())
       block = tensor_block(control_points, m_extents, m_lower, m_degrees);
     if constexpr (is_exact_rational<NT>) {
       std::vector<Short_integer> numerators;
-      const Short_integer denominator = over_common_denominator(is_single_piece ? control_points : block, numerators);
+      const Short_integer denominator = over_common_denominator(is_single_piece() ? control_points : block, numerators);
       return {std::move(numerators), denominator * m_denominator};
     } else
-      return {is_single_piece ? control_points : std::move(block), m_denominator};
+      return {is_single_piece() ? control_points : std::move(block), m_denominator};
   }
 
   static NT quotient_of(const Number& value, [[maybe_unused]] const Number& denominator)

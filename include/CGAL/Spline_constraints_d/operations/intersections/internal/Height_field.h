@@ -42,8 +42,43 @@ struct Affine_function
   }
 };
 
+// Whether a function is the one that is affine along an axis, with a slope and the value where that begins: its control
+// points are those values at the means of as many knots as the degree says.
+inline bool has_control_points_of(const Exact_function& f, int axis, const Exact_rational& slope,
+                                  const Exact_rational& value)
+{
+  if (f.degree(axis) == 0)
+    return false;
+  const std::size_t size = f.size(axis), inner = axis == 0 ? f.size(1) : 1;
+  std::vector<Exact_rational> expected;
+  for (std::size_t k = 0; k < size; ++k) {
+    Exact_rational sum(0);
+    for (int i = 1; i <= f.degree(axis); ++i)
+      sum += f.knots(axis)[k + static_cast<std::size_t>(i)];
+    expected.emplace_back(value + slope * (sum / f.degree(axis) - f.domain(axis).first));
+  }
+  for (std::size_t k = 0; k < f.coefficients().size(); ++k)
+    if (f.coefficients()[k] != expected[k / inner % size])
+      return false;
+  return true;
+}
+
 // A coordinate of a surface as an affine function of one parameter, if it is that.
-std::optional<Affine_function> as_affine_function(const Exact_function& coordinate);
+inline std::optional<Affine_function> as_affine_function(const Exact_function& coordinate)
+{
+  const auto [u0, u1] = coordinate.domain(0);
+  const auto [v0, v1] = coordinate.domain(1);
+  const auto value = [&](const Exact_rational& u, const Exact_rational& v) { return coordinate(std::array{u, v}); };
+  const std::vector<Exact_rational> corners{value(u0, v0), value(u0, v1), value(u1, v0), value(u1, v1)};
+  const bool is_along_u = corners[0] == corners[1], is_along_v = corners[0] == corners[2];
+  if (is_along_u == is_along_v)
+    return std::nullopt;
+  const Exact_rational slope(is_along_u ? (corners[2] - corners[0]) / (u1 - u0)
+                                        : (corners[1] - corners[0]) / (v1 - v0));
+  if (!has_control_points_of(coordinate, is_along_u ? 0 : 1, slope, corners[0]))
+    return std::nullopt;
+  return Affine_function{is_along_u ? 0u : 1u, slope, Exact_rational(corners[0] - slope * (is_along_u ? u0 : v0))};
+}
 
 // Two surfaces over the same two coordinates, both in the parameters of the first one, where they are both over the
 // same rectangle.
@@ -51,9 +86,14 @@ struct Height_difference
 {
   Exact_function difference;
   Parameter_box domain;
-  std::array<std::array<Affine_function, 2>, 2> parameters;   // of both surfaces
+  std::array<std::array<Affine_function, 2>, 2> parameters; // of both surfaces
 
-  std::vector<Constraint> equations(std::span<const Unknown> u) const;
+  std::vector<Constraint> equations(std::span<const Unknown> u) const
+  {
+    const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}},
+                              {Exact_rational(0)});
+    return {Parametric_vector<3>(Vector_of_functions<3>{difference, zero, zero})(u)[0] == 0};
+  }
 };
 
 /*
@@ -61,38 +101,10 @@ Of two height fields over the coordinates i and j, if they are that: x_i of each
 x_j of the other parameter. Then the parameters of the second one are affine functions of those of the first one each,
 and the difference of the third coordinates is a function of these. None if their rectangles have no interior in common.
 */
-std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int j);
-
-// Over any two coordinates.
-std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b);
-
-#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Affine_function> as_affine_function(const Exact_function& coordinate)
+inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i,
+                                                          int j)
 {
-  const auto [u0, u1] = coordinate.domain(0);
-  const auto [v0, v1] = coordinate.domain(1);
-  const auto value = [&](const Exact_rational& u, const Exact_rational& v) { return coordinate(std::array{u, v}); };
-  const std::vector<Exact_rational> corners{value(u0, v0), value(u0, v1), value(u1, v0), value(u1, v1)};
-  const bool is_along_u = corners[0] == corners[1], is_along_v = corners[0] == corners[2];
-  if (is_along_u == is_along_v ||
-      !(coordinate == Exact_function({1, 1}, {{u0, u0, u1, u1}, {v0, v0, v1, v1}}, corners)))
-    return std::nullopt;
-  const Exact_rational slope(is_along_u ? (corners[2] - corners[0]) / (u1 - u0)
-                                        : (corners[1] - corners[0]) / (v1 - v0));
-  return Affine_function{is_along_u ? 0u : 1u, slope, Exact_rational(corners[0] - slope * (is_along_u ? u0 : v0))};
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Constraint> Height_difference::equations(std::span<const Unknown> u) const
-{
-  const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}},
-                            {Exact_rational(0)});
-  return {Parametric_vector<3>(Vector_of_functions<3>{difference, zero, zero})(u)[0] == 0};
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference>
-height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int j)
-{
-  std::array<std::array<Affine_function, 2>, 2> of_parameters;   // per surface, per coordinate i and j
+  std::array<std::array<Affine_function, 2>, 2> of_parameters; // per surface, per coordinate i and j
   for (std::size_t surface = 0; surface < 2; ++surface) {
     const Spline_patch<3>& patch = surface == 0 ? a : b;
     const std::optional<Affine_function> x = as_affine_function(patch.numerators()[i]),
@@ -130,8 +142,8 @@ height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int
   return result;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference> height_difference(const Spline_patch<3>& a,
-                                                                                  const Spline_patch<3>& b)
+// Over any two coordinates.
+inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b)
 {
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
     if (!a.is_rational() && !b.is_rational())
@@ -139,7 +151,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference> height_differenc
         return result;
   return std::nullopt;
 }
-#endif
 
 } // namespace Intersections
 } // namespace internal
