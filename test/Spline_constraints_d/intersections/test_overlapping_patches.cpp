@@ -65,6 +65,31 @@ TEST(OverlappingPatches, SameQuadricsAndTori)
   expect_overlap(ring, SC::torus_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(0, 3, 0), Rational(1) / 3), "tori");
 }
 
+// Over the same coordinates, in one cell or in all.
+TEST(OverlappingPatches, HeightFields)
+{
+  const auto field = [](const Rational& bend) {
+    std::vector<Point> points;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 3; ++j)
+        points.emplace_back(std::array<Rational, 4>{0, Rational(1) / 2, Rational(3) / 2, 2}[i], j,
+                            i * j + (i == 3 ? bend : Rational(0)));
+    return Surface({2, 2}, {0, 0, 0, 1, 2, 2, 2}, {0, 0, 0, 2, 2, 2}, points);
+  };
+  expect_overlap(field(0), field(0), "same");
+  expect_overlap(field(0), field(1), "in one cell");
+  const auto rectangle = [](const Point& p, const Rational& width, const Rational& depth) {
+    return Surface({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
+                   {p, p + Vector(0, depth, 0), p + Vector(width, 0, 0), p + Vector(width, depth, 0)});
+  };
+  expect_overlap(rectangle(Point(0, 0, 0), 3, 2), rectangle(Point(1, 1, 0), 2, 3), "planes");
+  const Surface oblique({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
+                        {Point(0, 0, 0), Point(-1, 3, 0), Point(2, 1, 0), Point(1, 4, 0)});
+  expect_overlap(oblique, rectangle(Point(0, 1, 0), 3, 2), "planes, oblique");
+  const auto above = SC::intersection_curves(rectangle(Point(0, 0, 0), 3, 2), rectangle(Point(1, 1, 1), 2, 3));
+  EXPECT_TRUE(above.is_complete());
+}
+
 // No open part in common: neighbours, other heights of the same cylinder.
 TEST(OverlappingPatches, NoOverlaps)
 {

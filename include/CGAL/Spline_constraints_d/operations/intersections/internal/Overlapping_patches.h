@@ -56,7 +56,7 @@ public:
     if (are_same_map())
       return true;
     const Power_polynomial* const first = equation(0);
-    if (first == nullptr || !CGAL::is_zero((*first)(point_of_no_symmetry(patch(1)))))   // most pairs end here
+    if (first == nullptr || !CGAL::is_zero((*first)(point_of_no_symmetry(patch(1))))) // most pairs end here
       return false;
     const Power_polynomial* const second = equation(1);
     return has_inner_point_on(0, *first) || (second != nullptr && has_inner_point_on(1, *second));
@@ -168,7 +168,7 @@ private:
   static bool has_point_of(const Implicit_patch& own, const Patch_inverse& inverse, const Patch_cell& cell)
   {
     constexpr int steps = 8;
-    int proofs = 2;   // that are tried
+    int proofs = 2; // that are tried
     for (int i = 1; i < steps; ++i)
       for (int j = 1; j < steps; ++j) {
         const std::array<Exact_rational, 2> u{Exact_rational(i) / steps, Exact_rational(j) / steps};
@@ -210,13 +210,27 @@ private:
   }
 };
 
-// All is undecided of two surfaces that overlap: the parameters of both have four unknowns.
+// Whether two height fields over the same coordinates have an open part in common, in the parameters of one of them:
+// where their difference is zero in a whole cell.
+inline bool are_overlapping_height_fields(const Surface_equations& surfaces)
+{
+  const std::vector<Spline_function>& equations = surfaces.system().equalities();
+  if (!surfaces.are_height_fields() || equations.size() != 1)
+    return false;
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) {
+    return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& x) { return x == 0; });
+  };
+  const auto& terms = equations.front().terms();
+  return terms.empty() ||
+      (terms.size() == 1 && std::any_of(terms[0].pieces.begin(), terms[0].pieces.end(), is_zero_piece));
+}
+
+// All is undecided of two surfaces that overlap.
 inline Solved_part overlapping_part(const Surface_equations& surfaces)
 {
   Parameter_box domain;
-  for (std::size_t surface = 0; surface < 2; ++surface)
-    for (int axis = 0; axis < 2; ++axis)
-      domain.push_back(surfaces.parameter_domain(surface, axis));
+  for (int unknown = 0; unknown < surfaces.system().dimension(); ++unknown)
+    domain.push_back(surfaces.system().domain(unknown));
   Summary summary;
   summary.is_complete = false;
   summary.why_not = Undecided_reason::CONTINUUM;

@@ -174,8 +174,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part curves_in_all_parameters(const Surfac
 CGAL_SPLINE_CONSTRAINTS_INLINE Solved_part common_curves(const Surface_equations& surfaces, Operation_budget& budget)
 {
   Equations_of_surfaces equations(surfaces, budget);
-  if (surfaces.has_system() && surfaces.has_all_parameters() &&
-      Overlapping_patches(surfaces)([&](std::size_t surface) { return equations(surface); }))
+  if (surfaces.has_system() &&
+      (surfaces.has_all_parameters()
+           ? Overlapping_patches(surfaces)([&](std::size_t surface) { return equations(surface); })
+           : are_overlapping_height_fields(surfaces)))
     return overlapping_part(surfaces);
   std::optional<Solved_part> curves = curves_on_implicit_patches(surfaces, equations, budget);
   return curves ? std::move(*curves) : curves_in_all_parameters(surfaces, equations, budget);
