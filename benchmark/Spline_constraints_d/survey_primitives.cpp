@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What pairs of planes, quadrics, tori and ruled surfaces have in common, as patches (P) and as implicit surfaces (I):
-// a line per pair with the answers and their times in milliseconds, and a summary. Numbers of closed curves/open
-// curves/singular points; u: undecided; !: not what geometry says.
+// a line per pair with the answers and their times in milliseconds of the processor, and a summary. Numbers of closed
+// curves/open curves/singular points; u: undecided; !: not what geometry says.
 //
 //   survey_primitives [--rounded [SECONDS]]
 //
@@ -20,10 +20,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -66,12 +66,13 @@ std::string counts(const Pair& pair, std::size_t representation)
   }
 }
 
+// Of the processor, whatever else the machine does.
 template <class Operation>
 double milliseconds(const Operation& operation)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   operation();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 bool is_wrong(const std::string& found, const std::string& expected) { return found != "u" && found != expected; }
