@@ -32,14 +32,12 @@ struct Affine_function
 {
   std::size_t unknown;
   Exact_rational factor, offset;
+  double rounded_factor = CGAL::to_double(factor), rounded_offset = CGAL::to_double(offset);
 
   Exact_rational of(const Exact_rational& x) const { return Exact_rational(factor * x + offset); }
   Parameter_range of(const Parameter_range& range) const { return std::minmax(of(range.first), of(range.second)); }
   Exact_rational operator()(std::span<const Exact_rational> x) const { return of(x[unknown]); }
-  double operator()(std::span<const double> x) const
-  {
-    return CGAL::to_double(factor) * x[unknown] + CGAL::to_double(offset);
-  }
+  double operator()(std::span<const double> x) const { return rounded_factor * x[unknown] + rounded_offset; }
 };
 
 // Whether a function is the one that is affine along an axis, with a slope and the value where that begins: its control
