@@ -22,11 +22,30 @@
 
 #include <array>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+namespace Swept_volumes {
+
+template <class Range>
+concept Range_of_surfaces =
+    std::ranges::input_range<Range> && Surface_curves::Surface_operand<std::ranges::range_value_t<Range>>;
+
+template <Range_of_surfaces Surfaces>
+std::vector<Common::Exact_map<3>> maps_of(const Surfaces& surfaces)
+{
+  std::vector<Common::Exact_map<3>> result;
+  for (const auto& surface : surfaces)
+    result.push_back(Common::Intersection_operand<std::ranges::range_value_t<Surfaces>>::map(surface));
+  return result;
+}
+
+} // namespace Swept_volumes
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSweptVolumes
@@ -58,8 +77,33 @@ Swept_volume_3 swept_volume(const Surface& surface, const Rational_motion_3& mot
                             const Surface_mesh_options& fineness = {},
                             const Solver_options& options = {.tolerance = 1e-8})
 {
-  return internal::Swept_volumes::swept_volume_of(internal::Common::Intersection_operand<Surface>::map(surface), motion,
-                                                  fineness, options);
+  return internal::Swept_volumes::swept_volume_of({internal::Common::Intersection_operand<Surface>::map(surface)},
+                                                  motion, fineness, options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSweptVolumes
+
+the boundary of what a solid sweeps whose boundary consists of several surfaces, with edges and corners. Each edge of a
+surface is a pole, or the same curve as exactly one other edge, with the same parameter or one that is an affine
+function of it; that of two surfaces or of one, as a seam is. Normals \f$S_u \times S_v\f$ of surfaces with a common edge
+point to the same side of the solid. There may be several connected parts, also inside of others. Where they meet
+otherwise, or a surface crosses itself, the solid is what rays tell that cross the boundary an odd number of times.
+
+To the envelopes of all surfaces, and to their first and last positions, comes what edges sweep while the solid goes
+inwards on one side of them: the boundary of what is swept lies in these. What corners sweep bounds it.
+
+\param surfaces a range of models of `ParametricSurface_3`, or of objects of CGAL that are converted to one.
+\throws Invalid_input when there is no surface, an edge is neither a pole nor the same as exactly one other one, normals
+of two surfaces point to different sides, and as above.
+*/
+template <internal::Swept_volumes::Range_of_surfaces Surfaces>
+Swept_volume_3 swept_volume(const Surfaces& surfaces, const Rational_motion_3& motion,
+                            const Surface_mesh_options& fineness = {},
+                            const Solver_options& options = {.tolerance = 1e-8})
+{
+  return internal::Swept_volumes::swept_volume_of(internal::Swept_volumes::maps_of(surfaces), motion, fineness,
+                                                  options);
 }
 
 /*!
@@ -83,8 +127,23 @@ sweep_intervals(const Surface& surface, const Rational_motion_3& motion, const C
                 const Solver_options& options = {.tolerance = 1e-8})
 {
   const auto exact = internal::exact_object(point);
-  return internal::Swept_volumes::sweep_intervals_of(internal::Common::Intersection_operand<Surface>::map(surface),
+  return internal::Swept_volumes::sweep_intervals_of({internal::Common::Intersection_operand<Surface>::map(surface)},
                                                      motion, {exact.x(), exact.y(), exact.z()}, options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSweptVolumes
+
+the same for a solid whose boundary consists of several surfaces, as `swept_volume()` takes them.
+*/
+template <internal::Swept_volumes::Range_of_surfaces Surfaces, SplineKernel K>
+std::optional<std::vector<std::pair<Exact_rational, Exact_rational>>>
+sweep_intervals(const Surfaces& surfaces, const Rational_motion_3& motion, const CGAL::Point_3<K>& point,
+                const Solver_options& options = {.tolerance = 1e-8})
+{
+  const auto exact = internal::exact_object(point);
+  return internal::Swept_volumes::sweep_intervals_of(internal::Swept_volumes::maps_of(surfaces), motion,
+                                                     {exact.x(), exact.y(), exact.z()}, options);
 }
 
 } // namespace Spline_constraints

@@ -26,11 +26,11 @@ namespace internal {
 namespace Swept_volumes {
 
 // Defined in swept_volume_of.h; the compiled library has them.
-Swept_volume_3 swept_volume_of(const Common::Exact_map<3>& surface, const Rational_motion_3& motion,
+Swept_volume_3 swept_volume_of(const std::vector<Common::Exact_map<3>>& surfaces, const Rational_motion_3& motion,
                                const Surface_mesh_options& fineness, const Solver_options& options);
 
 std::optional<std::vector<std::pair<Exact_rational, Exact_rational>>>
-sweep_intervals_of(const Common::Exact_map<3>& surface, const Rational_motion_3& motion,
+sweep_intervals_of(const std::vector<Common::Exact_map<3>>& surfaces, const Rational_motion_3& motion,
                    const std::array<Exact_rational, 3>& point, const Solver_options& options);
 
 } // namespace Swept_volumes

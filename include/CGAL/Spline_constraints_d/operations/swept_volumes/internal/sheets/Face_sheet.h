@@ -42,12 +42,21 @@ struct Boundary_edge
   std::vector<std::size_t> inner = {}; // points on it, from the first one on, that others need
 };
 
+// That edge, where it lies on a face, by the parameters of the face.
+struct Edge_on_face
+{
+  Boundary_edge* edge;
+  std::array<Place, 2> places;
+};
+
 /*
 The triangles of a face between two cells of places, or of a face of the box of all places. In a cell the moving surface
 goes inwards where its velocity points against the normal; the boundary of what is swept are the envelope, which bounds
 the places where it goes inwards, and the places on faces where it does so on one side alone. Before all times it goes
-nowhere inwards, after all times everywhere. On a seam, where velocities are the same on both sides, this leaves the
-slivers between the two chains of edges in which the envelope ends on either side, and joins them.
+nowhere inwards, after all times everywhere. At an edge of the solid this leaves what the edge sweeps while the
+surface goes inwards on one side of it. Where the edge is smooth, as on a seam, velocities are the same on both sides,
+and there remain the slivers between the two chains of edges in which the envelope ends on either side, which are
+joined by them.
 */
 class Face_sheet
 {
@@ -56,9 +65,10 @@ public:
   // tell.
   struct Side
   {
-    std::optional<bool> is_inward; // everywhere, if that is known
-    double inner;                  // a value a little inside of the cell
-    std::vector<Boundary_edge*> chain = {};
+    std::optional<bool> is_inward; // everywhere, if that is known; else by the patch on this side
+    std::size_t patch = 0;
+    std::function<Place(const Place&)> inner = {}; // the place of it a little inside of the cell
+    std::vector<Edge_on_face> chain = {};
   };
 
 private:
@@ -82,6 +92,7 @@ private:
   using Face = Triangulation::Face_handle;
 
   Points_of_places& m_points;
+  std::size_t m_patch; // the parameters are those of this one
   int m_axis;
   std::array<std::size_t, 2> m_free; // the other axes
   Place m_lower, m_upper;
@@ -97,9 +108,9 @@ private:
 
 public:
   // The face where the axis has the value of the lower and the upper place.
-  Face_sheet(Points_of_places& points, int axis, const Place& lower, const Place& upper, std::array<Side, 2> sides,
-             std::function<bool()> is_stopped)
-    : m_points(points), m_axis(axis), m_free{axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u}, m_lower(lower), m_upper(upper),
+  Face_sheet(Points_of_places& points, std::size_t patch, int axis, const Place& lower, const Place& upper,
+             std::array<Side, 2> sides, std::function<bool()> is_stopped)
+    : m_points(points), m_patch(patch), m_axis(axis), m_free{axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u}, m_lower(lower), m_upper(upper),
       m_sides(std::move(sides)), m_is_stopped(std::move(is_stopped))
   {}
 
@@ -127,19 +138,20 @@ private:
     return is_inward_at(0, middle) != is_inward_at(1, middle);
   }
 
-  bool is_inward_at(int side, Place place) const
+  bool is_inward_at(int side, const Place& place) const
   {
-    if (m_sides[side].is_inward)
-      return *m_sides[side].is_inward;
-    place[static_cast<std::size_t>(m_axis)] = m_sides[side].inner;
-    return m_points.moving().is_inward(place);
+    const Side& own = m_sides[static_cast<std::size_t>(side)];
+    return own.is_inward ? *own.is_inward : m_points.moving(own.patch).is_inward(own.inner(place));
   }
 
-  double speed_at(int side, Place place) const
+  double speed_at(int side, const Place& place) const
   {
-    place[static_cast<std::size_t>(m_axis)] = m_sides[side].inner;
-    return m_points.moving().speed(place);
+    const Side& own = m_sides[static_cast<std::size_t>(side)];
+    return m_points.moving(own.patch).speed(own.inner(place));
   }
+
+  const Moving_surface& moving() const { return m_points.moving(m_patch); }
+  std::size_t index_of(Vertex vertex) { return m_points.index_of({m_patch, vertex->info().place}); }
 
   // Lengths in space, about, so that triangles are well-shaped.
   void choose_scale()
@@ -153,7 +165,7 @@ private:
         from[other] = to[other] = m_lower[other] + (m_upper[other] - m_lower[other]) * k / steps;
         from[own] = m_lower[own] + (m_upper[own] - m_lower[own]) * (k - 1) / steps;
         to[own] = m_lower[own] + (m_upper[own] - m_lower[own]) * k / steps;
-        length += std::sqrt(CGAL::squared_distance(m_points.moving()(from), m_points.moving()(to)));
+        length += std::sqrt(CGAL::squared_distance(moving()(from), moving()(to)));
       }
       const double range = m_upper[m_free[i]] - m_lower[m_free[i]];
       m_scale[i] = std::exp2(std::round(std::log2(length > 0 ? length / range : 1 / range))); // products are exact
@@ -184,7 +196,7 @@ private:
         Place from = m_lower;
         from[m_free[1 - i]] = end;
         const std::vector<Place> places =
-            m_points.places_on_line(static_cast<int>(m_free[i]), from, m_lower[m_free[i]], m_upper[m_free[i]]);
+            m_points.places_on_line(m_patch, static_cast<int>(m_free[i]), from, m_lower[m_free[i]], m_upper[m_free[i]]);
         for (std::size_t k = 1; k < places.size(); ++k)
           add_constraint(vertex_at(places[k - 1]), vertex_at(places[k]));
       }
@@ -192,8 +204,8 @@ private:
 
   void add_chain(int side)
   {
-    for (Boundary_edge* edge : m_sides[side].chain) {
-      const Vertex from = vertex_at(edge->places[0]), to = vertex_at(edge->places[1]);
+    for (const auto& [edge, places] : m_sides[static_cast<std::size_t>(side)].chain) {
+      const Vertex from = vertex_at(places[0]), to = vertex_at(places[1]);
       if (from == to)
         continue;
       m_edges[side].emplace_back(add_constraint(from, to), edge);
@@ -299,7 +311,7 @@ private:
 
   const Double_kernel::Point_3& point_of(Vertex vertex)
   {
-    return m_points.point(m_points.index_of(vertex->info().place));
+    return m_points.point(index_of(vertex));
   }
 
   void refine()
@@ -350,7 +362,7 @@ private:
   bool is_far(const Double_kernel::Point_3& point, const Place& place) const
   {
     const double allowed = m_points.chord_error();
-    return CGAL::squared_distance(point, m_points.moving()(place)) > allowed * allowed;
+    return CGAL::squared_distance(point, moving()(place)) > allowed * allowed;
   }
 
   void add_triangles()
@@ -359,7 +371,7 @@ private:
       if (is_kept(face)) {
         Corners corners;
         for (int k = 0; k < 3; ++k)
-          corners[k] = m_points.index_of(face->vertex(k)->info().place);
+          corners[k] = index_of(face->vertex(k));
         m_points.add_triangle(corners);
       }
   }
@@ -371,7 +383,7 @@ private:
         std::vector<std::size_t> on_edge;
         for (auto vertex = m_triangulation.vertices_in_constraint_begin(id);
              vertex != m_triangulation.vertices_in_constraint_end(id); ++vertex)
-          on_edge.push_back(m_points.index_of((*vertex)->info().place));
+          on_edge.push_back(index_of(*vertex));
         if (on_edge.front() != edge->points[0])
           std::reverse(on_edge.begin(), on_edge.end());
         edge->inner.assign(on_edge.begin() + 1, on_edge.end() - 1);

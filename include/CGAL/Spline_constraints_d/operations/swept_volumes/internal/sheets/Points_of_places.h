@@ -9,7 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SHEETS_POINTS_OF_PLACES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_SHEETS_POINTS_OF_PLACES_H
 
-#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/sheets/Moving_surface.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/sheets/Space_of_places.h>
 
 #include <algorithm>
 #include <array>
@@ -25,62 +25,38 @@ namespace Spline_constraints {
 namespace internal {
 namespace Swept_volumes {
 
-// The box of all places of a moving surface, cut into cells by planes. Some of its faces are the same: seams of the
-// surface, or of a closed motion; some are one point at a time, poles.
-struct Space_of_places
-{
-  std::array<std::vector<double>, 3> cuts;      // with both ends
-  std::array<bool, 3> is_closed{};              // both ends are the same
-  std::array<std::array<bool, 2>, 2> is_pole{}; // the ends of an axis of the surface
-
-  bool is_at_pole(const Place& place, int axis) const
-  {
-    const auto a = static_cast<std::size_t>(axis);
-    return (is_pole[a][0] && place[a] == cuts[a].front()) || (is_pole[a][1] && place[a] == cuts[a].back());
-  }
-
-  // One of the places that are the same point at the same time.
-  Place canonical(Place place) const
-  {
-    for (std::size_t a = 0; a < 3; ++a)
-      if (is_closed[a] && place[a] == cuts[a].back())
-        place[a] = cuts[a].front();
-    for (int axis : {0, 1})
-      if (is_at_pole(place, axis))
-        place[static_cast<std::size_t>(1 - axis)] = cuts[static_cast<std::size_t>(1 - axis)].front();
-    return place;
-  }
-};
-
-// The points of all triangles that a moving surface sweeps: one for all places that are the same.
+// The points of all triangles that the patches of a solid sweep: one for all places that are the same.
 class Points_of_places
 {
   using Point = Double_kernel::Point_3;
+  using Line = Space_of_places::Line;
+  using Line_key = std::pair<int, Place_of_solid>;
 
-  const Moving_surface& m_moving;
+  const std::vector<Moving_surface>& m_moving;
   const Space_of_places& m_space;
   Triangle_soup& m_soup;
   double m_chord_error;
-  std::map<Place, std::size_t> m_of_place;
+  std::map<Place_of_solid, std::size_t> m_of_place;
   std::map<Point, std::size_t> m_of_point;
-  std::map<std::pair<int, Place>, std::vector<double>> m_lines; // parameters of points that are asked for, by axis
-  std::map<std::pair<std::pair<int, Place>, double>, std::vector<double>> m_places; // of lines from a cut on
+  std::map<Line_key, std::vector<double>> m_lines; // parameters of points that are asked for
+  std::map<std::pair<Line_key, double>, std::vector<double>> m_places; // of lines from a cut on
 
 public:
-  Points_of_places(const Moving_surface& moving, const Space_of_places& space, Triangle_soup& soup, double chord_error)
+  Points_of_places(const std::vector<Moving_surface>& moving, const Space_of_places& space, Triangle_soup& soup,
+                   double chord_error)
     : m_moving(moving), m_space(space), m_soup(soup), m_chord_error(chord_error)
   {}
 
   double chord_error() const { return m_chord_error; }
-  const Moving_surface& moving() const { return m_moving; }
+  const Moving_surface& moving(std::size_t patch) const { return m_moving[patch]; }
   const Point& point(std::size_t index) const { return m_soup.points[index]; }
 
-  std::size_t index_of(const Place& place)
+  std::size_t index_of(const Place_of_solid& place)
   {
-    const Place own = m_space.canonical(place);
+    const Place_of_solid own = m_space.canonical(place);
     const auto [known, is_new] = m_of_place.try_emplace(own, 0);
     if (is_new)
-      known->second = index_of_point(m_moving(own));
+      known->second = index_of_point(m_moving[own.patch](own.place));
     return known->second;
   }
 
@@ -99,84 +75,79 @@ public:
       m_soup.triangles.push_back(corners);
   }
 
-  void set_index(const Place& place, std::size_t index)
+  void set_index(const Place_of_solid& place, std::size_t index)
   {
     m_of_place.insert_or_assign(m_space.canonical(place), index);
   }
 
   // The place on a line along an axis that was asked for before, but for rounding; or asks for this one. Before
   // places_on_line().
-  Place on_line(int axis, Place place)
+  Place on_line(std::size_t patch, int axis, Place place)
   {
     constexpr double rounding = 0x1p-40;
     const auto a = static_cast<std::size_t>(axis);
-    std::vector<double>& parameters = m_lines[line_key(axis, place)];
-    const double range = m_space.cuts[a].back() - m_space.cuts[a].front();
-    for (double known : parameters)
-      if (std::abs(known - place[a]) <= rounding * range) {
-        place[a] = known;
+    const Line line = m_space.line(patch, axis, place);
+    std::vector<double>& parameters = m_lines[{line.axis, line.key}];
+    const double parameter = line.parameter(place[a]);
+    for (const double known : parameters)
+      if (std::abs(known - parameter) <= rounding * m_space.length(axis)) {
+        place[a] = line.parameter(known);
         return place;
       }
-    parameters.push_back(place[a]);
+    parameters.push_back(parameter);
     return place;
   }
 
   // The places on a line from one cut to the next, so close that the chords keep to their error; the same whenever they
   // are asked for.
-  std::vector<Place> places_on_line(int axis, Place from, double begin, double end)
+  std::vector<Place> places_on_line(std::size_t patch, int axis, Place from, double begin, double end)
   {
-    const auto a = static_cast<std::size_t>(axis);
-    from[a] = begin;
-    const auto [known, is_new] = m_places.try_emplace({line_key(axis, from), begin});
+    const Line line = m_space.line(patch, axis, from);
+    if (line.is_reversed)
+      std::swap(begin, end);
+    const auto [known, is_new] = m_places.try_emplace({{line.axis, line.key}, line.parameter(begin)});
     if (is_new)
-      add_places(known->second, a, from, end);
+      add_places(known->second, line, line.parameter(begin), line.parameter(end));
     std::vector<Place> result;
-    for (double parameter : known->second) {
-      from[a] = parameter;
+    for (const double parameter : known->second) {
+      from[static_cast<std::size_t>(axis)] = line.parameter(parameter);
       result.push_back(from);
     }
+    if (line.is_reversed)
+      std::reverse(result.begin(), result.end());
     return result;
   }
 
 private:
-  void add_places(std::vector<double>& places, std::size_t axis, const Place& from, double end) const
+  void add_places(std::vector<double>& places, const Line& line, double begin, double end) const
   {
-    std::vector<double> asked{from[axis], end};
-    if (const auto line = m_lines.find(line_key(static_cast<int>(axis), from)); line != m_lines.end())
-      std::copy_if(line->second.begin(), line->second.end(), std::back_inserter(asked),
-                   [&](double parameter) { return from[axis] < parameter && parameter < end; });
+    std::vector<double> asked{begin, end};
+    if (const auto own = m_lines.find({line.axis, line.key}); own != m_lines.end())
+      std::copy_if(own->second.begin(), own->second.end(), std::back_inserter(asked),
+                   [&](double parameter) { return begin < parameter && parameter < end; });
     std::sort(asked.begin(), asked.end());
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     places.push_back(asked.front());
     for (std::size_t i = 1; i < asked.size(); ++i) {
-      append_between(places, axis, from, asked[i - 1], asked[i], 0);
+      append_between(places, line, asked[i - 1], asked[i], 0);
       places.push_back(asked[i]);
     }
   }
 
-  std::pair<int, Place> line_key(int axis, const Place& place) const
-  {
-    Place key = m_space.canonical(place);
-    key[static_cast<std::size_t>(axis)] = 0;
-    return {axis, key};
-  }
-
-  void append_between(std::vector<double>& places, std::size_t axis, const Place& line, double begin, double end,
-                      int depth) const
+  void append_between(std::vector<double>& places, const Line& line, double begin, double end, int depth) const
   {
     constexpr int most_depth = 12, least_depth = 2;
-    Place first = line, middle = line, last = line;
-    first[axis] = begin;
-    middle[axis] = 0.5 * (begin + end);
-    last[axis] = end;
-    const Point p = m_moving(first), q = m_moving(last);
-    const double error = std::sqrt(CGAL::squared_distance(CGAL::midpoint(p, q), m_moving(middle)));
+    const auto point = [&](double parameter) { return m_moving[line.key.patch](line.at(parameter).place); };
+    const double middle =
+        line.axis == 2 ? 0.5 * (begin + end) : Space_of_places::snapped(0.5 * (begin + end));
+    const Point p = point(begin), q = point(end);
+    const double error = std::sqrt(CGAL::squared_distance(CGAL::midpoint(p, q), point(middle)));
     if (depth == most_depth || (depth >= least_depth && error <= m_chord_error) || (p == q && error == 0) ||
-        !(begin < middle[axis] && middle[axis] < end))
+        !(begin < middle && middle < end))
       return;
-    append_between(places, axis, line, begin, middle[axis], depth + 1);
-    places.push_back(middle[axis]);
-    append_between(places, axis, line, middle[axis], end, depth + 1);
+    append_between(places, line, begin, middle, depth + 1);
+    places.push_back(middle);
+    append_between(places, line, middle, end, depth + 1);
   }
 };
 
