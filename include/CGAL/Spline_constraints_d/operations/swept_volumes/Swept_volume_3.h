@@ -36,7 +36,7 @@ for: it was taken as a part of the neighbours with the largest common area.
 struct Thin_cell
 {
   CGAL::Simple_cartesian<double>::Point_3 point; ///< a point of its boundary
-  double depth;                                  ///< how far the deepest point that was found is from the boundary
+  double depth; ///< how far its deepest point is from the boundary: of points that were found, or less by its volume
 };
 
 /*!
@@ -132,11 +132,10 @@ private:
 inline std::ostream& operator<<(std::ostream& out, const Swept_volume_3& volume)
 {
   return out << "boundary: " << (volume.is_complete() ? "" : "not proved, ") << volume.number_of_components()
-             << " components, Euler characteristic "
-             << volume.euler_characteristic() << ", volume " << volume.volume() << ", area " << volume.area() << ", "
-             << volume.thin_cells().size() << " thin cells, " << volume.undecided().size()
-             << " undecided; complete: " << (volume.is_complete() ? "yes" : "no") << "; nodes "
-             << volume.summary().nodes << "; seconds " << volume.summary().seconds;
+             << " components, Euler characteristic " << volume.euler_characteristic() << ", volume " << volume.volume()
+             << ", area " << volume.area() << ", " << volume.thin_cells().size() << " thin cells, "
+             << volume.undecided().size() << " undecided; complete: " << (volume.is_complete() ? "yes" : "no")
+             << "; nodes " << volume.summary().nodes << "; seconds " << volume.summary().seconds;
 }
 
 } // namespace Spline_constraints

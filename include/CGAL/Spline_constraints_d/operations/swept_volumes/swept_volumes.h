@@ -84,14 +84,14 @@ Swept_volume_3 swept_volume(const Surface& surface, const Rational_motion_3& mot
 /*!
 \ingroup PkgSplineConstraintsDSweptVolumes
 
-the boundary of what a solid sweeps whose boundary consists of several surfaces, with edges and corners. Each edge of a
-surface is a pole, or the same curve as exactly one other edge, with the same parameter or one that is an affine
-function of it; that of two surfaces or of one, as a seam is. Normals \f$S_u \times S_v\f$ of surfaces with a common edge
-point to the same side of the solid. There may be several connected parts, also inside of others. Where they meet
-otherwise, or a surface crosses itself, the solid is what rays tell that cross the boundary an odd number of times.
+the boundary of what a solid sweeps that several surfaces bound, with edges and corners. Each edge of a surface is a
+pole, or the same curve as exactly one other edge, with the same parameter or one that is an affine function of it; that
+may be an edge of the same surface, as a seam is. The normals \f$S_u \times S_v\f$ of surfaces with a common edge
+point to the same side of the solid. Surfaces may bound several connected parts, and cavities; they do not cross each
+other.
 
-To the envelopes of all surfaces, and to their first and last positions, comes what edges sweep while the solid goes
-inwards on one side of them: the boundary of what is swept lies in these. What corners sweep bounds it.
+To the envelopes of all surfaces, and to their first and last positions, comes what edges sweep while the surface moves
+inwards on one side of them alone; corners sweep boundaries of this. Edges with one tangent plane sweep nothing.
 
 \param surfaces a range of models of `ParametricSurface_3`, or of objects of CGAL that are converted to one.
 \throws Invalid_input when there is no surface, an edge is neither a pole nor the same as exactly one other one, normals

@@ -25,9 +25,17 @@ namespace Envelope_surfaces {
 // Why there is no envelope of a part of a surface.
 inline constexpr const char* moves_along_itself = "the surface moves along itself";
 
+// What an envelope of a moving surface is for: itself, with its cuspidal edges; or to bound what is swept, together with
+// the positions at the ends of all parts of the motion, which are left out where they touch the envelope everywhere.
+enum class Envelope_use
+{
+  SURFACE,
+  BOUNDARY
+};
+
 // Defined in the header of each operation in this folder; the compiled library has them.
 Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface, const Rational_motion_3& motion,
-                                     const Solver_options& options, bool finds_cusps = true);
+                                     const Solver_options& options, Envelope_use use = Envelope_use::SURFACE);
 Envelope_surface_3 offset_surface_of(const Exact_map<3>& surface, const Exact_rational& distance,
                                      const Solver_options& options);
 Envelope_surface_3 envelope_surface_of(const Exact_map<3>& first, const Exact_map<3>& second,

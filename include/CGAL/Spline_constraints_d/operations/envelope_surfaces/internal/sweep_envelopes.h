@@ -70,13 +70,17 @@ public:
     std::vector<Constant_parameter> touching_lines;
     std::vector<Envelope_pole> poles; // those with one tangent plane
   };
-  Contact contact() const
+  Contact contact(Envelope_use use) const
   {
     const Cell_vector n = normal(), v = velocity();
     const Cell_polynomials product = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
     Contact result{product - product - product, {}, {}};
     if (result.function.is_zero())
       return result;
+    if (use == Envelope_use::BOUNDARY)
+      for (const std::size_t end : {std::size_t(0), result.function.last_break(2)})
+        while (result.function.is_zero_on(2, end))
+          result.function = result.function.divided_at(2, end);
     std::vector<Constant_parameter>& lines = result.touching_lines;
     for (const int axis : {0, 1})
       for (std::size_t k = 0; k <= result.function.last_break(axis); ++k) {
@@ -282,7 +286,7 @@ inline std::vector<Envelope_pole> poles_beside(const Constant_parameter& line, s
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_map<3>& surface,
                                                                     const Rational_motion_3& motion,
-                                                                    const Solver_options& options, bool finds_cusps)
+                                                                    const Solver_options& options, Envelope_use use)
 {
   Envelope_collector result(options);
   const Spline_patch<3> patch(surface);
@@ -292,7 +296,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
       for (const Smooth_surface& part : smooth) {
         result.budget().check();
         const Moving_patch moving(part, motion, field);
-        const Moving_patch::Contact contact = moving.contact();
+        const Moving_patch::Contact contact = moving.contact(use);
         if (contact.function.is_zero()) {
           result.add_undecided(moving.domain(), moves_along_itself);
           continue;
@@ -301,8 +305,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Envelope_surface_3 sweep_envelope_of(const Exact_
         system.add(contact.function.function(), Relation::EQUAL);
         const std::vector<int> closed = moving.closed_unknowns();
         const auto cusps = [&] { return moving.cusps(contact.function).normalized().function(); };
-        result.add(system, finds_cusps ? cusps : std::function<Spline_function()>(), moving.image(), closed,
-                   contact.poles);
+        result.add(system, use == Envelope_use::SURFACE ? cusps : std::function<Spline_function()>(), moving.image(),
+                   closed, contact.poles);
         for (const Constant_parameter& line : contact.touching_lines) {
           const Moving_patch::Swept_line swept = moving.swept(line, contact);
           std::vector<int> closed_of_line = closed;

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/Sweep_membership.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Boundary_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Shell_samples.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Simple_cells.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/number_of_components.h>
 
 #include <algorithm>
@@ -36,9 +37,8 @@ class Cell_labels
 {
   const Triangle_complex& m_complex;
   const Triangle_shells& m_shells;
-  std::vector<std::optional<Shell_sample>> m_samples;
   std::vector<bool> m_is_inside;
-  std::vector<std::size_t> m_thin; // shells
+  std::vector<std::pair<std::size_t, double>> m_thin; // shells, and bounds of their depths
   std::vector<Thin_cell> m_thin_cells;
   std::vector<Undecided_part> m_undecided;
   double m_rounding = 0; // of points
@@ -46,20 +46,13 @@ class Cell_labels
 public:
   Cell_labels(const Triangle_complex& complex, const Triangle_shells& shells, double chord_error,
               Sweep_membership is_swept)
-    : m_complex(complex), m_shells(shells), m_samples(Shell_samples(complex, shells)()),
-      m_is_inside(shells.number_of_shells(), false)
+    : m_complex(complex), m_shells(shells), m_is_inside(shells.number_of_shells(), false)
   {
-    for (std::size_t shell = 0; shell < m_samples.size(); ++shell)
-      if (const auto& sample = m_samples[shell]; !sample || sample->depth <= chord_error)
-        m_thin.push_back(shell);
-      else if (const std::optional<bool> answer = is_swept(exact(sample->point)))
-        m_is_inside[shell] = *answer;
-      else {
-        m_thin.push_back(shell);
-        add_undecided(sample->point, "whether this point is swept, and the cell around it");
-      }
+    const Shell_samples samples(complex, shells);
+    for (std::size_t shell = 0; shell < m_is_inside.size(); ++shell)
+      label(shell, samples, chord_error, is_swept);
     join_thin_cells();
-    check_thin_cells(is_swept);
+    check_thin_cells(samples, is_swept);
   }
 
   const std::vector<bool>& is_inside() const { return m_is_inside; }
@@ -76,11 +69,34 @@ private:
     m_undecided.push_back({{{p.x(), p.x()}, {p.y(), p.y()}, {p.z(), p.z()}}, {}, reason});
   }
 
+  void label(std::size_t shell, const Shell_samples& samples, double chord_error, Sweep_membership& is_swept)
+  {
+    const auto bound = samples.depth_bound(shell);
+    if (is_swept.must_stop() || (bound && *bound <= chord_error)) {
+      m_thin.emplace_back(shell, bound ? *bound : 0);
+      return;
+    }
+    const std::optional<Shell_sample> sample = samples(shell);
+    if (!sample || sample->depth <= chord_error) {
+      m_thin.emplace_back(shell, sample ? sample->depth : 0);
+      return;
+    }
+    // points so near lie in the same cell; the first one may happen to lie on what an edge sweeps
+    for (const Double_kernel::Vector_3& step :
+         {Double_kernel::Vector_3(0, 0, 0), {0.13, -0.19, 0.11}, {-0.17, -0.05, 0.23}})
+      if (const std::optional<bool> answer = is_swept(exact(sample->point + step * sample->depth))) {
+        m_is_inside[shell] = *answer;
+        return;
+      }
+    m_thin.emplace_back(shell, sample->depth);
+    add_undecided(sample->point, "whether this point is swept, and the cell around it");
+  }
+
   // Each one is as the neighbours are that it has the largest area in common with, those that are known first.
   void join_thin_cells()
   {
     std::vector<bool> is_known(m_is_inside.size(), true);
-    for (std::size_t shell : m_thin)
+    for (const auto& [shell, depth] : m_thin)
       is_known[shell] = false;
     std::vector<std::map<std::size_t, double>> area(m_is_inside.size());
     for (std::size_t i = 0; i < m_complex.triangles.size(); ++i) {
@@ -92,7 +108,7 @@ private:
     }
     for (bool has_changed = true; has_changed;) {
       has_changed = false;
-      for (std::size_t shell : m_thin) {
+      for (const auto& [shell, depth] : m_thin) {
         if (is_known[shell])
           continue;
         double inside = 0, outside = 0;
@@ -125,23 +141,28 @@ private:
   // A thin cell is as its neighbours are, where that is proved of a point of it. Otherwise it is asked whether the
   // boundary would have another topology with the cell the other way; but for cells that are thinner than points are
   // rounded.
-  void check_thin_cells(Sweep_membership& is_swept)
+  void check_thin_cells(const Shell_samples& samples, Sweep_membership& is_swept)
   {
     const std::vector<Double_kernel::Point_3> places = places_of_shells();
-    const std::pair<std::size_t, int> topology = topology_of_boundary();
+    const Simple_cells is_simple(m_complex, m_shells, m_is_inside);
+    std::optional<std::pair<std::size_t, int>> topology;
     std::size_t checked = 0;
-    for (const std::size_t shell : m_thin) {
-      const auto& sample = m_samples[shell];
-      const auto& p = sample ? sample->point : places[shell];
-      m_thin_cells.push_back({{p.x(), p.y(), p.z()}, sample ? sample->depth : 0});
-      if (m_thin_cells.back().depth <= m_rounding || is_swept(exact(p)) == m_is_inside[shell])
+    for (const auto& [shell, depth] : m_thin) {
+      m_thin_cells.push_back({{places[shell].x(), places[shell].y(), places[shell].z()}, depth});
+      if (depth <= m_rounding || is_swept.must_stop() || is_simple(shell))
         continue;
-      if (++checked > m_most_checked || is_swept.must_stop()) {
+      const auto sample = samples(shell);
+      const Double_kernel::Point_3 p = sample ? sample->point : places[shell];
+      if (is_swept(exact(p)) == m_is_inside[shell])
+        continue;
+      if (++checked > m_most_checked) {
         add_undecided(p, "a thin cell, one of more than are looked at");
         continue;
       }
+      if (!topology)
+        topology = topology_of_boundary();
       m_is_inside[shell] = !m_is_inside[shell];
-      if (topology_of_boundary() != topology)
+      if (topology_of_boundary() != *topology)
         add_undecided(p, "the boundary may have another topology at a thin cell");
       m_is_inside[shell] = !m_is_inside[shell];
     }

@@ -111,7 +111,7 @@ private:
   // A solution of three equations in the parameters of a patch and a third unknown, which is regular.
   struct Passage
   {
-    Range range;            // of the third unknown
+    Range range;             // of the third unknown
     bool is_inside_of_patch; // and not on a side
   };
 
@@ -146,13 +146,15 @@ private:
       passages.insert(passages.end(), own->begin(), own->end());
     }
     std::sort(passages.begin(), passages.end(), [](const auto& a, const auto& b) { return a.range < b.range; });
+    const auto [begin, end] = m_motion.domain();
     Times result;
     for (std::size_t i = 0; i < passages.size();) {
       std::size_t next = i + 1;
       Range range = passages[i].range;
       for (; next < passages.size() && passages[next].range.first <= range.second; ++next)
         range.second = (std::max)(range.second, passages[next].range.second);
-      if (next > i + 2 || (next == i + 1 && !passages[i].is_inside_of_patch))
+      if (next > i + 2 || (next == i + 1 && !passages[i].is_inside_of_patch) || range.first <= begin ||
+          range.second >= end)
         return std::nullopt;
       if (next == i + 2) {
         const std::optional<bool> before = is_inside_between(result.empty() ? nullptr : &result.back(), &range, point);
@@ -204,7 +206,7 @@ private:
   }
 
   // How many times a ray goes through the boundary, up to a parameter; nothing, unless it surely does each time, which
-  // it need not in an edge.
+  // it need not in an edge, and its ends are not on it.
   std::optional<std::size_t> hits_on_ray(const Point_3& from, const Vector& direction, const Exact_rational& last)
   {
     std::size_t result = 0;
@@ -216,8 +218,9 @@ private:
       for (int i = 0; i < 3; ++i)
         system.add(surface[static_cast<std::size_t>(i)] - x[2] * direction[i] == from[i]);
       const auto passages = passages_through(system);
-      if (!passages ||
-          std::any_of(passages->begin(), passages->end(), [](const auto& own) { return !own.is_inside_of_patch; }))
+      if (!passages || std::any_of(passages->begin(), passages->end(), [&](const Passage& own) {
+            return !own.is_inside_of_patch || own.range.first <= 0 || own.range.second >= last;
+          }))
         return std::nullopt;
       result += passages->size();
     }

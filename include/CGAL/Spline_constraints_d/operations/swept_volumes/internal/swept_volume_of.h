@@ -20,6 +20,7 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/cut_triangles.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/sheets/Sweep_sheets.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/Solid_boundary.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/corner_fans.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/swept_volume_finders.h>
 
 #include <algorithm>
@@ -48,13 +49,14 @@ public:
   Smooth_patches(const Solid_boundary& solid, const Rational_motion_3& motion, Common::Operation_budget& budget)
     : m_solid(solid)
   {
+    const Touching_corners touching_corner(motion);
     cut_along(kinks(budget));
-    for (;;) {
+    do {
+      while (!budget.must_stop() && cut_at_corners(touching_corner))
+        ;
       find_envelopes(motion, budget);
       // a line that touches its envelope all the time sweeps a part of it as an edge does
-      if (!cut_along(touching_lines()))
-        return;
-    }
+    } while (cut_along(touching_lines()));
   }
 
   const Solid_boundary& solid() const { return m_solid; }
@@ -101,6 +103,25 @@ private:
     return result;
   }
 
+  // Cuts patches at corners that touch their envelope all the time; along all breaks before.
+  bool cut_at_corners(const Touching_corners& touching_corner)
+  {
+    std::vector<std::optional<int>> corners;
+    std::vector<Lines> breaks(m_solid.size());
+    for (std::size_t patch = 0; patch < m_solid.size(); ++patch) {
+      corners.push_back(touching_corner(m_solid[patch]));
+      if (corners.back())
+        for (const int axis : {0, 1})
+          for (const Exact_rational& value : m_solid[patch].breaks(axis))
+            add(breaks[patch], axis, value);
+    }
+    if (std::none_of(corners.begin(), corners.end(), [](const auto& own) { return own.has_value(); }))
+      return false;
+    if (!cut_along(std::move(breaks)))
+      m_solid = m_solid.with_fans(corners);
+    return true;
+  }
+
   std::vector<Lines> touching_lines() const
   {
     std::vector<Lines> result(m_solid.size());
@@ -121,8 +142,9 @@ private:
   {
     m_envelopes.clear();
     for (const Solid_boundary::Patch& patch : m_solid.patches()) {
-      m_envelopes.push_back(Envelope_surfaces::sweep_envelope_of({patch.numerators(), patch.weight(), patch.is_rational()},
-                                                                 motion, budget.remaining(), false));
+      m_envelopes.push_back(
+          Envelope_surfaces::sweep_envelope_of({patch.numerators(), patch.weight(), patch.is_rational()}, motion,
+                                               budget.remaining(), Envelope_surfaces::Envelope_use::BOUNDARY));
       budget.add(m_envelopes.back().summary());
     }
   }

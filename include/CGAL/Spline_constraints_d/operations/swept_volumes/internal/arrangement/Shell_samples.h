@@ -23,6 +23,7 @@
 #include <deque>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -67,15 +68,16 @@ class Shell_samples
   template <class Kernel>
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive<Kernel>>>;
 
-  const Triangle_complex& m_complex;
-  const Triangle_shells& m_shells;
   std::vector<Exact_kernel::Triangle_3> m_exact;
   std::vector<Double_kernel::Triangle_3> m_rounded;
   Tree<Exact_kernel> m_exact_tree;
   Tree<Double_kernel> m_rounded_tree;
+  std::vector<std::vector<std::pair<double, std::size_t>>> m_sides; // of shells, by their areas: 2 triangle + side
+  std::vector<double> m_volumes;                                    // that shells enclose
 
 public:
-  Shell_samples(const Triangle_complex& complex, const Triangle_shells& shells) : m_complex(complex), m_shells(shells)
+  Shell_samples(const Triangle_complex& complex, const Triangle_shells& shells)
+    : m_sides(shells.number_of_shells()), m_volumes(shells.number_of_shells(), 0)
   {
     std::vector<Point> points;
     for (const auto& point : complex.points)
@@ -86,24 +88,39 @@ public:
     }
     fill(m_exact_tree, m_exact);
     fill(m_rounded_tree, m_rounded);
+    for (std::size_t triangle = 0; triangle < m_exact.size(); ++triangle) {
+      const Double_kernel::Triangle_3& own = m_rounded[triangle];
+      const Point& origin = m_rounded.front().vertex(0); // so that volumes of small cells are not lost in rounding
+      const double volume =
+          CGAL::determinant(own.vertex(0) - origin, own.vertex(1) - origin, own.vertex(2) - origin) / 6;
+      for (int side = 0; side < 2; ++side) {
+        const std::size_t shell = shells.shell_of(triangle, side);
+        m_sides[shell].emplace_back(-own.squared_area(), 2 * triangle + side);
+        m_volumes[shell] += side == 0 ? -volume : volume;
+      }
+    }
+    for (auto& sides : m_sides)
+      std::sort(sides.begin(), sides.end());
   }
 
-  // The deepest point that was found for each shell; of those of an unbounded cell, one may be far away.
-  std::vector<std::optional<Shell_sample>> operator()() const
+  // The deepest point that was found for a shell; of those of an unbounded cell, one may be far away.
+  std::optional<Shell_sample> operator()(std::size_t shell) const
   {
-    std::vector<std::vector<std::pair<double, std::size_t>>> sides(m_shells.number_of_shells()); // by their areas
-    for (std::size_t triangle = 0; triangle < m_exact.size(); ++triangle)
-      for (int side = 0; side < 2; ++side)
-        sides[m_shells.shell_of(triangle, side)].emplace_back(-m_rounded[triangle].squared_area(), 2 * triangle + side);
-    std::vector<std::optional<Shell_sample>> result(sides.size());
-    for (std::size_t shell = 0; shell < sides.size(); ++shell) {
-      std::sort(sides[shell].begin(), sides[shell].end());
-      for (std::size_t index : tried_of(sides[shell].size()))
-        if (const auto sample = sample_over(sides[shell][index].second / 2, sides[shell][index].second % 2))
-          if (!result[shell] || sample->depth > result[shell]->depth)
-            result[shell] = sample;
-    }
+    const auto& sides = m_sides[shell];
+    std::optional<Shell_sample> result;
+    for (const std::size_t index : tried_of(sides.size()))
+      if (const auto sample = sample_over(sides[index].second / 2, sides[index].second % 2))
+        if (!result || sample->depth > result->depth)
+          result = sample;
     return result;
+  }
+
+  // The greatest depth that a point can have by the volume that the shell encloses; none if it surrounds its cell
+  // together with others, or alone from within.
+  std::optional<double> depth_bound(std::size_t shell) const
+  {
+    const double volume = m_volumes[shell];
+    return volume > 0 ? std::optional(std::cbrt(volume * 0.75 / std::numbers::pi)) : std::nullopt;
   }
 
 private:

@@ -39,6 +39,7 @@ struct Triangle_complex
   std::vector<Exact_kernel::Point_3> points; // those of the soup come first
   std::vector<Corners> triangles;
   std::vector<int> multiplicity;   // how many of the soup it is a part of
+  std::vector<std::size_t> planes; // the same for triangles that are known to lie in one plane
 };
 
 inline Double_kernel::Point_3 rounded(const Exact_kernel::Point_3& point)

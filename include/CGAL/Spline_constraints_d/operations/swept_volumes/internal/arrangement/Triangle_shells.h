@@ -102,7 +102,7 @@ private:
     }
   }
 
-  // By angles from the first leaf on, as exact signs.
+  // By angles from the first leaf on, as exact signs. Another leaf in the plane of the first one is on the other side.
   void sort_leaves(Edge& edge) const
   {
     if (edge.leaves.size() < 3)
@@ -113,6 +113,8 @@ private:
     const auto half = [&](const Leaf& leaf) { // 0: the first one; angles up to pi, pi, beyond pi
       if (leaf.opposite == edge.leaves.front().opposite)
         return 0;
+      if (m_complex.planes[leaf.triangle] == m_complex.planes[edge.leaves.front().triangle])
+        return 2;
       const CGAL::Sign sign = turn(first, m_complex.points[leaf.opposite]);
       return sign == CGAL::POSITIVE ? 1 : sign == CGAL::ZERO ? 2 : 3;
     };

@@ -91,6 +91,7 @@ public:
         complex.triangles.push_back(
             {face->vertex(0)->info().index, face->vertex(1)->info().index, face->vertex(2)->info().index});
         complex.multiplicity.push_back(multiplicity);
+        complex.planes.push_back(m_triangles.front());
       }
   }
 
@@ -210,6 +211,7 @@ triangle_complex_of(const Triangle_soup& soup, const std::function<bool()>& is_s
     if (!is_met[i]) {
       result.triangles.push_back(soup.triangles[i]);
       result.multiplicity.push_back(1);
+      result.planes.push_back(i);
     } else if (!triangles[i].empty()) {
       Plane_triangulation plane(soup, points, triangles[i]);
       for (const auto& contact : contacts[i])

@@ -110,8 +110,8 @@ public:
   // The face where the axis has the value of the lower and the upper place.
   Face_sheet(Points_of_places& points, std::size_t patch, int axis, const Place& lower, const Place& upper,
              std::array<Side, 2> sides, std::function<bool()> is_stopped)
-    : m_points(points), m_patch(patch), m_axis(axis), m_free{axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u}, m_lower(lower), m_upper(upper),
-      m_sides(std::move(sides)), m_is_stopped(std::move(is_stopped))
+    : m_points(points), m_patch(patch), m_axis(axis), m_free{axis == 0 ? 1u : 0u, axis == 2 ? 1u : 2u}, m_lower(lower),
+      m_upper(upper), m_sides(std::move(sides)), m_is_stopped(std::move(is_stopped))
   {}
 
   // Adds its triangles, and tells edges of the envelope which points they need.
@@ -309,10 +309,7 @@ private:
 
   bool is_kept(Face face) const { return face->info().is_inward[0] != face->info().is_inward[1]; }
 
-  const Double_kernel::Point_3& point_of(Vertex vertex)
-  {
-    return m_points.point(index_of(vertex));
-  }
+  const Double_kernel::Point_3& point_of(Vertex vertex) { return m_points.point(index_of(vertex)); }
 
   void refine()
   {

@@ -38,7 +38,7 @@ class Points_of_places
   double m_chord_error;
   std::map<Place_of_solid, std::size_t> m_of_place;
   std::map<Point, std::size_t> m_of_point;
-  std::map<Line_key, std::vector<double>> m_lines; // parameters of points that are asked for
+  std::map<Line_key, std::vector<double>> m_lines;                     // parameters of points that are asked for
   std::map<std::pair<Line_key, double>, std::vector<double>> m_places; // of lines from a cut on
 
 public:
@@ -138,8 +138,7 @@ private:
   {
     constexpr int most_depth = 12, least_depth = 2;
     const auto point = [&](double parameter) { return m_moving[line.key.patch](line.at(parameter).place); };
-    const double middle =
-        line.axis == 2 ? 0.5 * (begin + end) : Space_of_places::snapped(0.5 * (begin + end));
+    const double middle = line.axis == 2 ? 0.5 * (begin + end) : Space_of_places::snapped(0.5 * (begin + end));
     const Point p = point(begin), q = point(end);
     const double error = std::sqrt(CGAL::squared_distance(CGAL::midpoint(p, q), point(middle)));
     if (depth == most_depth || (depth >= least_depth && error <= m_chord_error) || (p == q && error == 0) ||

@@ -45,7 +45,7 @@ class Space_of_places
 {
   const Solid_boundary& m_solid;
   std::vector<double> m_times;
-  bool m_is_closed; // the motion
+  bool m_is_closed;                               // the motion
   std::vector<std::array<Glued_side, 4>> m_first; // of two glued sides, the first one
   std::vector<std::size_t> m_corners;             // 4 patch + corner: one of all that are the same
   std::vector<bool> m_is_fixed_corner;
@@ -173,8 +173,7 @@ private:
       for (int k = 0; k < 4; ++k) {
         const Patch_side side{patch, k};
         const std::optional<Glued_side>& other = m_solid.glued(side);
-        m_first.back()[static_cast<std::size_t>(k)] =
-            other && other->side < side ? *other : Glued_side{side, false};
+        m_first.back()[static_cast<std::size_t>(k)] = other && other->side < side ? *other : Glued_side{side, false};
         if (!other)
           corners.union_set(corner(side, 0), corner(side, 1));
         else
@@ -212,7 +211,8 @@ private:
         m_is_fixed_side[patch][static_cast<std::size_t>(k)] = is_fixed_side({patch, k}, is_fixed);
   }
 
-  // By its control points.
+  // The points that stand still are a flat, so that it is enough to look at one more point between two breaks than the
+  // degree is.
   template <class Is_fixed>
   bool is_fixed_side(const Patch_side& side, const Is_fixed& is_fixed) const
   {
@@ -221,15 +221,17 @@ private:
         return false;
     const Exact_rational value(side.end());
     const Solid_boundary::Patch curve = m_solid[side.patch].part(side.axis(), {value, value});
-    const auto& weights = curve.weight().coefficients();
-    for (std::size_t i = 0; i < curve.numerators()[0].coefficients().size(); ++i) {
-      const Exact_rational w = curve.is_rational() ? weights[i] : Exact_rational(1);
-      const auto coordinate = [&](std::size_t k) {
-        return Exact_rational(curve.numerators()[k].coefficients()[i] / w);
-      };
-      if (w == 0 || !is_fixed({coordinate(0), coordinate(1), coordinate(2)}))
-        return false;
-    }
+    int degree = curve.weight().degree(0);
+    for (const auto& f : curve.numerators())
+      degree = (std::max)(degree, f.degree(0));
+    const std::vector<Exact_rational> breaks = curve.breaks(0);
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+      for (int k = 0; k <= degree; ++k) {
+        const std::array<Exact_rational, 1> parameter{
+            Exact_rational(breaks[i - 1] + (breaks[i] - breaks[i - 1]) * Exact_rational(k) / (degree + 1))};
+        if (!is_fixed(curve(parameter)))
+          return false;
+      }
     return true;
   }
 };

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/corner_fans.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -114,7 +115,7 @@ public:
   // A patch that stands for a connected part.
   std::size_t component(std::size_t patch) const { return m_components[patch]; }
 
-  // The range of a parameter that was given, of a range in the unit square.
+  // The range of a parameter that was given, of a range in the unit square. Of a part of a fan, it is larger.
   std::pair<double, double> original_range(std::size_t patch, int axis, const std::pair<double, double>& range) const
   {
     const auto& [begin, end] = m_origins[patch].ranges[static_cast<std::size_t>(axis)];
@@ -126,29 +127,41 @@ public:
   Solid_boundary cut_along(std::vector<Lines> lines) const
   {
     extend(lines);
-    std::vector<std::array<std::vector<Range>, 2>> ranges(size());
-    for (std::size_t patch = 0; patch < size(); ++patch)
-      for (std::size_t axis : {0u, 1u}) {
+    Solid_boundary result(m_operands);
+    for (std::size_t patch = 0; patch < size(); ++patch) {
+      std::array<std::vector<Range>, 2> ranges;
+      for (const std::size_t axis : {0u, 1u}) {
         Exact_rational begin(0);
         lines[patch][axis].insert(Exact_rational(1));
         for (const Exact_rational& end : lines[patch][axis]) {
-          ranges[patch][axis].emplace_back(begin, end);
+          ranges[axis].emplace_back(begin, end);
           begin = end;
         }
       }
-    return Solid_boundary(*this, ranges);
+      for (const Range& u : ranges[0])
+        for (const Range& v : ranges[1])
+          result.add(m_patches[patch].part({u, v}), {operand(patch), {original(patch, 0, u), original(patch, 1, v)}});
+    }
+    result.glue();
+    return result;
+  }
+
+  // The same with some patches cut at a corner, see fan_at().
+  Solid_boundary with_fans(const std::vector<std::optional<int>>& corners) const
+  {
+    Solid_boundary result(m_operands);
+    for (std::size_t patch = 0; patch < size(); ++patch)
+      if (!corners[patch])
+        result.add(m_patches[patch], m_origins[patch]);
+      else
+        for (const Patch& part : fan_at(m_patches[patch], *corners[patch]))
+          result.add(part, m_origins[patch]);
+    result.glue();
+    return result;
   }
 
 private:
-  Solid_boundary(const Solid_boundary& other, const std::vector<std::array<std::vector<Range>, 2>>& ranges)
-    : m_operands(other.m_operands)
-  {
-    for (std::size_t patch = 0; patch < other.size(); ++patch)
-      for (const Range& u : ranges[patch][0])
-        for (const Range& v : ranges[patch][1])
-          add(other[patch].part({u, v}), {other.operand(patch), {other.original(patch, 0, u), other.original(patch, 1, v)}});
-    glue();
-  }
+  explicit Solid_boundary(std::size_t operands) : m_operands(operands) {}
 
   Range original(std::size_t patch, std::size_t axis, const Range& range) const
   {
@@ -256,9 +269,9 @@ private:
       result = Glued_side{other, !is_same};
     }
     if (!result)
-      throw Invalid_input(m_operands == 1
-                              ? "swept volume: the surface is not closed: " + name(side) + " is neither a seam nor a pole"
-                              : "swept volume: the solid is not closed: " + name(side) +
+      throw Invalid_input(m_operands == 1 ? "swept volume: the surface is not closed: " + name(side) +
+                                  " is neither a seam nor a pole"
+                                          : "swept volume: the solid is not closed: " + name(side) +
                                   " is neither a pole, nor has another edge the same curve with the same parameter or "
                                   "the reversed one");
     const bool goes_forward = side.is_forward() != result->is_reversed;
