@@ -38,6 +38,17 @@ inline Surface_operand surface_in(const std::string& path)
   return file.surfaces_3.front().object;
 }
 
+// All of a file: the boundary of a solid.
+inline std::vector<Surface_operand> surfaces_in(const std::string& path)
+{
+  std::vector<Surface_operand> result;
+  for (const auto& surface : operands_in(path).surfaces_3)
+    result.push_back(surface.object);
+  if (result.empty())
+    throw CGAL::Spline_constraints::Invalid_input(path + ": no surface");
+  return result;
+}
+
 inline Curve_operand curve_in(const std::string& path)
 {
   const auto file = operands_in(path);

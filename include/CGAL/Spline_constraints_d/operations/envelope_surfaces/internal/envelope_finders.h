@@ -25,8 +25,8 @@ namespace Envelope_surfaces {
 // Why there is no envelope of a part of a surface.
 inline constexpr const char* moves_along_itself = "the surface moves along itself";
 
-// What an envelope of a moving surface is for: itself, with its cuspidal edges; or to bound what is swept, together with
-// the positions at the ends of all parts of the motion, which are left out where they touch the envelope everywhere.
+// What an envelope of a moving surface is for: itself, with its cuspidal edges; or to bound what is swept, with the
+// positions at the ends of all parts of the motion, which are left out where they touch the envelope everywhere.
 enum class Envelope_use
 {
   SURFACE,

@@ -27,7 +27,7 @@ namespace Swept_volumes {
 
 /*
 Tells of cells whether they can be inside or outside without another topology of the boundary, by a sufficient
-condition: the cell is a ball, and what it has in common with the inside is a disk of triangles, and so is what it has in
+condition: the cell is a ball, what it has in common with the inside is a disk of triangles, and so is what it has in
 common with the outside. As the boundary joins triangles that the inside is between, and not those that the outside is
 between, no other triangle of the boundary may end in a vertex inside of the first disk.
 */
