@@ -75,6 +75,7 @@ Arguments parse(int argc, char* argv[])
   return result;
 }
 
+template <class Concurrency_tag>
 int solve_for_surfaces(const Arguments& arguments, const std::vector<std::string>& names,
                        const SC::Constraint_system_d& system)
 {
@@ -82,7 +83,7 @@ int solve_for_surfaces(const Arguments& arguments, const std::vector<std::string
   if (!arguments.has_tolerance)
     options.tolerance = 1e-8;
   Progress_bar progress;
-  const auto surfaces = SC::Surface_solver_d<>(options)(system, progress);
+  const auto surfaces = SC::Surface_solver_d<SC::Certified_solver_traits, Concurrency_tag>(options)(system, progress);
   progress.clear();
   if (!arguments.output.empty()) {
     double size = 0;
@@ -180,7 +181,7 @@ int solve(Arguments arguments)
   if (static_cast<int>(system.equalities().size()) + 2 == system.dimension()) {
     if constexpr (std::is_same_v<Number, double> && tracks_rounding)
       if (!arguments.json)
-        return solve_for_surfaces(arguments, input.names, system);
+        return solve_for_surfaces<Concurrency_tag>(arguments, input.names, system);
     throw SC::Invalid_input("surfaces of solutions go with --number-type certified, and are not written as JSON");
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
 
@@ -100,6 +101,87 @@ TEST(Parallel, Curves)
       {.tolerance = 1e-8, .node_limit = 300})(closed_curves);
   EXPECT_FALSE(limited.is_complete());
   EXPECT_EQ(limited.summary().why_not, SC::Undecided_reason::NODES);
+}
+
+// All cells, digit for digit.
+static void expect_equal(const SC::Surface_solution_set_d& a, const SC::Surface_solution_set_d& b)
+{
+  EXPECT_EQ(a.summary().nodes, b.summary().nodes);
+  EXPECT_EQ(a.summary().depth, b.summary().depth);
+  EXPECT_EQ(a.is_complete(), b.is_complete());
+  ASSERT_EQ(a.vertices().size(), b.vertices().size());
+  for (std::size_t i = 0; i < a.vertices().size(); ++i) {
+    EXPECT_EQ(a.vertices()[i].box, b.vertices()[i].box);
+    EXPECT_EQ(a.vertices()[i].is_singular, b.vertices()[i].is_singular);
+  }
+  ASSERT_EQ(a.arcs().size(), b.arcs().size());
+  for (std::size_t i = 0; i < a.arcs().size(); ++i) {
+    EXPECT_EQ(a.arcs()[i].box, b.arcs()[i].box);
+    EXPECT_EQ(a.arcs()[i].ends, b.arcs()[i].ends);
+  }
+  ASSERT_EQ(a.patches().size(), b.patches().size());
+  for (std::size_t i = 0; i < a.patches().size(); ++i) {
+    const SC::Surface_patch &own = a.patches()[i], &other = b.patches()[i];
+    EXPECT_EQ(own.box, other.box);
+    EXPECT_EQ(own.parameters, other.parameters);
+    EXPECT_EQ(own.orientation, other.orientation);
+    EXPECT_EQ(own.surface, other.surface);
+    EXPECT_EQ(own.apex, other.apex);
+    ASSERT_EQ(own.boundary.size(), other.boundary.size());
+    for (std::size_t k = 0; k < own.boundary.size(); ++k) {
+      EXPECT_EQ(own.boundary[k].arc, other.boundary[k].arc);
+      EXPECT_EQ(own.boundary[k].is_reversed, other.boundary[k].is_reversed);
+    }
+  }
+  ASSERT_EQ(a.surfaces().size(), b.surfaces().size());
+  for (std::size_t i = 0; i < a.surfaces().size(); ++i) {
+    EXPECT_EQ(a.surfaces()[i].euler_characteristic, b.surfaces()[i].euler_characteristic);
+    EXPECT_EQ(a.surfaces()[i].boundary, b.surfaces()[i].boundary);
+  }
+  EXPECT_EQ(a.points(), b.points());
+  EXPECT_EQ(a.singular_points(), b.singular_points());
+  ASSERT_EQ(a.undecided_regions().size(), b.undecided_regions().size());
+  for (std::size_t i = 0; i < a.undecided_regions().size(); ++i) {
+    EXPECT_EQ(a.undecided_regions()[i].boxes, b.undecided_regions()[i].boxes);
+    EXPECT_EQ(a.undecided_regions()[i].arcs, b.undecided_regions()[i].arcs);
+    EXPECT_EQ(a.undecided_regions()[i].reason, b.undecided_regions()[i].reason);
+  }
+}
+
+// Tasks on both sides of a plane cut the same arcs.
+TEST(Parallel, Surfaces)
+{
+  auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
+  const SC::Expression ring = square(x) + square(y);
+  const SC::Constraint torus = square(ring + square(z) + SC::Exact_rational(91, 100)) == 4 * ring;
+  const auto t4 = [](const auto& t) { return 8 * square(square(t)) - 8 * square(t) + 1; };
+  const auto part = [](int unknown) { // a function with a break: cells have common faces
+    return SC::Spline_function(SC::Spline_term{{unknown}, {1}, {{-3, 0, 3}}, {{0, -1}, {0, 1}}});
+  };
+  SC::Constraint_system_d octahedron({{-3, 3}, {-3, 3}, {-3, 3}});
+  octahedron.add(part(0) + part(1) + part(2) + SC::Spline_function(SC::Power_polynomial(SC::Exact_rational(-1))),
+                 SC::Relation::EQUAL);
+  const auto expect_same = [](const SC::Constraint_system_d& system, const SC::Solver_options& options,
+                              int euler_characteristic, std::size_t loops) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+    const SC::Surface_solution_set_d a = SC::solve_surfaces(system, options);
+    EXPECT_EQ(a.is_complete(), options.node_limit == 0) << a;
+    if (options.node_limit == 0) {
+      EXPECT_EQ(a.euler_characteristic(), euler_characteristic);
+      EXPECT_EQ(a.number_of_boundary_loops(), loops);
+    } else {
+      EXPECT_EQ(a.summary().why_not, SC::Undecided_reason::NODES);
+    }
+    for (int run = 0; run < 2; ++run)
+      expect_equal(a, SC::solve_surfaces<CGAL::Parallel_tag>(system, options));
+  };
+  expect_same(SC::make_system(std::array{torus}), {.tolerance = 1e-8}, 0, 0);
+  expect_same(SC::make_system(std::array{torus, x >= 0}), {.tolerance = 1e-8}, 0, 2);
+  expect_same(SC::make_system(std::array{t4(x) + t4(y) + t4(z) == 0}), {.tolerance = 1e-8}, -8, 0);
+  expect_same(SC::make_system(std::array{square(x) + square(y) == square(z)}), {.tolerance = 1e-8}, 2, 2);
+  expect_same(octahedron, {.tolerance = 1e-8}, 2, 0);
+  for (const std::size_t limit : {40, 400, 1200})
+    expect_same(SC::make_system(std::array{torus}), {.tolerance = 1e-8, .node_limit = limit}, 0, 0);
 }
 
 TEST(Parallel, OtherNumberTypes)

@@ -45,10 +45,11 @@ curves, and edges of the domain that are solutions, are left undecided; boxes th
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
 number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.
+\tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
 
 Source: \cgalCite{me-tgbs-15}, of which the curves between neighbours are shared here.
 */
-template <ConstraintSolverTraits Traits = Certified_solver_traits>
+template <ConstraintSolverTraits Traits = Certified_solver_traits, class Concurrency_tag = CGAL::Sequential_tag>
 class Surface_solver_d
 {
   Solver_options m_options;
@@ -68,9 +69,9 @@ public:
   //! function that is not to be zero may be so somewhere.
   Surface_solution_set_d operator()(const Constraint_system_d& system) const
   {
-    internal::check_definitions<Traits, internal::are_surfaces_compiled<Traits>>();
+    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
     internal::Run_control control(m_options);
-    return internal::all_surfaces<Traits>(system, m_options, control);
+    return internal::all_surfaces<Traits, Concurrency_tag>(system, m_options, control);
   }
 
   /*!
@@ -84,9 +85,9 @@ public:
   Surface_solution_set_d operator()(const Constraint_system_d& system,
                                     const std::vector<Spline_function>& features) const
   {
-    internal::check_definitions<Traits, internal::are_surfaces_compiled<Traits>>();
+    internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
     internal::Run_control control(m_options);
-    return internal::all_surfaces<Traits>(system, m_options, control, features);
+    return internal::all_surfaces<Traits, Concurrency_tag>(system, m_options, control, features);
   }
 
   //! the same, watched by this visitor and not by that of the options. Of the progress it is told only that the run
@@ -108,23 +109,27 @@ by proof. In systems without inequalities and breaks, unknowns that equalities o
 equalities, give by others are eliminated before, as `solve_curves()` does; `Surface_solver_d` does without.
 \param system the constraints; two equalities less than unknowns.
 \param options as for `Surface_solver_d`.
+\tparam Concurrency_tag as for `Surface_solver_d`.
 \throws Invalid_input as `Surface_solver_d`.
 */
-inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
-                                             const Solver_options& options = {.tolerance = 1e-8})
+template <class Concurrency_tag = CGAL::Sequential_tag>
+Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
+                                      const Solver_options& options = {.tolerance = 1e-8})
 {
+  using Traits = Certified_solver_traits;
+  internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
   options.check();
   internal::Run_control control(options);
-  return internal::surfaces_after_elimination<Certified_solver_traits>(system, options, control);
+  return internal::surfaces_after_elimination<Traits, Concurrency_tag>(system, options, control);
 }
 
 //! \ingroup PkgSplineConstraintsDSolver
 //! the same, cut along the zeros of functions, see `Surface_solver_d`; no unknowns are eliminated.
-inline Surface_solution_set_d solve_surfaces(const Constraint_system_d& system,
-                                             const std::vector<Spline_function>& features,
-                                             const Solver_options& options = {.tolerance = 1e-8})
+template <class Concurrency_tag = CGAL::Sequential_tag>
+Surface_solution_set_d solve_surfaces(const Constraint_system_d& system, const std::vector<Spline_function>& features,
+                                      const Solver_options& options = {.tolerance = 1e-8})
 {
-  return Surface_solver_d<>(options)(system, features);
+  return Surface_solver_d<Certified_solver_traits, Concurrency_tag>(options)(system, features);
 }
 
 /*!

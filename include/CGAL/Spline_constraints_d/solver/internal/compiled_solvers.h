@@ -67,13 +67,13 @@ Curve_solution_set_d curves_after_elimination(const Constraint_system_d& system,
                                               Run_control& control);
 
 // All surfaces of solutions of a system, cut along the zeros of some functions; defined in surfaces/all_surfaces.h.
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
                                     Run_control& control, const std::vector<Spline_function>& features = {});
 
 // The same, of a system without the unknowns that equalities of degree one give; defined in
 // decomposition/surfaces_after_elimination.h.
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& system, const Solver_options& options,
                                                   Run_control& control);
 
@@ -102,7 +102,7 @@ bool are_surfaces_proved(const Surface_solution_set_d& set);
 template <class Traits>
 struct Definitions_of_solvers;
 
-// Whether the compiled library has solvers of points and of curves.
+// Whether the compiled library has solvers of points, and of curves and surfaces.
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 constexpr bool is_compiled_for_all_cores = true;
 #else
@@ -111,8 +111,6 @@ constexpr bool is_compiled_for_all_cores = false;
 template <class Traits, class Concurrency_tag>
 constexpr bool are_curves_compiled = std::same_as<Traits, Certified_solver_traits> &&
     (std::same_as<Concurrency_tag, CGAL::Sequential_tag> || is_compiled_for_all_cores);
-template <class Traits>
-constexpr bool are_surfaces_compiled = std::same_as<Traits, Certified_solver_traits>;
 // The default ones with the cones of normals in place of graph boxes.
 using Normal_cone_solver_traits = Solver_traits<double, Normal_cone_test>;
 template <class Traits, class Concurrency_tag>
@@ -152,16 +150,17 @@ constexpr void check_definitions()
   EXTERN template Curve_solution_set_d curves_after_elimination<TRAITS, TAG>(const Constraint_system_d&,               \
                                                                              const Solver_options&, Run_control&);
 
-#define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS)                                                     \
-  EXTERN template Surface_solution_set_d all_surfaces<TRAITS>(const Constraint_system_d&, const Solver_options&,       \
-                                                              Run_control&, const std::vector<Spline_function>&);      \
-  EXTERN template Surface_solution_set_d surfaces_after_elimination<TRAITS>(const Constraint_system_d&,                \
-                                                                            const Solver_options&, Run_control&);
+#define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS, TAG)                                                \
+  EXTERN template Surface_solution_set_d all_surfaces<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,  \
+                                                                   Run_control&, const std::vector<Spline_function>&); \
+  EXTERN template Surface_solution_set_d surfaces_after_elimination<TRAITS, TAG>(const Constraint_system_d&,           \
+                                                                                 const Solver_options&, Run_control&);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
-  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)
 #else
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
 #endif
@@ -173,7 +172,7 @@ constexpr void check_definitions()
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Exact_solver_traits, CGAL::Sequential_tag)                          \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Normal_cone_solver_traits, CGAL::Sequential_tag)                    \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
-  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits)                                          \
+  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                    \
   CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED

@@ -110,18 +110,20 @@ inline Surface_solution_set_d lifted(const Surface_solution_set_d& found, const 
 /*
 All surfaces of solutions, as curves_after_elimination() finds curves, of systems of equalities without breaks.
 */
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& system, const Solver_options& options,
                                                   Run_control& control)
 {
   Summary work;
   const auto is_empty = [&](const Constraint_system_d& on_bound) {
-    const Curve_solution_set_d found = all_curves<Traits, CGAL::Sequential_tag>(
+    const Curve_solution_set_d found = all_curves<Traits, Concurrency_tag>(
         on_bound, options_for_bound(options, work, control), control, {.are_faces_undecided = true});
     work.nodes += found.summary().nodes;
     return found.is_complete() && found.vertices().empty();
   };
-  const auto with_work = [&](const Surface_solution_set_d& found) -> Surface_solution_set_d {
+  const auto with_work = [&](Surface_solution_set_d found) -> Surface_solution_set_d {
+    if (work.nodes == 0)
+      return found;
     Summary summary = found.summary();
     summary.nodes += work.nodes;
     return {std::make_shared<const Constraint_system_d>(found.system()),
@@ -140,14 +142,14 @@ Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& sys
     decomposition = elimination_within_bounds(system, 2, control, is_empty);
   if (const Sign_of_minor sign(system); !decomposition.eliminated.empty() && sign.is_defined()) {
     const Surface_solution_set_d found =
-        all_surfaces<Traits>(decomposition.parts.front().system, rest_of(options, work), control);
+        all_surfaces<Traits, Concurrency_tag>(decomposition.parts.front().system, rest_of(options, work), control);
     Box_lifting lifting(system, decomposition);
     const Surface_solution_set_d result = lifted(found, system, sign, lifting);
     if (lifting.are_in_domain() && (result.is_complete() || has_limits_reached(result.undecided_regions())))
       return with_work(result);
     work.nodes += found.summary().nodes;
   }
-  return with_work(all_surfaces<Traits>(system, rest_of(options, work), control));
+  return with_work(all_surfaces<Traits, Concurrency_tag>(system, rest_of(options, work), control));
 }
 
 } // namespace internal

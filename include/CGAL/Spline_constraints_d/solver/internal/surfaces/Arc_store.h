@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,10 +39,12 @@ inline Plane_point with_plane(Plane_point point, int axis, const Exact_rational&
 // An arc on a plane, and what it was cut into.
 struct Stored_arc
 {
-  Exact_ranges box;
+  std::shared_ptr<const Exact_ranges> shared_box; // with its parts
   int plane, parameter;
   std::array<std::size_t, 2> ends;
   std::vector<std::size_t> parts = {}; // in the order from its first end; none: it was not cut
+
+  const Exact_ranges& box() const { return *shared_box; }
 };
 
 /*
@@ -50,7 +53,7 @@ cut on one side keeps its index, for the other side, and knows its parts.
 */
 class Arc_store
 {
-  std::vector<Plane_point> m_vertices;
+  std::vector<std::shared_ptr<const Plane_point>> m_vertices; // shared with stores of tasks
   std::vector<Stored_arc> m_arcs;
   std::multimap<std::vector<double>, std::size_t> m_places; // of the points on several planes: near the lower ends
 
@@ -58,27 +61,46 @@ public:
   // Where arcs are cut, with the points in the order from their first ends.
   using Cuts = std::map<std::size_t, std::vector<std::size_t>>;
 
-  const std::vector<Plane_point>& vertices() const { return m_vertices; }
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  const Plane_point& vertex(std::size_t i) const { return *m_vertices[i]; }
+  const std::shared_ptr<const Plane_point>& shared_vertex(std::size_t i) const { return m_vertices[i]; }
   const std::vector<Stored_arc>& arcs() const { return m_arcs; }
 
   // The index of a point, the same for one with the same box on the same planes: there is just one such solution, as
   // the box was found for the system on these planes. If it comes back otherwise the arcs do not join, and the boxes
   // around are left undecided.
-  std::size_t add_vertex(const Plane_point& point)
+  std::size_t add_vertex(std::shared_ptr<const Plane_point> point)
   {
     std::vector<double> place;
-    for (const auto& [lower, upper] : point.box)
+    for (const auto& [lower, upper] : point->box)
       place.push_back(CGAL::to_double(lower));
     const auto [first, last] = m_places.equal_range(place);
     const auto known = std::find_if(first, last, [&](const auto& entry) {
-      return m_vertices[entry.second].is_fixed == point.is_fixed && m_vertices[entry.second].box == point.box;
+      return vertex(entry.second).is_fixed == point->is_fixed && vertex(entry.second).box == point->box;
     });
     if (known != last)
       return known->second;
-    if (point.planes() > 1)
+    if (point->planes() > 1)
       m_places.emplace_hint(last, std::move(place), m_vertices.size());
-    m_vertices.push_back(point);
+    return add_known_vertex(std::move(point));
+  }
+
+  std::size_t add_vertex(Plane_point point)
+  {
+    return add_vertex(std::make_shared<const Plane_point>(std::move(point)));
+  }
+
+  // One that is not added again.
+  std::size_t add_known_vertex(std::shared_ptr<const Plane_point> point)
+  {
+    m_vertices.push_back(std::move(point));
     return m_vertices.size() - 1;
+  }
+
+  std::size_t add_arc(Stored_arc arc)
+  {
+    m_arcs.push_back(std::move(arc));
+    return m_arcs.size() - 1;
   }
 
   std::vector<std::size_t> add_vertices(const std::vector<Plane_point>& points)
@@ -98,8 +120,10 @@ public:
       Exact_ranges box = piece.box;
       box.insert(box.begin() + axis, {value, value});
       const int parameter = piece.parameter + (piece.parameter >= axis ? 1 : 0); // -1 stays
-      result.push_back(m_arcs.size());
-      m_arcs.push_back({std::move(box), axis, parameter, {vertices[piece.ends[0]], vertices[piece.ends[1]]}});
+      result.push_back(add_arc({std::make_shared<const Exact_ranges>(std::move(box)),
+                                axis,
+                                parameter,
+                                {vertices[piece.ends[0]], vertices[piece.ends[1]]}}));
     }
     return result;
   }
@@ -110,19 +134,32 @@ public:
     std::optional<std::size_t> result;
     for (const std::size_t a : arcs) {
       const Stored_arc& arc = m_arcs[a];
-      if (arc.plane != plane || arc.parameter < 0 || arc.box[plane] != point.box[plane] ||
-          !is_within(point.box, arc.box))
+      if (arc.plane != plane || arc.parameter < 0 || arc.box()[plane] != point.box[plane] ||
+          !is_within(point.box, arc.box()) || !is_between_ends(point, arc))
         continue;
-      auto [first, last] = ends_of(arc);
-      if (last.first < first.first)
-        std::swap(first, last);
-      if (first.second < point.box[arc.parameter].first && point.box[arc.parameter].second < last.first) {
-        if (result)
-          return std::nullopt;
-        result = a;
-      }
+      if (result)
+        return std::nullopt;
+      result = a;
     }
     return result;
+  }
+
+  // Whether a point of the curve that an arc is a part of certainly lies between its ends.
+  bool is_between_ends(const Plane_point& point, const Stored_arc& arc) const
+  {
+    auto [first, last] = ends_of(arc);
+    if (last.first < first.first)
+      std::swap(first, last);
+    return first.second < point.box[arc.parameter].first && point.box[arc.parameter].second < last.first;
+  }
+
+  // When only the parts of arcs are asked for from now on: frees the memory of one arc and one vertex.
+  void free_boxes(std::size_t i)
+  {
+    if (i < m_arcs.size())
+      m_arcs[i].shared_box.reset();
+    if (i < m_vertices.size())
+      m_vertices[i].reset();
   }
 
   // Puts the points of the cuts in order along their arcs; false when it is not certain.
@@ -178,7 +215,7 @@ private:
 
   std::pair<Exact_ranges::value_type, Exact_ranges::value_type> ends_of(const Stored_arc& arc) const
   {
-    return {m_vertices[arc.ends[0]].box[arc.parameter], m_vertices[arc.ends[1]].box[arc.parameter]};
+    return {vertex(arc.ends[0]).box[arc.parameter], vertex(arc.ends[1]).box[arc.parameter]};
   }
 };
 

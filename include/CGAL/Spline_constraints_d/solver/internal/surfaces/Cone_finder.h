@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,6 +25,29 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// The singular points that are known in a cell.
+struct Known_cones
+{
+  std::vector<Cone_point> points = {};
+  std::vector<Exact_point> places = {}; // of singular points, or near them, proved or not
+  std::size_t calls = 0, steps = 0, attempts = 0;
+
+  // Adds what a task has found that began with what was known before.
+  void learn(const Known_cones& task, const Known_cones& before)
+  {
+    for (std::size_t i = before.points.size(); i < task.points.size(); ++i)
+      if (std::none_of(points.begin(), points.end(),
+                       [&](const Cone_point& own) { return own.middle == task.points[i].middle; }))
+        points.push_back(task.points[i]);
+    for (std::size_t i = before.places.size(); i < task.places.size(); ++i)
+      if (std::find(places.begin(), places.end(), task.places[i]) == places.end())
+        places.push_back(task.places[i]);
+    calls += task.calls - before.calls;
+    steps += task.steps - before.steps;
+    attempts += task.attempts - before.attempts;
+  }
+};
 
 /*
 Finds singular points of the surface of one equality in three unknowns, in one cell: rational ones, and others where
@@ -43,9 +65,7 @@ class Cone_finder
   std::vector<Power_polynomial> m_conditions; // it and its derivatives
   Polynomials_with_gradients<double> m_rounded;
   Polynomials_with_gradients<Exact_rational> m_exact;
-  std::deque<Cone_point> m_points;
-  std::vector<Exact_point> m_places; // singular points, or near them, proved or not
-  std::size_t m_calls = 0, m_steps = 0, m_attempts = 0;
+  Known_cones m_known;
 
 public:
   explicit Cone_finder(const Constraint_system_d& system) : m_system(system)
@@ -54,6 +74,10 @@ public:
       m_lengths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
   }
 
+  // What is known to begin with, and by now.
+  void learn(const Known_cones& known) { m_known = known; }
+  const Known_cones& known() const { return m_known; }
+
   bool is_possible() const { return m_system.dimension() == 3 && m_system.equalities().size() == 1; }
 
   // A point that is the only singular one in a box and lies inside, if the box is small and lies inside of the cell.
@@ -61,10 +85,10 @@ public:
   {
     if (!is_smaller(box, large))
       return nullptr;
-    ++m_calls;
-    if (!known(box))
+    ++m_known.calls;
+    if (!known_in(box))
       search(box);
-    const Cone_point* const result = known(box);
+    const Cone_point* const result = known_in(box);
     return result && is_inside(result->point, box) && is_inside(box, domain_of(m_system)) &&
             is_smaller(box, result->is_quadratic() ? small : moderate)
         ? result
@@ -75,7 +99,7 @@ public:
   bool is_near(const Exact_ranges& box, int axis, const Exact_rational& value, double width) const
   {
     constexpr double far = 0.2;
-    return std::any_of(m_places.begin(), m_places.end(), [&](const Exact_point& place) {
+    return std::any_of(m_known.places.begin(), m_known.places.end(), [&](const Exact_point& place) {
       for (std::size_t j = 0; j < 3; ++j)
         if (place[j] < box[j].first || box[j].second < place[j])
           return false;
@@ -101,18 +125,19 @@ private:
   }
 
   // The point whose region has a box.
-  const Cone_point* known(const Exact_ranges& box) const
+  const Cone_point* known_in(const Exact_ranges& box) const
   {
-    const auto found = std::find_if(m_points.begin(), m_points.end(),
+    const auto found = std::find_if(m_known.points.begin(), m_known.points.end(),
                                     [&](const Cone_point& point) { return is_within(box, point.region); });
-    return found == m_points.end() ? nullptr : &*found;
+    return found == m_known.points.end() ? nullptr : &*found;
   }
 
   // Where there are none, or many that cannot be proved, this costs a part of what the boxes do.
   void search(const Exact_ranges& box)
   {
     constexpr std::size_t few_steps = 300, more_steps = 4, few_attempts = 8, more_attempts = 4;
-    if (m_steps > few_steps + more_steps * m_calls || m_attempts > few_attempts + more_attempts * m_points.size())
+    if (m_known.steps > few_steps + more_steps * m_known.calls ||
+        m_known.attempts > few_attempts + more_attempts * m_known.points.size())
       return;
     prepare();
     Exact_ranges near = box;
@@ -150,15 +175,15 @@ private:
 
   void add(const Exact_ranges& point, const Exact_point& middle)
   {
-    if (std::find(m_places.begin(), m_places.end(), middle) != m_places.end())
+    if (std::find(m_known.places.begin(), m_known.places.end(), middle) != m_known.places.end())
       return;
-    m_places.push_back(middle);
-    ++m_attempts;
+    m_known.places.push_back(middle);
+    ++m_known.attempts;
     std::optional<Cone_point> proved = Quadratic_cone_test(*m_equation, middle)(point, m_lengths);
     if (!proved && is_within(point, box_around(middle, Exact_point(3, Exact_rational(0)))))
       proved = weighted_cone_point(*m_equation, middle, m_lengths);
     if (proved)
-      m_points.push_back(*std::move(proved));
+      m_known.points.push_back(*std::move(proved));
   }
 
   // For a rational point.
@@ -166,7 +191,7 @@ private:
   {
     Gauss_newton_search<double> search(m_rounded, box, [this](const Exact_point& point) { return is_singular(point); });
     const Search_result result = search();
-    m_steps += search.steps();
+    m_known.steps += search.steps();
     return result;
   }
 
@@ -177,7 +202,7 @@ private:
     Gauss_newton_search<Exact_rational> search(m_exact, box,
                                                [this](const Exact_point& point) { return is_singular(point); });
     const Search_result result = search();
-    m_steps += quick_steps * search.steps();
+    m_known.steps += quick_steps * search.steps();
     return result.point;
   }
 
@@ -199,7 +224,7 @@ private:
   bool is_known(const std::vector<double>& place) const
   {
     const Exact_ranges around = box_near(place);
-    return std::any_of(m_places.begin(), m_places.end(), [&](const Exact_point& known) {
+    return std::any_of(m_known.places.begin(), m_known.places.end(), [&](const Exact_point& known) {
       return is_within(box_around(known, Exact_point(3, Exact_rational(0))), around);
     });
   }
@@ -233,7 +258,7 @@ private:
     for (const auto& [lower, upper] : box)
       place.push_back(CGAL::to_double(Exact_rational((lower + upper) / 2)));
     for (int step = 0; step < most_steps; ++step) {
-      ++m_steps;
+      ++m_known.steps;
       const auto values = m_rounded(place);
       std::vector<double> rows;
       for (std::size_t i = 1; i < values.size(); ++i) {

@@ -48,8 +48,8 @@ public:
     const Upward_rounding_guard guard;
     return std::all_of(arcs.begin(), arcs.end(), [&](std::size_t a) {
       const Stored_arc& arc = store.arcs()[a];
-      return arc.parameter >= 0 && is_regular(store.vertices()[arc.ends[0]]) &&
-          is_regular(store.vertices()[arc.ends[1]]) && is_good_arc(arc, store);
+      return arc.parameter >= 0 && is_regular(store.vertex(arc.ends[0])) && is_regular(store.vertex(arc.ends[1])) &&
+          is_good_arc(arc, store);
     });
   }
 
@@ -86,7 +86,7 @@ private:
   {
     constexpr int most_parts = 1000;
     const std::size_t face = static_cast<std::size_t>(arc.plane);
-    const int side_of_box = side(face, arc.box[face].first);
+    const int side_of_box = side(face, arc.box()[face].first);
     if (side_of_box == 0)
       return false;
     std::vector<Ends> parts{ends_of(arc, store)};
@@ -104,11 +104,11 @@ private:
   // The box around an arc.
   Ends ends_of(const Stored_arc& arc, const Arc_store& store) const
   {
-    Exact_ranges box = arc.box;
+    Exact_ranges box = arc.box();
     for (std::size_t j = 0; j < 3; ++j)
       box[j] = {(std::max)(box[j].first, m_box[j].first), (std::min)(box[j].second, m_box[j].second)};
     const std::size_t j = static_cast<std::size_t>(arc.parameter);
-    const auto &first = store.vertices()[arc.ends[0]].box[j], &last = store.vertices()[arc.ends[1]].box[j];
+    const auto &first = store.vertex(arc.ends[0]).box[j], &last = store.vertex(arc.ends[1]).box[j];
     box[j] = {(std::max)(box[j].first, (std::min)(first.first, last.first)),
               (std::min)(box[j].second, (std::max)(first.second, last.second))};
     const Interval_box differences = m_point.difference(box);

@@ -9,8 +9,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_SURFACE_COMPLEX_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_SURFACE_COMPLEX_H
 
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/union_of_boxes.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -38,7 +39,9 @@ class Surface_complex
 {
   Surface_findings m_found;
   std::vector<Surface_arc> m_arcs;
-  std::map<std::size_t, std::size_t> m_place_of_arc, m_place_of_vertex;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> m_place_of_arc, m_place_of_vertex; // `none` for those that are not used
+  std::vector<std::size_t> m_stored_arcs, m_stored_vertices;  // of those that are
   std::vector<Curve_vertex> m_vertices;
   std::vector<std::size_t> m_first_corner;    // per patch
   std::vector<std::size_t> m_singular_points; // vertices
@@ -51,8 +54,12 @@ class Surface_complex
   };
 
 public:
-  explicit Surface_complex(Surface_findings&& found) : m_found(std::move(found)) {}
+  explicit Surface_complex(Surface_findings&& found)
+    : m_found(std::move(found)), m_place_of_arc(m_found.arcs.arcs().size(), none),
+      m_place_of_vertex(m_found.arcs.number_of_vertices(), none)
+  {}
 
+  template <class Concurrency_tag>
   Surface_solution_set_d solution_set(std::shared_ptr<const Constraint_system_d> system, int dimension)
   {
     const Exact_ranges domain = domain_of(*system);
@@ -64,6 +71,7 @@ public:
     for (Surface_patch& patch : m_found.patches)
       if (patch.apex)
         patch.apex = vertex(*patch.apex, domain);
+    take_boxes<Concurrency_tag>();
     std::vector<Undecided_surface_region> undecided = regions();
     std::vector<Solution_surface> surfaces = connected_surfaces(undecided);
     Summary summary = m_found.summary;
@@ -94,26 +102,44 @@ private:
 
   std::size_t arc(std::size_t stored, const Exact_ranges& domain)
   {
-    const auto [place, is_new] = m_place_of_arc.try_emplace(stored, m_arcs.size());
-    if (is_new) {
+    std::size_t& place = m_place_of_arc[stored];
+    if (place == none) {
+      place = m_arcs.size();
       const Stored_arc& own = m_found.arcs.arcs()[stored];
-      m_arcs.push_back({own.box, own.plane, own.parameter, {vertex(own.ends[0], domain), vertex(own.ends[1], domain)}});
+      m_arcs.push_back({{}, own.plane, own.parameter, {vertex(own.ends[0], domain), vertex(own.ends[1], domain)}});
+      m_stored_arcs.push_back(stored);
     }
-    return place->second;
+    return place;
   }
 
   std::size_t vertex(std::size_t stored, const Exact_ranges& domain)
   {
-    const auto [place, is_new] = m_place_of_vertex.try_emplace(stored, m_vertices.size());
-    if (is_new) {
-      const Plane_point& own = m_found.arcs.vertices()[stored];
+    std::size_t& place = m_place_of_vertex[stored];
+    if (place == none) {
+      place = m_vertices.size();
+      const Plane_point& own = m_found.arcs.vertex(stored);
       bool is_on_boundary = false;
       for (std::size_t j = 0; j < domain.size(); ++j)
         is_on_boundary = is_on_boundary ||
             (own.is_fixed[j] && (own.box[j].first == domain[j].first || own.box[j].first == domain[j].second));
-      m_vertices.push_back({own.box, is_on_boundary, own.is_singular_point(), false});
+      m_vertices.push_back({{}, is_on_boundary, own.is_singular_point(), false});
+      m_stored_vertices.push_back(stored);
     }
-    return place->second;
+    return place;
+  }
+
+  // Copies the boxes, and frees the stored ones: exact numbers are many small pieces of memory.
+  template <class Concurrency_tag>
+  void take_boxes()
+  {
+    parallel_for<Concurrency_tag>(m_arcs.size(), [&](std::size_t i, std::size_t) {
+      m_arcs[i].box = m_found.arcs.arcs()[m_stored_arcs[i]].box();
+    });
+    parallel_for<Concurrency_tag>(m_vertices.size(), [&](std::size_t i, std::size_t) {
+      m_vertices[i].box = m_found.arcs.vertex(m_stored_vertices[i]).box;
+    });
+    parallel_for<Concurrency_tag>((std::max)(m_place_of_arc.size(), m_place_of_vertex.size()),
+                                  [&](std::size_t i, std::size_t) { m_found.arcs.free_boxes(i); });
   }
 
   // The undecided boxes that touch, with the arcs of patches that they have.
@@ -129,8 +155,8 @@ private:
           all.try_emplace(root[i], Undecided_surface_region{{}, {}, m_found.undecided[root[i]].reason}).first->second;
       region.boxes.push_back(boxes[i]);
       for (const std::size_t part : m_found.arcs.parts_of(m_found.undecided[i].arcs))
-        if (const auto place = m_place_of_arc.find(part); place != m_place_of_arc.end())
-          region.arcs.push_back(place->second);
+        if (m_place_of_arc[part] != none)
+          region.arcs.push_back(m_place_of_arc[part]);
     }
     std::vector<Undecided_surface_region> result;
     for (auto& [r, region] : all) {

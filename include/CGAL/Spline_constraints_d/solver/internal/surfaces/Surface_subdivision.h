@@ -12,12 +12,13 @@
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
-#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_finder.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Link_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/arc_loops.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -29,25 +30,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// A box that was left undecided, with the arcs on its boundary.
-struct Undecided_surface_box
-{
-  Exact_ranges box;
-  Arc_indices arcs;
-  Undecided_reason reason;
-};
-
-// What comes of all boxes.
-struct Surface_findings
-{
-  Arc_store arcs = {};
-  std::vector<Exact_ranges> open_parts = {}; // of planes: what was not decided there
-  std::vector<Surface_patch> patches = {};
-  std::vector<std::size_t> points = {}; // vertices that are all of a surface in the domain
-  std::vector<Undecided_surface_box> undecided = {};
-  Summary summary = {};
-};
 
 // The curves of a system of polynomials on a box, where these vertices are all on its boundary; or, if one needs
 // regular ones, what tells that some are not.
@@ -89,8 +71,13 @@ public:
   };
 
 private:
-  Surface_findings& m_found;
   Cone_finder m_cones;
+  // of the task
+  const Task_environment* m_environment = nullptr;
+  Task_findings* m_found = nullptr;
+  Arc_store* m_store = nullptr;
+  Task_budget m_budget{};
+  std::size_t m_cell = 0, m_splits = 0;
   Node m_below, m_above; // parts of a box that is to be split
 
   // That a box is split along.
@@ -104,29 +91,40 @@ private:
 public:
   Surface_subdivision(const Constraint_system_d& system, const Exact_ranges& cell,
                       const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
-                      Surface_findings& found)
-    : Search(system, cell, 2, domain_widths, options, control, found.summary), m_found(found), m_cones(m_equalities)
+                      Summary& summary)
+    : Search(system, cell, 2, domain_widths, options, control, summary), m_cones(m_equalities)
   {
     m_below.allocate(m_layout);
     m_above.allocate(m_layout);
   }
 
-  // `arcs`: all that lie on the boundary of the box.
-  void run(const Exact_ranges& box, const Arc_indices& arcs)
+  void run(const Surface_task& task, const Task_budget& budget, const Task_environment& environment,
+           Task_findings& found)
   {
-    this->enter(box);
-    m_driver.run(*this, State{box, arcs}, 0);
+    m_environment = &environment;
+    m_found = &found;
+    m_store = &found.arcs.store();
+    m_budget = budget;
+    m_cell = task.cell;
+    m_splits = 0;
+    m_summary = Summary();
+    m_cones.learn(environment.cones);
+    this->enter(task.box);
+    m_driver.run(*this, State{task.box, found.arcs.indices()}, task.depth);
     m_source.leave_home();
+    found.cones = m_cones.known();
+    found.summary = m_summary;
   }
 
-  // For the driver: false when a limit is reached.
+  // For the driver: false when a limit or the budget is reached.
   bool goes_on(const Node&, State& state, int depth)
   {
-    Undecided_reason reason = this->limit();
-    if (reason == Undecided_reason::NONE && m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit)
-      reason = Undecided_reason::NODES;
-    if (reason != Undecided_reason::NONE) {
-      m_found.undecided.push_back({std::move(state.box), std::move(state.arcs), reason});
+    if (const Undecided_reason reason = this->limit(); reason != Undecided_reason::NONE) {
+      m_found->undecided.push_back({std::move(state.box), std::move(state.arcs), reason});
+      return false;
+    }
+    if (m_splits >= m_budget.splits || m_summary.nodes >= m_budget.nodes) {
+      m_found->pending.push_back({m_cell, std::move(state.box), std::move(state.arcs), depth});
       return false;
     }
     ++m_summary.nodes;
@@ -136,7 +134,7 @@ public:
 
   Box_verdict examine(Node& node, State& state, int)
   {
-    state.arcs = m_found.arcs.parts_of(state.arcs); // boxes on the other side may have cut them
+    state.arcs = m_store->parts_of(state.arcs); // boxes on the other side, in this task, may have cut them
     const Box_verdict verdict =
         this->examine_box(node, state.box, state.age, [&] { return is_patch(state.box, state.arcs); });
     return verdict == Box_verdict::SPLIT && is_cone(state.box, state.arcs) ? Box_verdict::DONE : verdict;
@@ -148,10 +146,11 @@ public:
     std::optional<Plane> plane = plane_of_split(node, state.box, state.arcs);
     if (!plane) {
       const Undecided_reason reason = this->limit();
-      m_found.undecided.push_back({std::move(state.box), std::move(state.arcs),
-                                   reason == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : reason});
+      m_found->undecided.push_back({std::move(state.box), std::move(state.arcs),
+                                    reason == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : reason});
       return std::nullopt;
     }
+    ++m_splits;
     const Exact_rational value(place_between(node.lower[plane->axis], node.upper[plane->axis], plane->place));
     Exact_ranges lower_box = std::move(state.box), upper_box = lower_box;
     upper_box[plane->axis].first = lower_box[plane->axis].second = value;
@@ -162,11 +161,9 @@ public:
   }
 
 private:
-  const Arc_store& store() const { return m_found.arcs; }
-
   bool touches_open_part(const Exact_ranges& box) const
   {
-    return std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(),
+    return std::any_of(m_environment->open_parts.begin(), m_environment->open_parts.end(),
                        [&](const Exact_ranges& part) { return touch(part, box); });
   }
 
@@ -177,11 +174,11 @@ private:
       return false;
     if (arcs.empty())
       return true;
-    std::optional<std::vector<Surface_patch::Side>> loop = single_loop(m_found.arcs, arcs);
+    std::optional<std::vector<Surface_patch::Side>> loop = single_loop(*m_store, arcs);
     if (!loop)
       return false;
     const std::vector<int> parameters = m_graph.parameters();
-    m_found.patches.push_back({box, {parameters[0], parameters[1]}, this->sign_of_minor(), *std::move(loop)});
+    m_found->patches.push_back({box, {parameters[0], parameters[1]}, this->sign_of_minor(), *std::move(loop)});
     return true;
   }
 
@@ -192,16 +189,16 @@ private:
     if (!m_cones.is_possible() || !may_gradient_vanish() || touches_open_part(box))
       return false;
     const Cone_point* const point = m_cones(box);
-    if (!point || !Link_test(*point, box)(store(), arcs))
+    if (!point || !Link_test(*point, box)(*m_store, arcs))
       return false;
-    std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store(), arcs);
+    std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(*m_store, arcs);
     if (!loops)
       return false;
-    const std::size_t apex = m_found.arcs.add_vertex(Plane_point::singular(point->point));
+    const std::size_t apex = m_store->add_vertex(Plane_point::singular(point->point));
     if (loops->empty())
-      m_found.points.push_back(apex);
+      m_found->points.push_back(apex);
     for (Arc_loop& loop : *loops)
-      m_found.patches.push_back({box, {-1, -1}, 0, std::move(loop), 0, apex});
+      m_found->patches.push_back({box, {-1, -1}, 0, std::move(loop), 0, apex});
     return true;
   }
 
@@ -214,11 +211,14 @@ private:
   }
 
   // A plane where a part of the box is seen to be empty, or that surfaces cross; there are many through a small box
-  // that will do, unless it is too small.
+  // that will do, unless it is too small. Tasks side by side try different ones: they may not meet arcs in one point.
   std::optional<Plane> plane_of_split(const Node& node, const Exact_ranges& box, const Arc_indices& arcs)
   {
-    for (const int axis : this->rated_axes(node, m_found.undecided.size()))
-      for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
+    constexpr std::array shifts{0, 8, -4, 10, -6, 12, -8, 14};
+    const double shift = shifts[m_environment->number % shifts.size()] / 256.0;
+    for (const int axis : this->rated_axes(node, m_environment->undecided + m_found->undecided.size()))
+      for (const double middle : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
+        const double place = middle + shift;
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
           continue;
@@ -262,26 +262,27 @@ private:
     std::vector<Plane_point> points;
     for (std::size_t i = 0; i < found.vertices.size(); ++i)
       points.push_back(with_plane(found.vertices[i], axis, value));
-    if (!store().sort(cuts, points))
+    if (!m_store->sort(cuts, points))
       return std::nullopt;
-    const std::vector<std::size_t> vertices = m_found.arcs.add_vertices(points);
-    return divided(arcs, cuts, vertices, m_found.arcs.add_arcs(found.pieces, vertices, axis, value), axis, value);
+    const std::vector<std::size_t> vertices = m_store->add_vertices(points);
+    return divided(arcs, cuts, vertices, m_store->add_arcs(found.pieces, vertices, axis, value), axis, value);
   }
 
   // Whether a curve on the plane might end where nothing is known.
   bool meets_open_part(const Exact_ranges& box, int axis, const Exact_rational& value) const
   {
-    return std::any_of(m_found.open_parts.begin(), m_found.open_parts.end(), [&](const Exact_ranges& part) {
-      return part[axis].first <= value && value <= part[axis].second && touch(part, box);
-    });
+    return std::any_of(m_environment->open_parts.begin(), m_environment->open_parts.end(),
+                       [&](const Exact_ranges& part) {
+                         return part[axis].first <= value && value <= part[axis].second && touch(part, box);
+                       });
   }
 
   // No end of an arc may be on the plane.
   bool are_ends_beside(const Arc_indices& arcs, int axis, const Exact_rational& value) const
   {
     for (const std::size_t a : arcs)
-      for (const std::size_t i : store().arcs()[a].ends) {
-        const auto& [lower, upper] = store().vertices()[i].box[axis];
+      for (const std::size_t i : m_store->arcs()[a].ends) {
+        const auto& [lower, upper] = m_store->vertex(i).box[axis];
         if (lower <= value && value <= upper)
           return false;
       }
@@ -295,9 +296,9 @@ private:
   {
     std::set<std::pair<int, Exact_rational>> faces;
     for (const std::size_t a : arcs) {
-      const Stored_arc& arc = store().arcs()[a];
-      if (arc.box[axis].first <= value && value <= arc.box[axis].second)
-        faces.emplace(arc.plane, arc.box[arc.plane].first);
+      const Stored_arc& arc = m_store->arcs()[a];
+      if (arc.box()[axis].first <= value && value <= arc.box()[axis].second)
+        faces.emplace(arc.plane, arc.box()[arc.plane].first);
     }
     Exact_ranges reduced = box;
     reduced.erase(reduced.begin() + axis);
@@ -308,7 +309,7 @@ private:
       for (std::size_t i = before; i < points.size(); ++i) {
         if (points[i].planes() != 1)
           return false;
-        const std::optional<std::size_t> arc = store().arc_of(with_plane(points[i], axis, value), face, arcs);
+        const std::optional<std::size_t> arc = m_store->arc_of(with_plane(points[i], axis, value), face, arcs);
         if (!arc)
           return false;
         cuts[*arc].push_back(i);
@@ -319,7 +320,7 @@ private:
 
   bool is_above(std::size_t vertex, int axis, const Exact_rational& value) const
   {
-    return value < store().vertices()[vertex].box[axis].first;
+    return value < m_store->vertex(vertex).box[axis].first;
   }
 
   // An arc crosses the plane at each of its points there.
@@ -329,7 +330,7 @@ private:
     return std::all_of(arcs.begin(), arcs.end(), [&](std::size_t a) {
       const auto own = cuts.find(a);
       const std::size_t count = own == cuts.end() ? 0 : own->second.size();
-      const auto& [first, last] = store().arcs()[a].ends;
+      const auto& [first, last] = m_store->arcs()[a].ends;
       return (is_above(first, axis, value) != is_above(last, axis, value)) == (count % 2 == 1);
     });
   }
@@ -357,12 +358,12 @@ private:
   {
     std::pair<Arc_indices, Arc_indices> result{on_plane, on_plane};
     for (const std::size_t a : arcs) {
-      bool is_upper = is_above(store().arcs()[a].ends[0], axis, value);
+      bool is_upper = is_above(m_store->arcs()[a].ends[0], axis, value);
       std::vector<std::size_t> own;
       if (const auto place = cuts.find(a); place != cuts.end())
         for (const std::size_t i : place->second)
           own.push_back(vertices[i]);
-      for (const std::size_t part : own.empty() ? Arc_indices{a} : m_found.arcs.cut(a, own)) {
+      for (const std::size_t part : own.empty() ? Arc_indices{a} : m_store->cut(a, own)) {
         (is_upper ? result.second : result.first).push_back(part);
         is_upper = !is_upper;
       }

@@ -9,13 +9,15 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ALL_SURFACES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_ALL_SURFACES_H
 
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_complex.h>
-#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_rounds.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/inequalities_as_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/touching_points.h>
 
@@ -33,11 +35,24 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// A face of a cell, with the unknown that it fixes.
+struct Cell_face
+{
+  int axis;
+  Exact_rational value;
+  Exact_ranges box;
+
+  bool operator<(const Cell_face& other) const
+  {
+    return std::tie(axis, value, box) < std::tie(other.axis, other.value, other.box);
+  }
+};
+
 /*
 All surfaces of a system of equalities. The curves on the faces of the cells, where cells of breaks or the domain end,
-are found first, once for the cells on both sides; then each cell is subdivided.
+are found first, once for the cells on both sides; then the cells are subdivided.
 */
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 class All_surfaces
 {
   const Constraint_system_d& m_system;
@@ -47,8 +62,16 @@ class All_surfaces
   std::vector<double> m_widths;
   std::vector<std::vector<Exact_rational>> m_breaks;
   Surface_findings m_found;
-  std::map<std::tuple<int, Exact_rational, Exact_ranges>, Arc_indices> m_faces; // whose arcs are known
   std::vector<Touching_point> m_touching;
+
+  // What is found on a face.
+  struct Curves_on_face
+  {
+    Cell_face face;
+    Curve_findings curves;
+    bool is_open = false; // all of it is undecided
+    Arc_indices arcs = {};
+  };
 
 public:
   All_surfaces(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
@@ -59,8 +82,10 @@ public:
   {
     for (const auto& [lower, upper] : m_domain)
       m_widths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
+    std::vector<Exact_ranges> cells;
     for (const Cell& cell : possible_cells())
-      find_in(box_of(cell));
+      cells.push_back(box_of(cell));
+    Surface_rounds<Traits, Concurrency_tag>(m_system, cells, m_widths, m_options, m_control, m_found)(tasks_of(cells));
     place_touching_points();
     return std::move(m_found);
   }
@@ -92,38 +117,43 @@ private:
     return box;
   }
 
-  void find_in(const Exact_ranges& box)
+  // The cells, with the arcs on their faces.
+  std::vector<Surface_task> tasks_of(const std::vector<Exact_ranges>& cells)
   {
-    Arc_indices arcs;
-    for (int axis = 0; axis < m_system.dimension(); ++axis)
-      for (const Exact_rational& end : {box[axis].first, box[axis].second}) {
-        const Arc_indices& on_face = arcs_on_face(box, axis, end);
-        arcs.insert(arcs.end(), on_face.begin(), on_face.end());
-      }
-    Surface_subdivision<Traits>(m_system, box, m_widths, m_options, m_control, m_found).run(box, arcs);
+    std::map<Cell_face, std::size_t> places;
+    std::vector<Curves_on_face> faces;
+    std::vector<std::vector<std::size_t>> faces_of(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (int axis = 0; axis < m_system.dimension(); ++axis)
+        for (const Exact_rational& end : {cells[c][axis].first, cells[c][axis].second}) {
+          Cell_face face{axis, end, cells[c]};
+          face.box[axis] = {end, end};
+          const auto [entry, is_new] = places.try_emplace(face, faces.size());
+          if (is_new)
+            faces.push_back({std::move(face), {Curve_vertices(m_options, true)}});
+          faces_of[c].push_back(entry->second);
+        }
+    parallel_for<Concurrency_tag>(faces.size(), [&](std::size_t i, std::size_t) {
+      if (!m_control.must_stop(true))
+        find_curves_on(faces[i]);
+    });
+    for (Curves_on_face& face : faces)
+      take(face);
+    std::vector<Surface_task> result;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      result.push_back({c, cells[c], {}});
+      for (const std::size_t f : faces_of[c])
+        result.back().arcs.insert(result.back().arcs.end(), faces[f].arcs.begin(), faces[f].arcs.end());
+    }
+    return result;
   }
 
-  const Arc_indices& arcs_on_face(const Exact_ranges& box, int axis, const Exact_rational& value)
+  void find_curves_on(Curves_on_face& face) const
   {
-    Exact_ranges face = box;
-    face[axis] = {value, value};
-    const auto [entry, is_new] = m_faces.try_emplace({axis, value, face});
-    if (is_new && !m_control.must_stop(true))
-      entry->second = found_on_face(face, axis, value);
-    return entry->second;
-  }
-
-  // The arcs on a face of a cell. What is not decided there is kept apart, so that no patch reaches it.
-  Arc_indices found_on_face(const Exact_ranges& face, int axis, const Exact_rational& value)
-  {
-    const Constraint_system_d spline = on_plane(m_system, face, axis, value);
+    const Constraint_system_d spline = on_plane(m_system, face.face.box, face.face.axis, face.face.value);
     const Exact_ranges box = domain_of(spline);
     const Constraint_system_d plane = on_cell(spline, box);
-    const auto lifted = [&](Exact_ranges part) {
-      part.insert(part.begin() + axis, {value, value});
-      return part;
-    };
-    Curve_findings found{Curve_vertices(m_options, true)};
+    Curve_findings& found = face.curves;
     std::vector<std::size_t> known;
     for (int j = 0; j < plane.dimension(); ++j)
       for (const Exact_rational& end : {box[j].first, box[j].second}) {
@@ -132,14 +162,25 @@ private:
           if (std::find(known.begin(), known.end(), i) == known.end())
             known.push_back(i);
       }
-    if (found.vertices.meets_continuum(box)) {
-      m_found.open_parts.push_back(face);
-      return {};
+    face.is_open = found.vertices.meets_continuum(box);
+    if (!face.is_open)
+      find_curves(plane, box, m_options, m_control, (std::numeric_limits<std::size_t>::max)(), false, found);
+  }
+
+  // The arcs on a face of a cell. What is not decided there is kept apart, so that no patch reaches it.
+  void take(Curves_on_face& face)
+  {
+    const auto& [axis, value, box] = face.face;
+    const Curve_findings& found = face.curves;
+    if (face.is_open) {
+      m_found.open_parts.push_back(box);
+      return;
     }
-    find_curves(plane, box, m_options, m_control, (std::numeric_limits<std::size_t>::max)(), false, found);
     m_found.summary.nodes += found.summary.nodes + found.vertices.work().nodes;
-    for (const Undecided_box& undecided : found.undecided)
-      m_found.open_parts.push_back(lifted(undecided.box));
+    for (const Undecided_box& undecided : found.undecided) {
+      m_found.open_parts.push_back(undecided.box);
+      m_found.open_parts.back().insert(m_found.open_parts.back().begin() + axis, {value, value});
+    }
     std::vector<bool> has_piece(found.vertices.size(), false);
     for (const Curve_piece& piece : found.pieces)
       for (const std::size_t end : piece.ends)
@@ -153,7 +194,7 @@ private:
         m_found.open_parts.push_back(points[i].region);
       else if (!has_piece[i])
         m_touching.push_back({points[i], vertices[i], axis});
-    return m_found.arcs.add_arcs(found.pieces, vertices, axis, value);
+    face.arcs = m_found.arcs.add_arcs(found.pieces, vertices, axis, value);
   }
 
   // Points on faces where curves on these do not end. Some are ends of arcs on other faces.
@@ -200,7 +241,7 @@ The surfaces of equalities. If these have repeated factors they are left out, an
 polynomials this is known at once. For others it is asked when boxes are left at the tolerance, as where surfaces count
 several times.
 */
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 Surface_findings surfaces_of_simple_factors(std::shared_ptr<const Constraint_system_d>& equalities,
                                             const Solver_options& options, Run_control& control)
 {
@@ -208,7 +249,7 @@ Surface_findings surfaces_of_simple_factors(std::shared_ptr<const Constraint_sys
   const auto is_repeated = [&](const Spline_function& f) { return is_seen_to_be_repeated(f, equalities->dimension()); };
   Surface_findings found;
   if (std::none_of(equalities->equalities().begin(), equalities->equalities().end(), is_repeated)) {
-    found = All_surfaces<Traits>(*equalities, options, control)();
+    found = All_surfaces<Traits, Concurrency_tag>(*equalities, options, control)();
     if (std::none_of(found.undecided.begin(), found.undecided.end(), is_small))
       return found;
   }
@@ -220,13 +261,13 @@ Surface_findings surfaces_of_simple_factors(std::shared_ptr<const Constraint_sys
   Solver_options rest = options;
   if (options.node_limit > 0)
     rest.node_limit = (std::max)(options.node_limit - (std::min)(nodes, options.node_limit), std::size_t(1));
-  found = All_surfaces<Traits>(*equalities, rest, control)();
+  found = All_surfaces<Traits, Concurrency_tag>(*equalities, rest, control)();
   found.summary.nodes += nodes;
   return found;
 }
 
 // All surfaces of solutions of a system.
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Solver_options& options,
                                     Run_control& control, const std::vector<Spline_function>& features)
 {
@@ -238,9 +279,9 @@ Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Sol
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere))
     found.undecided.push_back({domain_of(*equalities), {}, Undecided_reason::CONTINUUM});
   else
-    found = surfaces_of_simple_factors<Traits>(equalities, control.options_of_parts(options), control);
+    found = surfaces_of_simple_factors<Traits, Concurrency_tag>(equalities, control.options_of_parts(options), control);
   found.summary.seconds = control.seconds();
-  return Surface_complex(std::move(found)).solution_set(std::move(equalities), system.dimension());
+  return Surface_complex(std::move(found)).solution_set<Concurrency_tag>(std::move(equalities), system.dimension());
 }
 
 } // namespace internal
