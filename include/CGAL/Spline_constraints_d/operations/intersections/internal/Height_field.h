@@ -42,8 +42,35 @@ struct Affine_function
 
 // Whether a function is the one that is affine along an axis, with a slope and the value where that begins: its control
 // points are those values at the means of as many knots as the degree says.
-inline bool has_control_points_of(const Exact_function& f, int axis, const Exact_rational& slope,
-                                  const Exact_rational& value)
+bool has_control_points_of(const Exact_function& f, int axis, const Exact_rational& slope, const Exact_rational& value);
+
+// A coordinate of a surface as an affine function of one parameter, if it is that.
+std::optional<Affine_function> as_affine_function(const Exact_function& coordinate);
+
+// Two surfaces over the same two coordinates, both in the parameters of the first one, where they are both over the
+// same rectangle.
+struct Height_difference
+{
+  Exact_function difference;
+  Parameter_box domain;
+  std::array<std::array<Affine_function, 2>, 2> parameters; // of both surfaces
+
+  std::vector<Constraint> equations(std::span<const Unknown> u) const;
+};
+
+/*
+Of two height fields over the coordinates i and j, if they are that: x_i of each is an affine function of one parameter,
+x_j of the other parameter. Then the parameters of the second one are affine functions of those of the first one each,
+and the difference of the third coordinates is a function of these. None if their rectangles have no interior in common.
+*/
+std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int j);
+
+// Over any two coordinates.
+std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b);
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE bool has_control_points_of(const Exact_function& f, int axis,
+                                                          const Exact_rational& slope, const Exact_rational& value)
 {
   if (f.degree(axis) == 0)
     return false;
@@ -61,8 +88,7 @@ inline bool has_control_points_of(const Exact_function& f, int axis, const Exact
   return true;
 }
 
-// A coordinate of a surface as an affine function of one parameter, if it is that.
-inline std::optional<Affine_function> as_affine_function(const Exact_function& coordinate)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Affine_function> as_affine_function(const Exact_function& coordinate)
 {
   const auto [u0, u1] = coordinate.domain(0);
   const auto [v0, v1] = coordinate.domain(1);
@@ -78,29 +104,15 @@ inline std::optional<Affine_function> as_affine_function(const Exact_function& c
   return Affine_function{is_along_u ? 0u : 1u, slope, Exact_rational(corners[0] - slope * (is_along_u ? u0 : v0))};
 }
 
-// Two surfaces over the same two coordinates, both in the parameters of the first one, where they are both over the
-// same rectangle.
-struct Height_difference
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Constraint> Height_difference::equations(std::span<const Unknown> u) const
 {
-  Exact_function difference;
-  Parameter_box domain;
-  std::array<std::array<Affine_function, 2>, 2> parameters; // of both surfaces
+  const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}},
+                            {Exact_rational(0)});
+  return {Parametric_vector<3>(Vector_of_functions<3>{difference, zero, zero})(u)[0] == 0};
+}
 
-  std::vector<Constraint> equations(std::span<const Unknown> u) const
-  {
-    const Exact_function zero({0, 0}, {{domain[0].first, domain[0].second}, {domain[1].first, domain[1].second}},
-                              {Exact_rational(0)});
-    return {Parametric_vector<3>(Vector_of_functions<3>{difference, zero, zero})(u)[0] == 0};
-  }
-};
-
-/*
-Of two height fields over the coordinates i and j, if they are that: x_i of each is an affine function of one parameter,
-x_j of the other parameter. Then the parameters of the second one are affine functions of those of the first one each,
-and the difference of the third coordinates is a function of these. None if their rectangles have no interior in common.
-*/
-inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i,
-                                                          int j)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference>
+height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b, int i, int j)
 {
   std::array<std::array<Affine_function, 2>, 2> of_parameters; // per surface, per coordinate i and j
   for (std::size_t surface = 0; surface < 2; ++surface) {
@@ -140,8 +152,8 @@ inline std::optional<Height_difference> height_difference(const Spline_patch<3>&
   return result;
 }
 
-// Over any two coordinates.
-inline std::optional<Height_difference> height_difference(const Spline_patch<3>& a, const Spline_patch<3>& b)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference> height_difference(const Spline_patch<3>& a,
+                                                                                  const Spline_patch<3>& b)
 {
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
     if (!a.is_rational() && !b.is_rational())
@@ -149,6 +161,7 @@ inline std::optional<Height_difference> height_difference(const Spline_patch<3>&
         return result;
   return std::nullopt;
 }
+#endif
 
 } // namespace Intersections
 } // namespace internal

@@ -101,15 +101,7 @@ public:
 
   // Other equations of two parametric surfaces, in the parameters of the one that is not given, and no others. No
   // system: no common points.
-  Surface_equations(const Surface_equations& surfaces, std::size_t inverted, std::optional<Constraint_system_d> system)
-    : m_surfaces(surfaces.m_surfaces), m_system(std::move(system)),
-      m_inverse(std::make_shared<Patch_inverse>(surfaces.surface(inverted))), m_inverted(inverted)
-  {
-    for (int axis = 0; axis < 2; ++axis) {
-      m_parameters[1 - inverted][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
-      m_domain.push_back(parameter_domain(1 - inverted, axis));
-    }
-  }
+  Surface_equations(const Surface_equations& surfaces, std::size_t inverted, std::optional<Constraint_system_d> system);
 
   const Surface_shape& surface(std::size_t index) const { return m_surfaces[index]; }
 
@@ -142,21 +134,10 @@ public:
   bool has_edges_on_inequalities() const { return m_inverse != nullptr; }
 
   // Where the parameters of a surface are, with the unknowns in a box. \pre It is parametric.
-  std::array<Parameter_range, 2> parameter_ranges(std::size_t surface, const Parameter_box& box) const
-  {
-    if (is_inverted(surface))
-      return m_inverse->ranges(m_surfaces[1 - surface].patch->part(box).values());
-    const auto range = [&](int axis) { return parameter(surface, axis).of(box[parameter(surface, axis).unknown]); };
-    return {range(0), range(1)};
-  }
+  std::array<Parameter_range, 2> parameter_ranges(std::size_t surface, const Parameter_box& box) const;
 
   // In doubles. \pre It is parametric.
-  std::array<double, 2> parameters(std::size_t surface, const std::vector<double>& unknowns) const
-  {
-    return is_inverted(surface)
-        ? (*m_inverse)(point(unknowns))
-        : std::array<double, 2>{parameter(surface, 0)(unknowns), parameter(surface, 1)(unknowns)};
-  }
+  std::array<double, 2> parameters(std::size_t surface, const std::vector<double>& unknowns) const;
 
   // How a parameter of a surface depends on the unknowns. \pre It has unknowns.
   const Affine_function& parameter(std::size_t surface, int axis) const { return m_parameters[surface][axis]; }
@@ -171,36 +152,10 @@ public:
   }
 
   // The unknowns whose two ends are a seam.
-  std::vector<std::size_t> closed_unknowns() const
-  {
-    std::vector<std::size_t> result;
-    if (m_is_self_intersection)
-      return directions_of_pairs();
-    if (are_height_fields())
-      return result;
-    for (std::size_t surface = 0; surface < 2; ++surface)
-      for (int axis = 0; axis < 2; ++axis)
-        if (has_unknowns(surface) && is_closed(surface, axis))
-          result.push_back(m_parameters[surface][axis].unknown);
-    return result;
-  }
+  std::vector<std::size_t> closed_unknowns() const;
 
   // Edges that are one point in space.
-  std::vector<Surface_pole> poles() const
-  {
-    std::vector<Surface_pole> result;
-    if (are_height_fields())
-      return result;
-    for (std::size_t k = 0; k < 2; ++k)
-      for (int axis = 0; axis < 2 && has_unknowns(k); ++axis)
-        for (const int side : {0, 1}) {
-          const Parameter_range range = parameter_domain(k, axis);
-          const Exact_rational& value = side == 0 ? range.first : range.second;
-          if (m_surfaces[k].patch->pole(axis, value))
-            result.push_back({k, axis, side, m_parameters[k][axis].unknown, value});
-        }
-    return result;
-  }
+  std::vector<Surface_pole> poles() const;
 
   // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are
   // ordered.
@@ -222,34 +177,12 @@ public:
   }
 
   // Bounds of the points in space with the unknowns in a box.
-  Vector_bounds<3> values(const Parameter_box& box) const
-  {
-    if (m_has_coordinates) {
-      Vector_bounds<3> result;
-      for (std::size_t i = 0; i < 3; ++i)
-        result[i] = Rational_interval(box[box.size() - 3 + i]);
-      return result;
-    }
-    const std::size_t surface = has_unknowns(0) ? 0 : 1;
-    std::array<Parameter_range, 2> ranges = parameter_ranges(surface, box);
-    for (const int axis : {0, 1}) {   // those of an inverse may lead out of the domain
-      const auto [begin, end] = parameter_domain(surface, axis);
-      auto& [lower, upper] = ranges[static_cast<std::size_t>(axis)];
-      lower = (std::min)((std::max)(lower, begin), end);
-      upper = (std::min)((std::max)(upper, begin), end);
-    }
-    return m_surfaces[surface].patch->part({ranges[0], ranges[1]}).values();
-  }
+  Vector_bounds<3> values(const Parameter_box& box) const;
 
 private:
   bool is_inverted(std::size_t surface) const { return m_inverse && m_inverted == surface; }
 
-  std::vector<std::size_t> directions_of_pairs() const
-  {
-    constexpr int direction = 4;
-    return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction}
-                                                                                   : std::vector<std::size_t>{};
-  }
+  std::vector<std::size_t> directions_of_pairs() const;
 
   bool are_surfaces_apart() const
   {
@@ -257,85 +190,185 @@ private:
     return first && second && are_apart(*first, *second);
   }
 
-  std::optional<Height_difference> height_difference() const
-  {
-    return is_parametric(0) && is_parametric(1)
-        ? internal::Intersections::height_difference(*m_surfaces[0].patch, *m_surfaces[1].patch)
-        : std::nullopt;
-  }
+  std::optional<Height_difference> height_difference() const;
 
   // The parameters of the parametric surfaces, then the coordinates, if need be.
-  void number_unknowns()
-  {
-    m_has_coordinates = !is_parametric(0) && !is_parametric(1);
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (is_parametric(k))
-        for (int axis = 0; axis < 2; ++axis) {
-          m_parameters[k][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
-          m_domain.push_back(parameter_domain(k, axis));
-        }
-      else if (is_parametric(1 - k) && m_surfaces[k].ends_within(*m_surfaces[1 - k].bounds()))
-        m_has_coordinates = true;
-    }
-    if (m_has_coordinates)
-      add_coordinates();
-  }
+  void number_unknowns();
 
-  void add_coordinates()
-  {
-    for (int i = 0; i < 3; ++i) {
-      std::optional<Parameter_range> range;
-      for (const Surface_shape& surface : m_surfaces)
-        if (const auto bounds = surface.bounds()) {
-          const auto [lower, upper] = std::pair((*bounds)[i].lower, (*bounds)[i].upper);
-          range = range ? Parameter_range((std::max)(range->first, lower), (std::min)(range->second, upper))
-                        : Parameter_range(lower, upper);
-        }
-      m_domain.push_back(*range);
-    }
-  }
+  void add_coordinates();
 
-  void make_system(const std::optional<Height_difference>& heights)
-  {
-    std::vector<std::array<Bound, 2>> ranges;
-    for (const auto& [lower, upper] : m_domain)
-      ranges.push_back({Bound(lower), Bound(upper)});
-    const std::vector<Unknown> u = unknowns(ranges);
-    m_system.emplace(m_domain);
-    for (const Constraint& equation : heights ? heights->equations(u)
-             : m_has_coordinates              ? in_coordinates(u)
-                                              : in_parameters(u))
-      m_system->add(equation);
-  }
+  void make_system(const std::optional<Height_difference>& heights);
 
   Vector_expression<3> point_of(std::size_t surface, std::span<const Unknown> u) const
   {
     return Parametric_vector<3>(*m_surfaces[surface].patch)(u.subspan(m_parameters[surface][0].unknown, 2));
   }
 
-  Equations in_parameters(std::span<const Unknown> u) const
-  {
-    if (is_parametric(0) && is_parametric(1))
-      return zero(point_of(0, u) - point_of(1, u));
-    const std::size_t surface = is_parametric(0) ? 0 : 1;
-    return {substituted(m_surfaces[1 - surface].polynomial, point_of(surface, u)) == 0};
-  }
+  Equations in_parameters(std::span<const Unknown> u) const;
 
-  Equations in_coordinates(std::span<const Unknown> u) const
-  {
-    const Vector_expression<3> x = vector_of<3>([&](std::size_t i) { return u[u.size() - 3 + i]; });
-    Equations result;
-    for (std::size_t k = 0; k < 2; ++k)
-      if (is_parametric(k)) {
-        const Equations incidence = zero(point_of(k, u) - x);
-        result.insert(result.end(), incidence.begin(), incidence.end());
-      } else
-        result.push_back(substituted(m_surfaces[k].polynomial, x) == 0);
-    return result;
-  }
+  Equations in_coordinates(std::span<const Unknown> u) const;
 
   static Equations zero(const Vector_expression<3>& x) { return {x[0] == 0, x[1] == 0, x[2] == 0}; }
 };
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS
+CGAL_SPLINE_CONSTRAINTS_INLINE Surface_equations::Surface_equations(const Surface_equations& surfaces,
+                                                                    std::size_t inverted,
+                                                                    std::optional<Constraint_system_d> system)
+  : m_surfaces(surfaces.m_surfaces), m_system(std::move(system)),
+    m_inverse(std::make_shared<Patch_inverse>(surfaces.surface(inverted))), m_inverted(inverted)
+{
+  for (int axis = 0; axis < 2; ++axis) {
+    m_parameters[1 - inverted][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
+    m_domain.push_back(parameter_domain(1 - inverted, axis));
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<Parameter_range, 2>
+Surface_equations::parameter_ranges(std::size_t surface, const Parameter_box& box) const
+{
+  if (is_inverted(surface))
+    return m_inverse->ranges(m_surfaces[1 - surface].patch->part(box).values());
+  const auto range = [&](int axis) { return parameter(surface, axis).of(box[parameter(surface, axis).unknown]); };
+  return {range(0), range(1)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::array<double, 2>
+Surface_equations::parameters(std::size_t surface, const std::vector<double>& unknowns) const
+{
+  return is_inverted(surface) ? (*m_inverse)(point(unknowns))
+                              : std::array<double, 2>{parameter(surface, 0)(unknowns), parameter(surface, 1)(unknowns)};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::size_t> Surface_equations::closed_unknowns() const
+{
+  std::vector<std::size_t> result;
+  if (m_is_self_intersection)
+    return directions_of_pairs();
+  if (are_height_fields())
+    return result;
+  for (std::size_t surface = 0; surface < 2; ++surface)
+    for (int axis = 0; axis < 2; ++axis)
+      if (has_unknowns(surface) && is_closed(surface, axis))
+        result.push_back(m_parameters[surface][axis].unknown);
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Surface_pole> Surface_equations::poles() const
+{
+  std::vector<Surface_pole> result;
+  if (are_height_fields())
+    return result;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (int axis = 0; axis < 2 && has_unknowns(k); ++axis)
+      for (const int side : {0, 1}) {
+        const Parameter_range range = parameter_domain(k, axis);
+        const Exact_rational& value = side == 0 ? range.first : range.second;
+        if (m_surfaces[k].patch->pole(axis, value))
+          result.push_back({k, axis, side, m_parameters[k][axis].unknown, value});
+      }
+  return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Vector_bounds<3> Surface_equations::values(const Parameter_box& box) const
+{
+  if (m_has_coordinates) {
+    Vector_bounds<3> result;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = Rational_interval(box[box.size() - 3 + i]);
+    return result;
+  }
+  const std::size_t surface = has_unknowns(0) ? 0 : 1;
+  std::array<Parameter_range, 2> ranges = parameter_ranges(surface, box);
+  for (const int axis : {0, 1}) { // those of an inverse may lead out of the domain
+    const auto [begin, end] = parameter_domain(surface, axis);
+    auto& [lower, upper] = ranges[static_cast<std::size_t>(axis)];
+    lower = (std::min)((std::max)(lower, begin), end);
+    upper = (std::min)((std::max)(upper, begin), end);
+  }
+  return m_surfaces[surface].patch->part({ranges[0], ranges[1]}).values();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::size_t> Surface_equations::directions_of_pairs() const
+{
+  constexpr int direction = 4;
+  return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction}
+                                                                                 : std::vector<std::size_t>{};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Height_difference> Surface_equations::height_difference() const
+{
+  return is_parametric(0) && is_parametric(1)
+      ? internal::Intersections::height_difference(*m_surfaces[0].patch, *m_surfaces[1].patch)
+      : std::nullopt;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_equations::number_unknowns()
+{
+  m_has_coordinates = !is_parametric(0) && !is_parametric(1);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (is_parametric(k))
+      for (int axis = 0; axis < 2; ++axis) {
+        m_parameters[k][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
+        m_domain.push_back(parameter_domain(k, axis));
+      }
+    else if (is_parametric(1 - k) && m_surfaces[k].ends_within(*m_surfaces[1 - k].bounds()))
+      m_has_coordinates = true;
+  }
+  if (m_has_coordinates)
+    add_coordinates();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_equations::add_coordinates()
+{
+  for (int i = 0; i < 3; ++i) {
+    std::optional<Parameter_range> range;
+    for (const Surface_shape& surface : m_surfaces)
+      if (const auto bounds = surface.bounds()) {
+        const auto [lower, upper] = std::pair((*bounds)[i].lower, (*bounds)[i].upper);
+        range = range ? Parameter_range((std::max)(range->first, lower), (std::min)(range->second, upper))
+                      : Parameter_range(lower, upper);
+      }
+    m_domain.push_back(*range);
+  }
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_equations::make_system(const std::optional<Height_difference>& heights)
+{
+  std::vector<std::array<Bound, 2>> ranges;
+  for (const auto& [lower, upper] : m_domain)
+    ranges.push_back({Bound(lower), Bound(upper)});
+  const std::vector<Unknown> u = unknowns(ranges);
+  m_system.emplace(m_domain);
+  for (const Constraint& equation : heights ? heights->equations(u)
+           : m_has_coordinates              ? in_coordinates(u)
+                                            : in_parameters(u))
+    m_system->add(equation);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Surface_equations::Equations
+Surface_equations::in_parameters(std::span<const Unknown> u) const
+{
+  if (is_parametric(0) && is_parametric(1))
+    return zero(point_of(0, u) - point_of(1, u));
+  const std::size_t surface = is_parametric(0) ? 0 : 1;
+  return {substituted(m_surfaces[1 - surface].polynomial, point_of(surface, u)) == 0};
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Surface_equations::Equations
+Surface_equations::in_coordinates(std::span<const Unknown> u) const
+{
+  const Vector_expression<3> x = vector_of<3>([&](std::size_t i) { return u[u.size() - 3 + i]; });
+  Equations result;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (is_parametric(k)) {
+      const Equations incidence = zero(point_of(k, u) - x);
+      result.insert(result.end(), incidence.begin(), incidence.end());
+    } else
+      result.push_back(substituted(m_surfaces[k].polynomial, x) == 0);
+  return result;
+}
+#endif
 
 } // namespace Intersections
 } // namespace internal
