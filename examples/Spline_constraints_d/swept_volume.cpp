@@ -7,8 +7,8 @@
 //
 // Files of .g2 or .itd: the surfaces that bound a solid, whose edges are seams, poles, or common to two of them, and a
 // curve in space, along which it is translated; with --turns it also turns K times about the vertical line through the
-// origin. FILE is one of .off, .ply or .stl, or a picture, .svg. Without arguments, a cube turns about its diagonal, and
-// an ellipsoid runs along a star of five lines, which cross each other.
+// origin. FILE is one of .off, .ply or .stl, or a picture, .svg. Without arguments, a cube turns about its diagonal,
+// and an ellipsoid runs along a star of five lines, which cross each other.
 // Exit status: 0 when the boundary is complete, 3 when it is not, 2 for bad input.
 #include "arguments.h"
 #include "envelope_output.h"
@@ -42,8 +42,8 @@ SC::Rational_motion_3 turns_about_z(int turns, const SC::Rational_motion_3& path
                                          SC::Rational_motion_3::Function({1}, {knots}, q));
 }
 
-// With the edges where parts of the boundary meet at an angle whose cosine is at most so large, in dark, but for those of
-// slivers.
+// With the edges where parts of the boundary meet at an angle whose cosine is at most so large, in dark, but for those
+// of slivers.
 void add_boundary(SC::Scene_3& scene, const Mesh& mesh, double cosine = 0.8, double sliver = 1e-3)
 {
   scene.add(mesh, {.color = CGAL::IO::Color(150, 195, 235), .has_edges = false});

@@ -95,6 +95,38 @@ TEST(Swept_volume, turns_about_an_axis)
   check(ball(Rational(1) / 2), turn, 2, 4 * pi * r * r * r / 3, 4 * pi * r * r);
 }
 
+// An ellipsoid on a circle, with the least half axis along it: a ring whose section is an ellipse.
+TEST(Swept_volume, ring_of_elliptic_section)
+{
+  const Motion turn = Motion::full_turn(Point(0, 0, 0), Vector(0, 0, 1));
+  const Surface solid = ellipsoid(Rational(1) / 2, Rational(1) / 4, Rational(3) / 4)
+                            .transformed(K::Aff_transformation_3(CGAL::TRANSLATION, Vector(2, 0, 0)));
+  const double volume = 2 * pi * pi * 2 * 0.5 * 0.75;
+  std::vector<double> errors;
+  for (const double chord_error : {0.04, 0.01}) {
+    const SC::Swept_volume_3 swept = SC::swept_volume(solid, turn, {.chord_error = chord_error});
+    EXPECT_TRUE(swept.is_complete()) << swept;
+    EXPECT_EQ(swept.number_of_components(), 1u);
+    EXPECT_EQ(swept.euler_characteristic(), 0);
+    errors.push_back(std::abs(volume - swept.volume()));
+    EXPECT_LT(errors.back(), 25 * chord_error);
+  }
+  EXPECT_LT(errors[1], errors[0] / 2);
+}
+
+// A ball along a figure eight of four lines: two holes.
+TEST(Swept_volume, figure_eight)
+{
+  const Curve path(1, {0, 0, 1, 2, 3, 4, 4},
+                   {Point(-3, -2, 0), Point(3, 2, Rational(1) / 4), Point(Rational(11) / 4, -2, 0),
+                    Point(-Rational(11) / 4, 2, Rational(1) / 4), Point(-3, -2, 0)});
+  const SC::Swept_volume_3 swept = SC::swept_volume(ball(Rational(1) / 4), Motion::along(path), {.chord_error = 0.02});
+  EXPECT_TRUE(swept.is_complete()) << swept;
+  EXPECT_TRUE(CGAL::is_closed(swept.mesh()));
+  EXPECT_EQ(swept.number_of_components(), 1u);
+  EXPECT_EQ(swept.euler_characteristic(), -2);
+}
+
 // An ellipsoid along a line: a cylinder over its shadow, with two halves of it.
 TEST(Swept_volume, ellipsoid_along_line)
 {

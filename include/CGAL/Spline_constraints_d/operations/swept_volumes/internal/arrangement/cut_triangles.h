@@ -166,61 +166,103 @@ private:
   }
 };
 
+// Cuts the triangles of a soup where they meet others.
+class Cut_triangles
+{
+  using Pairs = std::vector<Meeting_triangles::Pair>;
+
+  const Triangle_soup& m_soup;
+  const std::function<bool()>& m_is_stopped;
+  Contact_points m_points;
+  std::vector<bool> m_is_met;
+  std::vector<std::size_t> m_plane_of; // one of the triangles that are cut together
+  std::vector<std::vector<std::size_t>> m_triangles;
+  std::vector<std::vector<std::vector<std::size_t>>> m_contacts; // of planes
+
+public:
+  Cut_triangles(const Triangle_soup& soup, const std::function<bool()>& is_stopped)
+    : m_soup(soup), m_is_stopped(is_stopped), m_points(soup), m_is_met(count(), false), m_plane_of(count()),
+      m_triangles(count()), m_contacts(count())
+  {}
+
+  // Nothing, if it was stopped.
+  std::optional<Triangle_complex> operator()()
+  {
+    const Pairs pairs = Meeting_triangles(m_soup)(m_is_stopped);
+    if (m_is_stopped())
+      return std::nullopt;
+    find_planes(pairs);
+    if (!find_contacts(pairs))
+      return std::nullopt;
+    return cut();
+  }
+
+private:
+  std::size_t count() const { return m_soup.triangles.size(); }
+  bool is_stopped_at(std::size_t step) const { return (step & 0xff) == 0 && m_is_stopped(); }
+
+  // Triangles of one plane that have areas in common are cut together.
+  void find_planes(const Pairs& pairs)
+  {
+    std::vector<std::size_t> rank(count()), parent(count());
+    boost::disjoint_sets<std::size_t*, std::size_t*> planes(rank.data(), parent.data());
+    for (std::size_t i = 0; i < count(); ++i)
+      planes.make_set(i);
+    for (const auto& pair : pairs) {
+      m_is_met[pair.first] = m_is_met[pair.second] = true;
+      if (pair.is_coplanar)
+        planes.union_set(pair.first, pair.second);
+    }
+    for (std::size_t i = 0; i < count(); ++i) {
+      m_plane_of[i] = planes.find_set(i);
+      if (m_is_met[i])
+        m_triangles[m_plane_of[i]].push_back(i);
+    }
+  }
+
+  // What triangles of different planes have in common. Whether it was not stopped.
+  bool find_contacts(const Pairs& pairs)
+  {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (is_stopped_at(i))
+        return false;
+      const std::size_t one = m_plane_of[pairs[i].first], other = m_plane_of[pairs[i].second];
+      if (one == other)
+        continue;
+      const std::vector<std::size_t> contact = m_points.contact_of(pairs[i].first, pairs[i].second);
+      m_contacts[one].push_back(contact);
+      m_contacts[other].push_back(contact);
+    }
+    return true;
+  }
+
+  std::optional<Triangle_complex> cut()
+  {
+    Triangle_complex result;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (is_stopped_at(i))
+        return std::nullopt;
+      if (!m_is_met[i]) {
+        result.triangles.push_back(m_soup.triangles[i]);
+        result.multiplicity.push_back(1);
+        result.planes.push_back(i);
+      } else if (!m_triangles[i].empty()) {
+        Plane_triangulation plane(m_soup, m_points, m_triangles[i]);
+        for (const auto& contact : m_contacts[i])
+          plane.add(contact);
+        plane.append_to(result);
+      }
+    }
+    result.points = m_points.points();
+    return result;
+  }
+};
+
 // The triangles of a soup, cut where they meet others; nothing, if it was stopped.
 CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Triangle_complex>
 triangle_complex_of(const Triangle_soup& soup, const std::function<bool()>& is_stopped)
 {
-  const std::vector<Meeting_triangles::Pair> pairs = Meeting_triangles(soup)(is_stopped);
-  if (is_stopped())
-    return std::nullopt;
-  Contact_points points(soup);
-
-  // triangles of one plane that have areas in common are cut together
-  const std::size_t count = soup.triangles.size();
-  std::vector<std::size_t> rank(count), parent(count);
-  boost::disjoint_sets<std::size_t*, std::size_t*> planes(rank.data(), parent.data());
-  for (std::size_t i = 0; i < count; ++i)
-    planes.make_set(i);
-  std::vector<bool> is_met(count, false);
-  for (const auto& pair : pairs) {
-    is_met[pair.first] = is_met[pair.second] = true;
-    if (pair.is_coplanar)
-      planes.union_set(pair.first, pair.second);
-  }
-  std::vector<std::vector<std::size_t>> triangles(count);
-  for (std::size_t i = 0; i < count; ++i)
-    if (is_met[i])
-      triangles[planes.find_set(i)].push_back(i);
-  std::vector<std::vector<std::vector<std::size_t>>> contacts(count);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if ((i & 0xff) == 0 && is_stopped())
-      return std::nullopt;
-    const auto& [first, second, is_coplanar] = pairs[i];
-    const std::size_t one = planes.find_set(first), other = planes.find_set(second);
-    if (one == other)
-      continue;
-    const std::vector<std::size_t> contact = points.contact_of(first, second);
-    contacts[one].push_back(contact);
-    contacts[other].push_back(contact);
-  }
-
-  Triangle_complex result;
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((i & 0xff) == 0 && is_stopped())
-      return std::nullopt;
-    if (!is_met[i]) {
-      result.triangles.push_back(soup.triangles[i]);
-      result.multiplicity.push_back(1);
-      result.planes.push_back(i);
-    } else if (!triangles[i].empty()) {
-      Plane_triangulation plane(soup, points, triangles[i]);
-      for (const auto& contact : contacts[i])
-        plane.add(contact);
-      plane.append_to(result);
-    }
-  }
-  result.points = points.points();
-  return result;
+  return Cut_triangles(soup, is_stopped)();
 }
 
 } // namespace Swept_volumes

@@ -309,7 +309,8 @@ private:
 
   bool is_kept(Face face) const { return face->info().is_inward[0] != face->info().is_inward[1]; }
 
-  const Double_kernel::Point_3& point_of(Vertex vertex) { return m_points.point(index_of(vertex)); }
+  // By value, as the next one may be a new point.
+  Double_kernel::Point_3 point_of(Vertex vertex) { return m_points.point(index_of(vertex)); }
 
   void refine()
   {
