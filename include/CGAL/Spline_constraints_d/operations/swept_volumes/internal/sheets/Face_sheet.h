@@ -77,6 +77,7 @@ private:
   {
     Place place{};
     bool is_known = false;
+    std::optional<std::size_t> index = {}; // of its point, once it was asked for
   };
   struct Face_label
   {
@@ -101,6 +102,7 @@ private:
   std::function<bool()> m_is_stopped; // then the triangles are coarse, and nobody uses them
   Triangulation m_triangulation;
   std::map<std::array<double, 2>, Vertex> m_vertex_at;
+  std::map<std::array<double, 2>, Double_kernel::Point_3> m_moved; // points of places
   std::map<std::pair<Vertex, Vertex>, Triangulation::Constraint_id> m_constraints;
   std::array<std::vector<std::pair<Triangulation::Constraint_id, Boundary_edge*>>, 2> m_edges;
   std::array<std::set<Triangulation::Constraint_id>, 2> m_is_of_chain;
@@ -151,7 +153,14 @@ private:
   }
 
   const Moving_surface& moving() const { return m_points.moving(m_patch); }
-  std::size_t index_of(Vertex vertex) { return m_points.index_of({m_patch, vertex->info().place}); }
+
+  std::size_t index_of(Vertex vertex)
+  {
+    std::optional<std::size_t>& index = vertex->info().index;
+    if (!index)
+      index = m_points.index_of({m_patch, vertex->info().place});
+    return *index;
+  }
 
   // Lengths in space, about, so that triangles are well-shaped.
   void choose_scale()
@@ -178,7 +187,7 @@ private:
     const auto [known, is_new] = m_vertex_at.try_emplace(seen);
     if (is_new) {
       known->second = m_triangulation.insert(Point_2(seen[0] * m_scale[0], seen[1] * m_scale[1]));
-      known->second->info() = {on_face(place), true};
+      known->second->info() = {on_face(place), true, {}};
     }
     return known->second;
   }
@@ -226,7 +235,7 @@ private:
   {
     for (Vertex vertex : m_triangulation.finite_vertex_handles())
       if (!vertex->info().is_known)
-        vertex->info() = {place_of(vertex->point()), true};
+        vertex->info() = {place_of(vertex->point()), true, {}};
   }
 
   Place place_of(const Point_2& point) const
@@ -357,10 +366,14 @@ private:
     return result;
   }
 
-  bool is_far(const Double_kernel::Point_3& point, const Place& place) const
+  // Asked for each edge from both sides, and in each round again.
+  bool is_far(const Double_kernel::Point_3& point, const Place& place)
   {
     const double allowed = m_points.chord_error();
-    return CGAL::squared_distance(point, moving()(place)) > allowed * allowed;
+    const auto [known, is_new] = m_moved.try_emplace({place[m_free[0]], place[m_free[1]]});
+    if (is_new)
+      known->second = moving()(place);
+    return CGAL::squared_distance(point, known->second) > allowed * allowed;
   }
 
   void add_triangles()
