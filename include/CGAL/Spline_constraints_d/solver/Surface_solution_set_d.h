@@ -107,6 +107,9 @@ struct Solution_surface
   //! whether it reaches an undecided region, so that it may go on there, and be the same as another surface.
   bool is_open_ended = false;
 
+  //! index of the system that it solves, see `Surface_solution_set_d::systems()`.
+  std::size_t system = 0;
+
   //! whether it has no boundary.
   bool is_closed() const { return boundary.empty(); }
 
@@ -134,16 +137,34 @@ struct Undecided_surface_region
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
+Where surfaces meet that solve different factors of an equality.
+*/
+struct Surface_crossing
+{
+  //! indices of the systems that they solve.
+  std::array<std::size_t, 2> systems;
+
+  //! the common solutions, in the unknowns of the problem: curves, and points where surfaces touch.
+  Curve_solution_set_d curves;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
 All solutions of a system with two equalities less than unknowns: surfaces, whose topology is proved.
 
 A surface is a complex of vertices, arcs and patches, which neighbours share. Nothing in it is joined by distance.
 An inequality \f$g \geq 0\f$ is the equality \f$g = s\f$ with one more unknown, \f$s \geq 0\f$, and the other ones
 likewise: so the boxes have one more range, that of \f$s\f$, for each inequality that does not hold everywhere in the
 domain.
+
+Where an equality is a product whose factors have common curves of zeros, or has a factor that is zero on a face of the
+domain, each surface solves one of several systems, with one factor each; `crossings()` tells where those of two systems
+meet. Surfaces of different systems do not share cells.
 */
 class Surface_solution_set_d
 {
-  std::shared_ptr<const Constraint_system_d> m_system; // equalities with the unknowns of the boxes
+  std::vector<std::shared_ptr<const Constraint_system_d>> m_systems; // equalities with the unknowns of the boxes
   int m_dimension;
   std::vector<Curve_vertex> m_vertices;
   std::vector<Surface_arc> m_arcs;
@@ -152,6 +173,7 @@ class Surface_solution_set_d
   std::vector<std::size_t> m_points, m_singular_points;
   std::vector<Undecided_surface_region> m_undecided;
   Summary m_summary;
+  std::vector<Surface_crossing> m_crossings;
 
 public:
   //! the parts of a solution, which refer to each other by indices. `system`: the equalities that the boxes belong to;
@@ -161,7 +183,7 @@ public:
                          std::vector<Surface_patch> patches, std::vector<Solution_surface> surfaces,
                          std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
                          std::vector<Undecided_surface_region> undecided, const Summary& summary)
-    : m_system(std::move(system)), m_dimension(dimension), m_vertices(std::move(vertices)), m_arcs(std::move(arcs)),
+    : m_systems{std::move(system)}, m_dimension(dimension), m_vertices(std::move(vertices)), m_arcs(std::move(arcs)),
       m_patches(std::move(patches)), m_surfaces(std::move(surfaces)), m_points(std::move(points)),
       m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
@@ -189,8 +211,40 @@ public:
   //! number of unknowns of the problem. Ranges of boxes beyond are those of inequalities.
   int dimension() const { return m_dimension; }
 
-  //! the equalities that the boxes belong to: with one unknown more for each inequality.
-  const Constraint_system_d& system() const { return *m_system; }
+  //! the equalities that the boxes belong to: with one unknown more for each inequality. The first of the systems.
+  const Constraint_system_d& system() const { return *m_systems.front(); }
+
+  //! all systems, one as a rule. In one that stands for a face of the domain, the range of its unknown is wider.
+  const std::vector<std::shared_ptr<const Constraint_system_d>>& systems() const { return m_systems; }
+
+  //! the system that a patch solves.
+  const Constraint_system_d& system_of_patch(std::size_t patch) const
+  {
+    return *m_systems[m_surfaces[m_patches[patch].surface].system];
+  }
+
+  //! where surfaces of two systems that differ in one factor have common points. Those of others meet there only, too.
+  const std::vector<Surface_crossing>& crossings() const { return m_crossings; }
+
+  //! adds the surfaces of other systems with the same unknowns.
+  void add(const Surface_solution_set_d& others);
+
+  //! adds what is known of common points of surfaces of two systems.
+  void add(Surface_crossing crossing);
+
+  //! adds a point where surfaces of two systems touch.
+  void add_singular_point(Curve_vertex point)
+  {
+    m_singular_points.push_back(m_vertices.size());
+    m_vertices.push_back(std::move(point));
+  }
+
+  //! counts other work too.
+  void set_work(std::size_t nodes, double seconds)
+  {
+    m_summary.nodes = nodes;
+    m_summary.seconds = seconds;
+  }
 
   //! the sum over all surfaces.
   int euler_characteristic() const;
@@ -202,9 +256,10 @@ public:
   const std::vector<Undecided_surface_region>& undecided_regions() const { return m_undecided; }
 
   //! the same regions, with the box around each.
-  std::vector<Undecided_part> undecided() const { return internal::parts_of_regions(m_undecided); }
+  //! what is undecided of crossings comes last.
+  std::vector<Undecided_part> undecided() const;
 
-  //! whether all solutions lie on the surfaces, or are points, by proof: nothing is undecided.
+  //! whether all solutions lie on the surfaces, or are points, by proof, and crossings are known: nothing is undecided.
   bool is_complete() const { return m_summary.is_complete; }
 
   //! the work.
@@ -224,6 +279,68 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Surface_solution_set_d::euler_characteristic(
   return result;
 }
 
+CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_solution_set_d::add(const Surface_solution_set_d& others)
+{
+  const std::size_t vertices = m_vertices.size(), arcs = m_arcs.size(), patches = m_patches.size(),
+                    surfaces = m_surfaces.size(), systems = m_systems.size();
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  const auto append_shifted = [](std::vector<std::size_t>& all, const std::vector<std::size_t>& more, std::size_t by) {
+    for (const std::size_t i : more)
+      all.push_back(i + by);
+  };
+  append(m_systems, others.m_systems);
+  append(m_vertices, others.m_vertices);
+  for (Surface_arc arc : others.m_arcs) {
+    for (std::size_t& end : arc.ends)
+      end += vertices;
+    m_arcs.push_back(std::move(arc));
+  }
+  for (Surface_patch patch : others.m_patches) {
+    for (Surface_patch::Side& side : patch.boundary)
+      side.arc += arcs;
+    patch.surface += surfaces;
+    if (patch.apex)
+      *patch.apex += vertices;
+    m_patches.push_back(std::move(patch));
+  }
+  for (Solution_surface surface : others.m_surfaces) {
+    for (std::size_t& patch : surface.patches)
+      patch += patches;
+    for (std::vector<std::size_t>& loop : surface.boundary)
+      for (std::size_t& arc : loop)
+        arc += arcs;
+    surface.system += systems;
+    m_surfaces.push_back(std::move(surface));
+  }
+  append_shifted(m_points, others.m_points, vertices);
+  append_shifted(m_singular_points, others.m_singular_points, vertices);
+  for (Undecided_surface_region region : others.m_undecided) {
+    for (std::size_t& arc : region.arcs)
+      arc += arcs;
+    m_undecided.push_back(std::move(region));
+  }
+  for (const Surface_crossing& crossing : others.m_crossings)
+    m_crossings.push_back({{crossing.systems[0] + systems, crossing.systems[1] + systems}, crossing.curves});
+  m_summary += others.m_summary;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_solution_set_d::add(Surface_crossing crossing)
+{
+  m_summary += crossing.curves.summary();
+  const bool is_empty = crossing.curves.vertices().empty() && crossing.curves.is_complete();
+  if (!is_empty)
+    m_crossings.push_back(std::move(crossing));
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> Surface_solution_set_d::undecided() const
+{
+  std::vector<Undecided_part> result = internal::parts_of_regions(m_undecided);
+  for (const Surface_crossing& crossing : m_crossings)
+    for (Undecided_part& part : internal::parts_of_regions(crossing.curves.undecided_regions()))
+      result.push_back(std::move(part));
+  return result;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE std::size_t Surface_solution_set_d::number_of_boundary_loops() const
 {
   std::size_t result = 0;
@@ -236,11 +353,19 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const
 {
   const bool is_complete = set.is_complete();
   const char* const least = is_complete ? "" : "at least ";
-  return out << "surfaces: " << least << set.surfaces().size() << " components, Euler characteristic "
-             << set.euler_characteristic() << ", " << set.number_of_boundary_loops() << " boundary loops, " << least
-             << set.points().size() + set.singular_points().size() << " singular points, "
-             << set.undecided_regions().size() << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes "
-             << set.summary().nodes << "; seconds " << set.summary().seconds;
+  std::size_t undecided = set.undecided_regions().size(), crossing_curves = 0;
+  for (const Surface_crossing& crossing : set.crossings()) {
+    undecided += crossing.curves.undecided_regions().size();
+    crossing_curves += crossing.curves.curves().size();
+  }
+  out << "surfaces: " << least << set.surfaces().size() << " components, Euler characteristic "
+      << set.euler_characteristic() << ", " << set.number_of_boundary_loops() << " boundary loops, " << least
+      << set.points().size() + set.singular_points().size() << " singular points, " << undecided
+      << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds "
+      << set.summary().seconds;
+  if (crossing_curves > 0)
+    out << "; crossing in " << crossing_curves << " curves";
+  return out;
 }
 #endif
 

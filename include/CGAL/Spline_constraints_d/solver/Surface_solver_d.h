@@ -15,6 +15,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/united_surfaces.h>
 #endif
 
 #include <array>
@@ -40,8 +41,11 @@ are decided for three unknowns. Inequalities cut surfaces as faces of the domain
 Vertices where surfaces meet are told. Of one equality in three unknowns, isolated singular points inside of the domain,
 and of the cells of splines, are decided with the disks that end in them: where the second derivative is regular, as at
 the apex of a cone, and rational ones where weights of the unknowns exist such that the terms of least weight have no
-other singular point, as where spheres touch. Repeated factors of equalities are left out. Other singular points and
-curves, and edges of the domain that are solutions, are left undecided; boxes that touch are one region.
+other singular point, as where spheres touch. Repeated factors of equalities are left out. Polynomials in up to three
+unknowns are factored over the rational numbers: surfaces of different factors have no common cells, and the curves
+where they meet are told. The same holds for faces of the domain, and planes of breaks, on which an equality is zero.
+With features this is not done. Other singular points and curves, and edges of the domain that are solutions, are left
+undecided; boxes that touch are one region.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
 number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.
@@ -71,7 +75,7 @@ public:
   {
     internal::check_definitions<Traits, internal::are_curves_compiled<Traits, Concurrency_tag>>();
     internal::Run_control control(m_options);
-    return internal::all_surfaces<Traits, Concurrency_tag>(system, m_options, control);
+    return internal::surfaces_of_factors<Traits, Concurrency_tag>(system, m_options, control);
   }
 
   /*!

@@ -17,5 +17,6 @@
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/united_surfaces.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_OWN_TRAITS_H

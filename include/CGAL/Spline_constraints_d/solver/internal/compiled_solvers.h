@@ -75,7 +75,12 @@ Surface_solution_set_d all_surfaces(const Constraint_system_d& system, const Sol
 // decomposition/surfaces_after_elimination.h.
 template <class Traits, class Concurrency_tag>
 Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& system, const Solver_options& options,
-                                                  Run_control& control);
+                                                  Run_control& control, bool splits = true);
+
+// The same of a system as it is, for each factor of its equalities; defined in surfaces/united_surfaces.h.
+template <class Traits, class Concurrency_tag>
+Surface_solution_set_d surfaces_of_factors(const Constraint_system_d& system, const Solver_options& options,
+                                           Run_control& control);
 
 // Newton's method from a start with as many coordinates as the system has unknowns; defined in Newton_iteration.h.
 Newton_result improved_point(const Constraint_system_d& system, std::vector<double> start,
@@ -153,8 +158,10 @@ constexpr void check_definitions()
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, TRAITS, TAG)                                                \
   EXTERN template Surface_solution_set_d all_surfaces<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,  \
                                                                    Run_control&, const std::vector<Spline_function>&); \
-  EXTERN template Surface_solution_set_d surfaces_after_elimination<TRAITS, TAG>(const Constraint_system_d&,           \
-                                                                                 const Solver_options&, Run_control&);
+  EXTERN template Surface_solution_set_d surfaces_of_factors<TRAITS, TAG>(const Constraint_system_d&,                  \
+                                                                          const Solver_options&, Run_control&);        \
+  EXTERN template Surface_solution_set_d surfaces_after_elimination<TRAITS, TAG>(                                      \
+      const Constraint_system_d&, const Solver_options&, Run_control&, bool);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 #define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \

@@ -69,7 +69,10 @@ public:
       add_undecided(domain_of(system), in_words(m_budget.reason()));
       return;
     }
-    Surface_solution_set_d found = solve_surfaces(system, m_budget.remaining());
+    const Solver_options options = m_budget.remaining();
+    Run_control control(options);
+    Surface_solution_set_d found = surfaces_after_elimination<Certified_solver_traits, CGAL::Sequential_tag>(
+        system, options, control, false);
     m_budget.add(found.summary());
     if (part_of_interest)
       found = part_of_interest(found);

@@ -76,6 +76,19 @@ inline std::pair<Constraint_system_d, int> without_face(const Constraint_system_
   return {std::move(result), exponent};
 }
 
+// A function where an unknown has a value, in the same unknowns.
+inline Spline_function on_face(const Spline_function& function, int axis, const Exact_rational& value)
+{
+  const Spline_function restricted = with_fixed(function, axis, value);
+  Spline_function result;
+  for (Spline_term term : restricted.terms()) {
+    for (int& v : term.variables)
+      v += v >= axis;
+    result += Spline_function(std::move(term));
+  }
+  return result;
+}
+
 /*
 The system on a face, whose curves lie within the domain: with the unknown that is constant there as an unknown whose
 range is wider, and with its equation in the place of the equality that is zero. Nothing if an inequality excludes the
@@ -86,28 +99,21 @@ inline std::optional<Constraint_system_d> system_on_face(const Constraint_system
   Exact_ranges slab = domain_of(system);
   const Exact_rational width = slab[face.axis].second - slab[face.axis].first;
   slab[face.axis] = {Exact_rational(face.value - width), Exact_rational(face.value + width)};
-  const auto on_face = [&](const Spline_function& function) {
-    const Spline_function restricted = with_fixed(function, face.axis, face.value);
-    Spline_function result;
-    for (Spline_term term : restricted.terms()) {
-      for (int& v : term.variables)
-        v += v >= face.axis;
-      result += Spline_function(std::move(term));
-    }
-    return result;
+  const auto restricted_to_face = [&](const Spline_function& function) {
+    return on_face(function, face.axis, face.value);
   };
   Constraint_system_d result(slab);
   result.add(Power_polynomial::variable(face.axis) - Power_polynomial(face.value), Relation::EQUAL);
   for (std::size_t i = 0; i < system.equalities().size(); ++i)
     if (i != face.equality)
-      result.add(on_face(system.equalities()[i]), Relation::EQUAL);
+      result.add(restricted_to_face(system.equalities()[i]), Relation::EQUAL);
   for (const auto& [function, relation] : system.inequalities()) {
-    Spline_function restricted = on_face(function);
+    Spline_function restricted = restricted_to_face(function);
     const bool is_zero = is_zero_everywhere(restricted);
     if (is_zero && is_strict(relation))
       return std::nullopt;
     if (is_zero)
-      result.add(Power_polynomial(Exact_rational(1)), Relation::GREATER);   // inequalities keep their numbers
+      result.add(Power_polynomial(Exact_rational(1)), Relation::GREATER); // inequalities keep their numbers
     else
       result.add(std::move(restricted), relation);
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/Box_lifting.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/united_surfaces.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
 #endif
@@ -109,11 +110,16 @@ inline Surface_solution_set_d lifted(const Surface_solution_set_d& found, const 
 
 /*
 All surfaces of solutions, as curves_after_elimination() finds curves, of systems of equalities without breaks.
+`splits`: into systems with one factor of an equality each.
 */
 template <class Traits, class Concurrency_tag>
 Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& system, const Solver_options& options,
-                                                  Run_control& control)
+                                                  Run_control& control, bool splits)
 {
+  check_codimension(system, 2, "solve_surfaces");
+  if (splits)
+    if (const std::vector<Factor_system> parts = factor_systems(system); is_split(system, parts))
+      return united_surfaces<Traits, Concurrency_tag>(system, parts, options, control);
   Summary work;
   const auto is_empty = [&](const Constraint_system_d& on_bound) {
     const Curve_solution_set_d found = all_curves<Traits, Concurrency_tag>(
@@ -121,21 +127,9 @@ Surface_solution_set_d surfaces_after_elimination(const Constraint_system_d& sys
     work.nodes += found.summary().nodes;
     return found.is_complete() && found.vertices().empty();
   };
-  const auto with_work = [&](Surface_solution_set_d found) -> Surface_solution_set_d {
-    if (work.nodes == 0)
-      return found;
-    Summary summary = found.summary();
-    summary.nodes += work.nodes;
-    return {std::make_shared<const Constraint_system_d>(found.system()),
-            found.dimension(),
-            found.vertices(),
-            found.arcs(),
-            found.patches(),
-            found.surfaces(),
-            found.points(),
-            found.singular_points(),
-            found.undecided_regions(),
-            summary};
+  const auto with_work = [&](Surface_solution_set_d found) {
+    found.set_work(found.summary().nodes + work.nodes, found.summary().seconds);
+    return found;
   };
   System_decomposition decomposition;
   if (system.inequalities().empty())

@@ -38,7 +38,7 @@ namespace internal {
 class Surface_points
 {
   const Surface_solution_set_d& m_set;
-  Local_function_source m_source;
+  std::vector<Local_function_source> m_sources; // per system
   std::vector<std::unique_ptr<Local_functions>> m_near_patch;
   std::map<int, std::set<double>> m_breaks; // of unknowns that have some
   Function_jets m_jets;
@@ -51,9 +51,14 @@ public:
   using Double_ranges = std::vector<std::pair<double, double>>;
 
   explicit Surface_points(const Surface_solution_set_d& set)
-    : m_set(set), m_source(set.system().equalities(), dimension()), m_near_patch(set.patches().size()),
-      m_breaks(breaks_of(set.system())), m_step(dimension())
-  {}
+    : m_set(set), m_near_patch(set.patches().size()), m_step(dimension())
+  {
+    for (const auto& system : set.systems()) {
+      m_sources.emplace_back(system->equalities(), dimension());
+      for (const auto& [unknown, breaks] : breaks_of(*system))
+        m_breaks[unknown].insert(breaks.begin(), breaks.end());
+    }
+  }
 
   std::size_t dimension() const { return static_cast<std::size_t>(m_set.system().dimension()); }
 
@@ -62,7 +67,8 @@ public:
   {
     std::unique_ptr<Local_functions>& own = m_near_patch[patch];
     if (own == nullptr)
-      own = std::make_unique<Local_functions>(m_source.near(m_set.patches()[patch].box));
+      own = std::make_unique<Local_functions>(
+          m_sources[m_set.surfaces()[m_set.patches()[patch].surface].system].near(m_set.patches()[patch].box));
     return *own;
   }
 
@@ -127,7 +133,7 @@ public:
     Point result = near;
     if (move_to_surface(patch, fixed, result) && is_in(around, result))
       return result;
-    return certified_solution(box, fixed, near);
+    return certified_solution(m_set.system_of_patch(patch), box, fixed, near);
   }
 
   static Double_ranges around(const Exact_ranges& box)
@@ -222,7 +228,8 @@ private:
     return step.allFinite();
   }
 
-  std::optional<Point> certified_solution(const Exact_ranges& box, const std::array<int, 2>& fixed, const Point& near)
+  std::optional<Point> certified_solution(const Constraint_system_d& system, const Exact_ranges& box,
+                                          const std::array<int, 2>& fixed, const Point& near)
   {
     Exact_ranges slice = box;
     for (const int j : fixed) {
@@ -232,7 +239,7 @@ private:
     }
     const auto [low, high] = std::minmax(fixed[0], fixed[1]);
     const Exact_rational first(near[static_cast<std::size_t>(low)]), second(near[static_cast<std::size_t>(high)]);
-    const Constraint_system_d plane = on_plane(m_set.system(), slice, high, second);
+    const Constraint_system_d plane = on_plane(system, slice, high, second);
     slice.erase(slice.begin() + high);
     const auto found = Subdivision_solver_d<Certified_solver_traits>()(on_plane(plane, slice, low, first));
     if (found.empty())

@@ -84,7 +84,7 @@ private:
       return false;
     Solution_surface_mesh before = result;
     if (Surface_remesher(result, m_points, m_vertices, m_control).run(!begins_coarse) &&
-        (m_points.surface().dimension() != 3 || !crosses_itself(result.mesh)))
+        (m_points.surface().dimension() != 3 || !crosses_itself(result)))
       return true;
     result = std::move(before);
     m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
@@ -110,16 +110,19 @@ private:
     }
   };
 
-  // Whether triangles meet elsewhere than in common vertices and edges, and in singular points, of which each fan has a
-  // vertex of its own.
-  static bool crosses_itself(const Mesh& mesh)
+  // Whether triangles of one system meet elsewhere than in common vertices and edges, and in singular points, of which
+  // each fan has a vertex of its own.
+  bool crosses_itself(const Solution_surface_mesh& result) const
   {
+    const Mesh& mesh = result.mesh;
+    const auto system = [&](Mesh::Face_index face) { return m_set.surfaces()[result.surface[face]].system; };
     std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
     Polygon_mesh_processing::self_intersections(
         mesh, std::back_inserter(pairs),
         CGAL::parameters::vertex_point_map(Points_for_predicates{&mesh}).geom_traits(Kernel()));
-    return std::any_of(pairs.begin(), pairs.end(),
-                       [&](const auto& pair) { return !meet_in_a_corner_only(mesh, pair.first, pair.second); });
+    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return system(pair.first) == system(pair.second) && !meet_in_a_corner_only(mesh, pair.first, pair.second);
+    });
   }
 
   static std::array<Kernel::Point_3, 3> corners_of(const Mesh& mesh, Mesh::Face_index face)
@@ -219,11 +222,13 @@ private:
   bool is_on_break(const Surface_arc& arc) const
   {
     const Exact_rational& value = arc.box[static_cast<std::size_t>(arc.plane)].first;
-    for (const Spline_function& function : m_set.system().equalities())
-      for (const Spline_term& term : function.terms())
-        for (std::size_t j = 0; j < term.variables.size(); ++j)
-          if (term.variables[j] == arc.plane && std::binary_search(term.breaks[j].begin(), term.breaks[j].end(), value))
-            return true;
+    for (const auto& system : m_set.systems())
+      for (const Spline_function& function : system->equalities())
+        for (const Spline_term& term : function.terms())
+          for (std::size_t j = 0; j < term.variables.size(); ++j)
+            if (term.variables[j] == arc.plane &&
+                std::binary_search(term.breaks[j].begin(), term.breaks[j].end(), value))
+              return true;
     return false;
   }
 

@@ -36,14 +36,21 @@ and that boundaries are loops on the faces of boxes.
 class Surface_proof
 {
   const Surface_solution_set_d& m_set;
-  const Constraint_system_d& m_system;
+  const Constraint_system_d& m_system; // one of those of the set
+  std::size_t m_index;                 // of the system
   Functions m_functions;
+  std::vector<bool> m_has_arc; // those of patches of the system
 
 public:
-  explicit Surface_proof(const Surface_solution_set_d& set) : m_set(set), m_system(set.system())
+  Surface_proof(const Surface_solution_set_d& set, std::size_t system)
+    : m_set(set), m_system(*set.systems()[system]), m_index(system), m_has_arc(set.arcs().size(), false)
   {
     for (const Spline_function& equality : m_system.equalities())
       m_functions.push_back(&equality);
+    for (const Surface_patch& patch : set.patches())
+      if (is_own(patch))
+        for (const Surface_patch::Side& side : patch.boundary)
+          m_has_arc[side.arc] = true;
   }
 
   bool succeeds() const
@@ -51,11 +58,15 @@ public:
     const auto all = [](const auto& cells, const auto& is_proved) {
       return std::all_of(cells.begin(), cells.end(), is_proved);
     };
-    return all(m_set.patches(), [&](const Surface_patch& patch) { return is_patch(patch); }) &&
-        all(m_set.arcs(), [&](const Surface_arc& arc) { return is_arc(arc); }) && are_vertices();
+    const Surface_arc* const first = m_set.arcs().data();
+    return all(m_set.patches(), [&](const Surface_patch& patch) { return !is_own(patch) || is_patch(patch); }) &&
+        all(m_set.arcs(), [&](const Surface_arc& arc) { return !m_has_arc[&arc - first] || is_arc(arc); }) &&
+        are_vertices();
   }
 
 private:
+  bool is_own(const Surface_patch& patch) const { return m_set.surfaces()[patch.surface].system == m_index; }
+
   bool is_patch(const Surface_patch& patch) const
   {
     return !patch.apex && patch.orientation != 0 &&
@@ -113,8 +124,10 @@ private:
   bool are_vertices() const
   {
     std::vector<bool> is_end(m_set.vertices().size(), false);
-    for (const Surface_arc& arc : m_set.arcs())
-      is_end[arc.ends[0]] = is_end[arc.ends[1]] = true;
+    for (std::size_t a = 0; a < m_has_arc.size(); ++a)
+      if (m_has_arc[a])
+        for (const std::size_t end : m_set.arcs()[a].ends)
+          is_end[end] = true;
     for (std::size_t i = 0; i < is_end.size(); ++i)
       if (is_end[i] && !is_vertex(m_set.vertices()[i].box))
         return false;
@@ -129,7 +142,11 @@ private:
     for (auto j = static_cast<int>(box.size());
          j-- > 0 && planes < 2;) // from the last one, so that others keep numbers
       if (const auto [lower, upper] = box[static_cast<std::size_t>(j)]; lower == upper) {
-        system = on_plane(system, domain_of(system), j, lower);
+        Constraint_system_d plane = on_plane(system, domain_of(system), j, lower);
+        // no plane of a cut, but that of a face which is an equality
+        if (std::any_of(plane.equalities().begin(), plane.equalities().end(), is_zero_everywhere))
+          continue;
+        system = std::move(plane);
         box.erase(box.begin() + j);
         ++planes;
       }
@@ -235,7 +252,10 @@ private:
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool are_surfaces_proved(const Surface_solution_set_d& set)
 {
-  return Surface_proof(set).succeeds();
+  for (std::size_t k = 0; k < set.systems().size(); ++k)
+    if (!Surface_proof(set, k).succeeds())
+      return false;
+  return true;
 }
 
 } // namespace verification
