@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fstream>
 #include <numbers>
 #include <optional>
 
@@ -72,18 +73,10 @@ void draw(std::ostream& out, const Mesh& mesh, const SC::View_3& view)
 
 void write(const std::string& path, const Mesh& mesh)
 {
+  if (!path.ends_with(".svg"))
+    return SC::IO::write_surface_mesh(path, mesh);
   std::ofstream out(path);
-  out.precision(17);
-  if (path.ends_with(".off"))
-    CGAL::IO::write_OFF(out, mesh);
-  else if (path.ends_with(".ply"))
-    CGAL::IO::write_PLY(out, mesh);
-  else if (path.ends_with(".stl"))
-    CGAL::IO::write_STL(out, mesh);
-  else if (path.ends_with(".svg"))
-    draw(out, mesh, {});
-  else
-    throw SC::Invalid_input("--output: " + path + " ends neither with .off, .ply or .stl nor with .svg");
+  draw(out, mesh, {});
   if (!out.flush())
     throw SC::Invalid_input("--output: " + path + " cannot be written");
 }
