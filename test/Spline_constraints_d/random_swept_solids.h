@@ -106,10 +106,9 @@ inline Comparison compare(const Random_sweep& sweep, const SC::Swept_volume_3& s
         tree.squared_distance(p) > swept.error() * swept.error())
       ++result.wrong;
   }
-  const double part = static_cast<double>(inside) / static_cast<double>(result.points),
-               all = box.x_span() * box.y_span() * box.z_span();
-  result.volume = part * all;
-  result.deviation = all * std::sqrt(part * (1 - part) / static_cast<double>(result.points));
+  const double all = box.x_span() * box.y_span() * box.z_span(), expected = swept.volume() / all;
+  result.volume = all * static_cast<double>(inside) / static_cast<double>(result.points);
+  result.deviation = all * std::sqrt(expected * (1 - expected) / static_cast<double>(result.points));
   return result;
 }
 

@@ -94,7 +94,7 @@ void check_convergence(const std::vector<Surface>& solid, const Motion& motion, 
   const double first = volume - checked(solid, motion, chord_error).volume(),
                last = volume - checked(solid, motion, chord_error / 4).volume();
   EXPECT_LT(std::abs(first), 10 * chord_error);
-  EXPECT_LT(std::abs(last), 0.45 * std::abs(first));
+  EXPECT_LT(std::abs(last), 0.45 * std::abs(first) + 1e-12); // errors may cancel
 }
 
 std::string message_of(const std::vector<Surface>& solid)
