@@ -74,7 +74,7 @@ foreach(header IN LISTS headers)
   set(includes_of_${header} ${includes})
   if(text MATCHES "\n#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS\n")
     list(APPEND operations_compiled_once ${header})
-  elseif(text MATCHES "\n#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED\n.*\nCGAL_SPLINE_CONSTRAINTS_INLINE")
+  elseif(text MATCHES "\n#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED\n(.*\n)?CGAL_SPLINE_CONSTRAINTS_INLINE")
     list(APPEND compiled_once ${header})
   endif()
 

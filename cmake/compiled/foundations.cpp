@@ -32,6 +32,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/number.h>
 #include <CGAL/Spline_constraints_d/solver.h>
