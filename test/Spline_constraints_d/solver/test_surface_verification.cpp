@@ -54,6 +54,12 @@ TEST(Surface_verification, all_cells_are_proved)
   EXPECT_TRUE(SC::verify(SC::solve_surfaces(ring + square(z) == 1, x + y >= Rational(1) / 4)));
   EXPECT_TRUE(SC::verify(SC::solve_surfaces(ring + square(z) == 4)));
 
+  // one unknown depends on another one, which depends on the value of the inequality
+  const auto [u, v, w] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
+  const auto sphere = square(u) + square(v) + square(w) - 1, moved = square(u - 1) + square(v) + square(w) - 1;
+  EXPECT_TRUE(SC::verify(SC::solve_surfaces(moved == 0, w >= Rational(1) / 3)));
+  EXPECT_TRUE(SC::verify(SC::solve_surfaces(sphere * moved == 0, w >= Rational(1) / 3)));
+
   const auto [p, q, r, s] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2}, {-2, 2});
   EXPECT_TRUE(SC::verify(SC::solve_surfaces(square(p) + square(q) == 1, square(r) + square(s) == 1)));
 }

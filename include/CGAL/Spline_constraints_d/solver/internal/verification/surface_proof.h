@@ -16,6 +16,8 @@
 #include <CGAL/Spline_constraints_d/solver/internal/verification/krawczyk_operator.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -134,23 +136,33 @@ private:
     return true;
   }
 
-  // On the two planes that a vertex lies on the system has as many equalities as unknowns.
-  bool is_vertex(Exact_ranges box) const
+  // On two of the planes that a vertex lies on, which may be more, by chance or as one says the same as another one.
+  bool is_vertex(const Exact_ranges& box) const
+  {
+    std::vector<int> planes;
+    for (int j = 0; j < static_cast<int>(box.size()); ++j)
+      if (const auto& [lower, upper] = box[static_cast<std::size_t>(j)]; lower == upper)
+        planes.push_back(j);
+    for (std::size_t k = planes.size(); k-- > 0;)
+      for (std::size_t i = k; i-- > 0;)
+        if (is_vertex_on(planes[k], planes[i], box))
+          return true;
+    return false;
+  }
+
+  // There the system has as many equalities as unknowns. The second plane is of an earlier unknown, which keeps its
+  // number.
+  bool is_vertex_on(int first, int second, Exact_ranges box) const
   {
     Constraint_system_d system = equalities_of(m_system);
-    int planes = 0;
-    for (auto j = static_cast<int>(box.size());
-         j-- > 0 && planes < 2;) // from the last one, so that others keep numbers
-      if (const auto [lower, upper] = box[static_cast<std::size_t>(j)]; lower == upper) {
-        Constraint_system_d plane = on_plane(system, domain_of(system), j, lower);
-        // no plane of a cut, but that of a face which is an equality
-        if (std::any_of(plane.equalities().begin(), plane.equalities().end(), is_zero_everywhere))
-          continue;
-        system = std::move(plane);
-        box.erase(box.begin() + j);
-        ++planes;
-      }
-    return planes == 2 && is_proved(system, Solution_kind::CERTIFIED, box, {});
+    for (const int j : {first, second}) {
+      system = on_plane(system, domain_of(system), j, box[static_cast<std::size_t>(j)].first);
+      // no plane of a cut, but that of a face which is an equality
+      if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere))
+        return false;
+      box.erase(box.begin() + j);
+    }
+    return is_proved(system, Solution_kind::CERTIFIED, box, {});
   }
 
   static Box box_of(const Exact_ranges& ranges)
@@ -232,13 +244,29 @@ private:
     return result;
   }
 
-  // Whether weighted row sums are below the weights. Unknowns that stand for values of inequalities depend on others,
-  // and no others on them: they have a great weight.
+  // Whether weighted row sums are below the weights, for some weights. Unknowns that stand for values of inequalities
+  // depend on others, and no others on them: they have a great weight. If that is not enough, weights are tried that
+  // the sums are to be less than by one.
   bool is_contraction(const Matrix& distances, const Axes& axes) const
   {
-    const auto weight = [&](std::size_t j) {
-      return Exact_rational(axes[j] < static_cast<std::size_t>(m_set.dimension()) ? 1 : 1024);
-    };
+    const auto size = static_cast<Eigen::Index>(distances.rows);
+    Eigen::VectorXd weights(size);
+    Eigen::MatrixXd rest(size, size); // that is to map weights to ones
+    for (std::size_t i = 0; i < distances.rows; ++i) {
+      weights[static_cast<Eigen::Index>(i)] = axes[i] < static_cast<std::size_t>(m_set.dimension()) ? 1 : 1024;
+      for (std::size_t j = 0; j < distances.columns; ++j)
+        rest(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+            (i == j ? 1 : 0) - CGAL::to_double(distances(i, j));
+    }
+    if (are_sums_below(distances, weights))
+      return true;
+    weights = rest.partialPivLu().solve(Eigen::VectorXd::Ones(size));
+    return weights.allFinite() && weights.minCoeff() > 0 && are_sums_below(distances, weights);
+  }
+
+  static bool are_sums_below(const Matrix& distances, const Eigen::VectorXd& weights)
+  {
+    const auto weight = [&](std::size_t j) { return to_rational(weights[static_cast<Eigen::Index>(j)]); };
     for (std::size_t i = 0; i < distances.rows; ++i) {
       Exact_rational sum(0);
       for (std::size_t j = 0; j < distances.columns; ++j)
