@@ -94,6 +94,9 @@ To the envelopes of all surfaces, and to their first and last positions, comes w
 inwards on one side of them alone; corners sweep boundaries of this. Edges with one tangent plane sweep nothing.
 
 \param surfaces a range of models of `ParametricSurface_3`, or of objects of CGAL that are converted to one.
+\param motion the motion.
+\param fineness how fine the triangles are, in space.
+\param options the limits, for the operation as a whole, and a visitor.
 \throws Invalid_input when there is no surface, an edge is neither a pole nor the same as exactly one other one, normals
 of two surfaces point to different sides, and as above.
 */

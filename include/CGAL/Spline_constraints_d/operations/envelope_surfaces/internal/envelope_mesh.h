@@ -172,7 +172,7 @@ inline Solution_surface_mesh mesh_of(const Envelope_part_3& part, const Surface_
       return result;
     }
     if (round > 1)
-      own.chord_error *= (std::max)(0.25, 0.9 * options.chord_error / result.error);
+      own.chord_error *= (std::max)(0.25, 0.75 * options.chord_error / result.error);
     own.angle = any_angle;
   }
 }
