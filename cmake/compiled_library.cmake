@@ -18,7 +18,7 @@ endif()
 set(sources ${CMAKE_CURRENT_LIST_DIR}/compiled)
 add_library(Spline_constraints_d_compiled ${only_on_request}
   ${sources}/foundations.cpp ${sources}/curves_and_surfaces.cpp ${sources}/planar_regions.cpp
-  ${sources}/surface_regions.cpp ${sources}/envelope_surfaces.cpp ${sources}/swept_volumes.cpp
+  ${sources}/surface_regions.cpp ${sources}/envelope_surfaces.cpp
   ${sources}/implicit_patches.cpp ${sources}/approximate_polygons.cpp)
 add_library(CGAL::Spline_constraints_d_compiled ALIAS Spline_constraints_d_compiled)
 target_link_libraries(Spline_constraints_d_compiled
