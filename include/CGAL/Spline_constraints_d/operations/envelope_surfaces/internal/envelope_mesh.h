@@ -171,8 +171,9 @@ inline Solution_surface_mesh mesh_of(const Envelope_part_3& part, const Surface_
         result.undecided_parts.push_back({{}, {}, "triangles with a greater error"});
       return result;
     }
+    const double share = round < 4 ? 0.9 : 0.6; // of the error that would be right, if errors were as one asks
     if (round > 1)
-      own.chord_error *= (std::max)(0.25, 0.75 * options.chord_error / result.error);
+      own.chord_error *= (std::max)(0.25, share * options.chord_error / result.error);
     own.angle = any_angle;
   }
 }

@@ -81,11 +81,18 @@ public:
     Constraint_system_d system(m_domain);
     for (const auto& [polynomial, relation] : m_constraints)
       system.add(polynomial, relation);
+    double propagation_work = 0;
+    try {
+      propagation_work = work_of_propagation();
+    } catch (const Run_stopped&) {
+      return by_propagation(0).solutions; // says what stopped it
+    }
+    const double tensor_work = work_of_tensors();
     for (double work = 0x1p23;; work *= 4) {
-      Trial tensors = by_tensors(system, nodes_of_trial(work, work_of_tensors()));
+      Trial tensors = by_tensors(system, nodes_of_trial(work, tensor_work));
       if (is_at_end(tensors))
         return std::move(tensors.solutions);
-      Trial propagation = by_propagation(nodes_of_trial(work / 2, work_of_propagation()));
+      Trial propagation = by_propagation(nodes_of_trial(work / 2, propagation_work));
       if (is_at_end(propagation))
         return std::move(propagation.solutions);
     }
@@ -99,23 +106,28 @@ private:
         (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
   }
 
-  // In about equal units: a pass over all coefficients, and over the derivatives.
+  static constexpr double largest_small_dimension = 64;
+
+  // In about equal units of 20 ns: a pass over all coefficients, and over the derivatives, of which the inverse counts
+  // where there are many.
   double work_of_tensors() const
   {
-    double result = static_cast<double>(m_domain.size()) * m_domain.size();
+    const double n = static_cast<double>(m_domain.size());
+    double result = n * n * (n <= largest_small_dimension ? 1 : n / 32);
     for (const Polynomial_constraint& constraint : m_constraints)
       result += tensor_size({constraint});
     return result;
   }
 
-  // An elimination, and sums of multiples of all terms.
+  // Sums of multiples of all terms, and an elimination, which is sparse where unknowns are many.
   double work_of_propagation() const
   {
+    const Common_part common(m_constraints, static_cast<int>(m_domain.size()), [this] { m_control.check(); });
     const double n = static_cast<double>(m_domain.size());
     double terms = 0;
-    for (const auto& [polynomial, relation] : m_constraints)
+    for (const auto& [polynomial, relation] : common.constraints())
       terms += static_cast<double>(polynomial.terms().size());
-    return n * terms + n * n * (std::min)(n, 64.0) / 8;
+    return (std::min)(n, largest_small_dimension) * terms + n * n * (n <= largest_small_dimension ? n / 8 : 1);
   }
 
   static std::size_t nodes_of_trial(double work, double work_of_node)
