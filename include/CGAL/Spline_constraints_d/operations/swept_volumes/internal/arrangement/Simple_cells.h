@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Triangle_shells.h>
 
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -93,18 +94,12 @@ private:
   std::size_t number_of_regions(const std::vector<std::size_t>& sides,
                                 const std::map<std::array<std::size_t, 2>, std::vector<std::size_t>>& edges) const
   {
-    std::size_t result = sides.size();
-    std::vector<std::size_t> rank(result), parent(result);
-    boost::disjoint_sets<std::size_t*, std::size_t*> regions(rank.data(), parent.data());
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      regions.make_set(i);
+    boost::disjoint_sets_with_storage<> regions(sides.size());
     for (const auto& [ends, both] : edges)
       if (is_beyond_inside(sides[both[0]]) == is_beyond_inside(sides[both[1]]))
-        if (const std::size_t one = regions.find_set(both[0]), other = regions.find_set(both[1]); one != other) {
-          regions.link(one, other);
-          --result;
-        }
-    return result;
+        regions.union_set(both[0], both[1]);
+    return regions.count_sets(boost::counting_iterator<std::size_t>(0),
+                              boost::counting_iterator<std::size_t>(sides.size()));
   }
 };
 

@@ -12,10 +12,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -25,22 +25,15 @@ namespace Swept_volumes {
 // Connected parts of a mesh.
 inline std::size_t number_of_components(const CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>& mesh)
 {
-  std::size_t result = mesh.number_of_faces();
-  std::vector<std::size_t> rank(result), parent(result);
-  boost::disjoint_sets<std::size_t*, std::size_t*> parts(rank.data(), parent.data());
-  for (const auto face : mesh.faces())
-    parts.make_set(static_cast<std::size_t>(face));
-  for (const auto edge : mesh.edges()) {
-    if (mesh.is_border(edge))
-      continue;
-    const std::size_t one = parts.find_set(static_cast<std::size_t>(mesh.face(mesh.halfedge(edge, 0)))),
-                      other = parts.find_set(static_cast<std::size_t>(mesh.face(mesh.halfedge(edge, 1))));
-    if (one != other) {
-      parts.link(one, other);
-      --result;
-    }
-  }
-  return result;
+  boost::disjoint_sets_with_storage<> parts(mesh.number_of_faces());
+  const auto face = [&](const auto edge, unsigned side) {
+    return static_cast<std::size_t>(mesh.face(mesh.halfedge(edge, side)));
+  };
+  for (const auto edge : mesh.edges())
+    if (!mesh.is_border(edge))
+      parts.union_set(face(edge, 0), face(edge, 1));
+  return parts.count_sets(boost::counting_iterator<std::size_t>(0),
+                          boost::counting_iterator<std::size_t>(mesh.number_of_faces()));
 }
 
 } // namespace Swept_volumes
