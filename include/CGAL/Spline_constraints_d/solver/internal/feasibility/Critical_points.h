@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_FEASIBILITY_CRITICAL_POINTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_FEASIBILITY_CRITICAL_POINTS_H
 
+#include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/Rational_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/solutions_of_systems.h>

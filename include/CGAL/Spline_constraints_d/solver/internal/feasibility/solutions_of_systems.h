@@ -23,15 +23,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A polynomial with the unknowns numbered by their places in an increasing list, which has all that occur.
-inline Power_polynomial renumbered(Power_polynomial polynomial, const std::vector<int>& unknowns)
-{
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
-    if (unknowns[k] != static_cast<int>(k))
-      polynomial = polynomial.substituted(unknowns[k], Power_polynomial::variable(static_cast<int>(k)));
-  return polynomial;
-}
-
 // All solutions of a square system that is a part of a run.
 inline Solution_set_d<double> solutions_of(const Constraint_system_d& system, std::size_t nodes, Feasibility_run& run)
 {

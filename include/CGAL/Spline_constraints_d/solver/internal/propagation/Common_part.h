@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Monomial.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 
@@ -84,12 +85,8 @@ private:
     Power_polynomial result;
     for (const auto& [monomial, coefficients] : votes)
       for (const auto& [coefficient, count] : coefficients)
-        if (2 * count > equalities) {
-          Power_polynomial term(coefficient);
-          for (const auto& [unknown, exponent] : monomial.powers)
-            term *= pow(Power_polynomial::variable(unknown), exponent);
-          result += std::move(term);
-        }
+        if (2 * count > equalities)
+          result += polynomial_of_term(monomial, coefficient);
     return result;
   }
 };

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 
@@ -185,25 +186,15 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Explicit_unknowns::number_kept_unknowns(cons
     is_kept[definition.unknown] = 0;
     values.emplace_back(definition.value, Relation::EQUAL);
   }
-  std::map<int, int> numbers;
   for (int j = 0; j < m_all; ++j)
-    if (is_kept[j] != 0) {
-      numbers[j] = static_cast<int>(m_kept.size());
+    if (is_kept[j] != 0)
       m_kept.push_back(j);
-    }
   if (m_definitions.empty())
     return;
   m_values.emplace(m_all, values, check);
   for (auto& [polynomial, relation] : m_constraints) {
     check();
-    Power_polynomial renumbered;
-    for (const auto& [monomial, coefficient] : polynomial.terms()) {
-      Power_polynomial term(coefficient);
-      for (const auto& [unknown, exponent] : monomial.powers)
-        term *= pow(Power_polynomial::variable(numbers.at(unknown)), exponent);
-      renumbered += std::move(term);
-    }
-    polynomial = std::move(renumbered);
+    polynomial = renumbered(polynomial, m_kept);
   }
 }
 #endif

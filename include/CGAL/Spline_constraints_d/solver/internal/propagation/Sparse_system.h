@@ -31,6 +31,13 @@ namespace internal {
 // The range of each unknown.
 using Box_of_ranges = std::vector<Interval>;
 
+// To the smallest box around both.
+inline void extend(Box_of_ranges& box, const Box_of_ranges& by)
+{
+  for (std::size_t j = 0; j < box.size(); ++j)
+    box[j] = Interval((std::min)(box[j].inf(), by[j].inf()), (std::max)(box[j].sup(), by[j].sup()));
+}
+
 /*
 Constraints as sums of monomials, laid out for passes over them: of each constraint the parts in one unknown alone,
 which are bounded as polynomials in it, and the other terms, whose monomials are shared by all constraints.

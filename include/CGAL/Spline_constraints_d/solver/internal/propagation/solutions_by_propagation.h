@@ -227,8 +227,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Spars
   if (!search.rest().empty()) {
     Box_of_ranges hull = search.rest().front();
     for (const Box_of_ranges& part : search.rest())
-      for (std::size_t j = 0; j < hull.size(); ++j)
-        hull[j] = Interval((std::min)(hull[j].inf(), part[j].inf()), (std::max)(hull[j].sup(), part[j].sup()));
+      extend(hull, part);
     add_undecided(expanded(hull), search.reason());
   }
 }
@@ -268,9 +267,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(const Pro
                                                                        const Explicit_unknowns& explicit_unknowns)
 {
   Proved_root root{explicit_unknowns.expanded(found.enclosure), explicit_unknowns.expanded(found.region)};
-  for (std::size_t j = 0; j < root.region.size(); ++j)
-    root.region[j] = Interval((std::min)(root.region[j].inf(), root.enclosure[j].inf()),
-                              (std::max)(root.region[j].sup(), root.enclosure[j].sup()));
+  extend(root.region, root.enclosure);
   Whereabouts place = place_in_domain(root.enclosure, m_domain);
   if (place != Whereabouts::OUTSIDE) {
     // a common part is subtracted from inequalities, too: its unknown is its value there
@@ -306,11 +303,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
   }
   const std::vector<std::size_t> roots = roots_of_touching(boxes);
   std::map<std::size_t, Box_of_ranges> hulls;
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    Box_of_ranges& hull = hulls.try_emplace(roots[i], m_open[i]).first->second;
-    for (std::size_t j = 0; j < hull.size(); ++j)
-      hull[j] = Interval((std::min)(hull[j].inf(), m_open[i][j].inf()), (std::max)(hull[j].sup(), m_open[i][j].sup()));
-  }
+  for (std::size_t i = 0; i < roots.size(); ++i)
+    extend(hulls.try_emplace(roots[i], m_open[i]).first->second, m_open[i]);
   for (const auto& [root, hull] : hulls)
     settle(hull);
 }
