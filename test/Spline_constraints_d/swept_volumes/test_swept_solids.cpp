@@ -4,6 +4,8 @@
 // Swept volumes of solids that several surfaces bound, with edges and corners, against closed forms and exact
 // membership.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
@@ -21,12 +23,6 @@
 
 namespace swept_solid_test {
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Curve = SC::Bspline_curve_3<K>;
 using Motion = SC::Rational_motion_3;
 using Function = Motion::Function;

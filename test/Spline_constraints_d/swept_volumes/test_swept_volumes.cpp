@@ -4,6 +4,8 @@
 // Swept volumes against closed forms, as the mesh gets finer, and against exact membership; exact arrangements of
 // triangles.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
@@ -19,12 +21,6 @@
 
 namespace swept_volume_test {
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Curve = SC::Bspline_curve_3<K>;
 using Motion = SC::Rational_motion_3;
 using Function = Motion::Function;
