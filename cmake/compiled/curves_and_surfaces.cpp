@@ -92,6 +92,10 @@ template std::optional<Elementary_points<2>> elementary_points<2>(const Elementa
                                                                   const Elementary_operand<2>&);
 template std::optional<Elementary_points<3>> elementary_points<3>(const Elementary_operand<3>&,
                                                                   const Elementary_operand<3>&);
+template std::optional<Elementary_points<2>> crossing_points<2>(const Elementary_operand<2>&,
+                                                                const Elementary_operand<2>&);
+template std::optional<Elementary_points<3>> crossing_points<3>(const Elementary_operand<3>&,
+                                                                const Elementary_operand<3>&);
 template Regular_points<2> regular_points<2>(const Elementary_operand<2>&, const Elementary_operand<2>&,
                                              Budgeted_solver&);
 template Regular_points<3> regular_points<3>(const Elementary_operand<3>&, const Elementary_operand<3>&,

@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -211,10 +210,10 @@ public:
   //! an answer.
   using Answer = Answer_;
   //! passes the answers.
-  using const_iterator = typename std::deque<Answer>::const_iterator;
+  using const_iterator = typename std::vector<Answer>::const_iterator;
 
 private:
-  std::deque<Answer> m_answers;   // in small blocks of memory, which cost less
+  std::vector<Answer> m_answers;
   Summary m_summary;
   std::function<Undecided_part(const Answer&)> m_undecided_part; // is called where somebody asks
   std::function<std::vector<std::string>()> m_remarks;           // the same; or empty
@@ -222,7 +221,7 @@ private:
 public:
   //! these answers. `undecided_part` tells where one of the kind `UNDECIDED` is, and why; `remarks`, what is said of
   //! the operands.
-  Intersection_set(std::deque<Answer>&& answers, const Summary& work,
+  Intersection_set(std::vector<Answer> answers, const Summary& work,
                    std::function<Undecided_part(const Answer&)> undecided_part,
                    std::function<std::vector<std::string>()> remarks = {})
     : m_answers(std::move(answers)), m_summary(work), m_undecided_part(std::move(undecided_part)),

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_CLOSEST_POINTS_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
@@ -159,7 +160,7 @@ namespace internal {
 namespace Distances {
 
 template <SplineKernel Kernel, int d>
-std::vector<Point_pair<Kernel, d>> point_pairs(std::vector<Located_distance<d>> found)
+std::vector<Point_pair<Kernel, d>> point_pairs(Scratch_vector<Located_distance<d>> found)
 {
   std::vector<Point_pair<Kernel, d>> result;
   result.reserve(found.size());

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ELEMENTARY_POINTS_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -16,7 +17,6 @@
 
 #include <array>
 #include <cstddef>
-#include <list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,7 +61,8 @@ template <int d>
 struct Elementary_points
 {
   std::size_t split, number_of_parameters;
-  std::list<Elementary_point<d>> points = {};   // in order; in small blocks of memory
+  std::size_t nodes = 0;                         // that were looked at to find them
+  Scratch_list<Elementary_point<d>> points = {}; // in order
 };
 
 } // namespace Common

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_FOUND_DISTANCES_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
@@ -76,7 +77,7 @@ Located_distance<d> located(const Critical_distance& found, typename Located_dis
 template <int d>
 struct Found_distances
 {
-  std::vector<Located_distance<d>> pairs;
+  Scratch_vector<Located_distance<d>> pairs;
   std::pair<Deferred_rational, Deferred_rational> squared_distance; // of the nearest ones
   std::vector<Undecided_part> undecided;
   Summary summary;

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <string>
 #include <utility>
@@ -70,7 +69,8 @@ Spline_constraints::Intersections<Kernel, d> intersections_at(std::vector<Common
                                                               const Patch_pair<d>& operands, const Summary& work,
                                                               const std::array<std::size_t, 2>& indices = {0, 1})
 {
-  std::deque<Intersection<Kernel, d>> result;
+  std::vector<Intersection<Kernel, d>> result;
+  result.reserve(points.size());
   // A run that was ended explains itself, and whoever ended it does not wait.
   const auto is_end = [](Undecided_reason reason) {
     return reason == Undecided_reason::TIME || reason == Undecided_reason::STOPPED;

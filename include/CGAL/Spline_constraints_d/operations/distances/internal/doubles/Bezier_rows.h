@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_BEZIER_ROWS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_BEZIER_ROWS_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/bernstein_doubles.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -30,33 +31,33 @@ combinations.
 class Bezier_rows
 {
   int m_degree;
-  std::vector<double> m_knots;
-  std::vector<std::size_t> m_spans; // knots[span] is the begin of a piece, knots[span + 1] its end
+  Scratch_vector<double> m_knots;
+  Scratch_vector<std::size_t> m_spans; // knots[span] is the begin of a piece, knots[span + 1] its end
 
 public:
-  Bezier_rows(int degree, std::vector<double> own_knots) : m_degree(degree), m_knots(std::move(own_knots))
+  Bezier_rows(int degree, Scratch_vector<double> own_knots) : m_degree(degree), m_knots(std::move(own_knots))
   {
-    const std::vector<double>& knots = m_knots;
+    const Scratch_vector<double>& knots = m_knots;
     const auto n = static_cast<std::size_t>(degree);
     for (std::size_t k = n; k + n + 1 < knots.size(); ++k)
       if (knots[k] < knots[k + 1])
         m_spans.push_back(k);
   }
 
-  const std::vector<double>& knots() const { return m_knots; }
-  const std::vector<std::size_t>& spans() const { return m_spans; }
+  const Scratch_vector<double>& knots() const { return m_knots; }
+  const Scratch_vector<std::size_t>& spans() const { return m_spans; }
 
   // Of coefficients with a number of lines beside each other, `step` from one coefficient of a line to the next; their
   // greatest error becomes that of the results. Rounding has to be upward.
-  std::vector<double> operator()(std::vector<double> coefficients, double& error, std::size_t lines, std::size_t skip,
-                                 std::size_t step) const
+  Scratch_vector<double> operator()(Scratch_vector<double> coefficients, double& error, std::size_t lines,
+                                    std::size_t skip, std::size_t step) const
   {
     if (m_spans.size() == 1 && is_clamped(m_spans[0]))
       return coefficients;
     const auto order = static_cast<std::size_t>(m_degree) + 1;
     const std::size_t size = m_spans.size() * order;
-    std::vector<double> result(size * lines);
-    std::vector<Interval> control(order);
+    Scratch_vector<double> result(size * lines);
+    Scratch_vector<Interval> control(order);
     double greatest_error = error;
     // In the result, lines are beside each other in the same way.
     const std::size_t result_skip = step == 1 ? size : 1, result_step = step == 1 ? 1 : lines;
@@ -89,7 +90,7 @@ private:
   }
 
   // With the end of the piece as the last `ends` arguments, its begin as the others.
-  Interval blossom_at(std::size_t span, std::vector<Interval>& control, std::size_t ends) const
+  Interval blossom_at(std::size_t span, Scratch_vector<Interval>& control, std::size_t ends) const
   {
     const auto n = static_cast<std::size_t>(m_degree);
     for (std::size_t r = 1; r <= n; ++r) {

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_EXACT_CANDIDATES_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
@@ -61,7 +62,7 @@ public:
     else if (m_operand.rounded != nullptr)
       function(*m_operand.rounded);
     else
-      function(Rounded_spline<d>(*m_operand.spline));
+      function(Rounded_spline<d>(*m_operand.spline, &scratch_memory()));
   }
 
   // The parameter at a place in a cell.

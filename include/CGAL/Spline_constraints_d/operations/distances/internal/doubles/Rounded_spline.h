@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DOUBLES_ROUNDED_SPLINE_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/Homogeneous_spline.h>
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Bezier_rows.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/doubles/Rounded_piece.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory_resource>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,9 +37,9 @@ double nearest_double(const NT& x)
 }
 
 template <class NT>
-std::vector<double> nearest_doubles(const std::vector<NT>& numbers)
+Scratch_vector<double> nearest_doubles(const std::vector<NT>& numbers)
 {
-  std::vector<double> result(numbers.size());
+  Scratch_vector<double> result(numbers.size());
   std::transform(numbers.begin(), numbers.end(), result.begin(), nearest_double<NT>);
   return result;
 }
@@ -82,19 +84,23 @@ public:
 
 private:
   int m_axes;
-  std::array<std::vector<double>, 2> m_breaks{std::vector<double>{0, 1}, std::vector<double>{0, 1}};
+  std::array<std::pmr::vector<double>, 2> m_breaks;
   std::array<Closedness, 2> m_closedness{Closedness::OPEN, Closedness::OPEN};
   bool m_is_usable = true;
   bool m_is_rational = false;
-  std::vector<double> m_nets;
-  mutable std::vector<Rounded_piece<d>> m_pieces;   // along the second axis first
-  mutable std::vector<std::vector<double>> m_forms; // of pieces; none: nobody has asked for it
-  std::vector<Node> m_nodes;
+  std::pmr::vector<double> m_nets;
+  mutable std::pmr::vector<Rounded_piece<d>> m_pieces;        // along the second axis first
+  mutable std::pmr::vector<std::pmr::vector<double>> m_forms; // of pieces; none: nobody has asked for it
+  std::pmr::vector<Node> m_nodes;
 
 public:
-  // Rounding has to be upward.
+  // In memory that outlives it. Rounding has to be upward.
   template <class NT>
-  explicit Rounded_spline(const Homogeneous_spline<NT, d>& spline) : m_axes(spline.dimension())
+  explicit Rounded_spline(const Homogeneous_spline<NT, d>& spline,
+                          std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+    : m_axes(spline.dimension()), m_breaks{std::pmr::vector<double>({0, 1}, memory),
+                                           std::pmr::vector<double>({0, 1}, memory)},
+      m_nets(memory), m_pieces(memory), m_forms(memory), m_nodes(memory)
   {
     make_pieces(spline);
     if (m_is_usable)
@@ -108,7 +114,7 @@ public:
 
   int number_of_axes() const { return m_axes; }
   int number_of_cells(int axis) const { return static_cast<int>(m_breaks[axis].size()) - 1; }
-  const std::vector<double>& breaks(int axis) const { return m_breaks[axis]; }
+  const std::pmr::vector<double>& breaks(int axis) const { return m_breaks[axis]; }
 
   // Whether both ends of an axis are the same points.
   Closedness closedness(int axis) const { return m_closedness[axis]; }
@@ -146,7 +152,7 @@ private:
       m_is_usable = false;
       return;
     }
-    std::vector<Bezier_rows> rows;
+    Scratch_vector<Bezier_rows> rows;
     rows.reserve(2);
     for (int axis = 0; axis < m_axes; ++axis) {
       const std::vector<NT>& knots = functions[0].knots(axis);
@@ -183,10 +189,10 @@ private:
 
   // Copies a numerator or the weight into the pieces.
   template <class NT>
-  void add_function(const Bspline_function<NT>& f, const std::vector<Bezier_rows>& rows, const Degrees& degrees,
+  void add_function(const Bspline_function<NT>& f, const Scratch_vector<Bezier_rows>& rows, const Degrees& degrees,
                     std::size_t index)
   {
-    std::vector<double> coefficients = nearest_doubles(f.coefficients());
+    Scratch_vector<double> coefficients = nearest_doubles(f.coefficients());
     const double greatest = greatest_magnitude(coefficients.data(), coefficients.size());
     const bool is_rounded =
         !std::equal(f.coefficients().begin(), f.coefficients().end(), coefficients.begin(), is_double<NT>);

@@ -53,16 +53,20 @@ std::optional<Found_distances<d>> found_distances(const std::array<Located_opera
   Found_distances<d> result;
   result.pairs.reserve(search.candidates().size());
   auto& [least, upper] = result.squared_distance;
+  const auto is_nearer = [](const Located_distance<d>& x, const Located_distance<d>& y) {
+    return x.squared_distance.first < y.squared_distance.first;
+  };
   for (const Nearest_candidate<d>& candidate : search.candidates()) {
-    result.pairs.push_back(Exact_candidates<NT, d>(operands)(candidate));
-    const auto& [own_least, own_upper] = result.pairs.back().squared_distance;
+    Located_distance<d> pair = Exact_candidates<NT, d>(operands)(candidate);
+    const auto& [own_least, own_upper] = pair.squared_distance;
     if (const Deferred_rational zero; !(zero < own_least) && zero < own_upper)
       return std::nullopt;
-    if (result.pairs.size() == 1 || own_upper < upper)
+    if (result.pairs.empty() || own_upper < upper)
       upper = own_upper;
+    // there are few, and sorting them by parts would take memory
+    const auto place = std::upper_bound(result.pairs.begin(), result.pairs.end(), pair, is_nearer);
+    result.pairs.insert(place, std::move(pair));
   }
-  std::stable_sort(result.pairs.begin(), result.pairs.end(),
-                   [&](const auto& x, const auto& y) { return x.squared_distance.first < y.squared_distance.first; });
   if (!result.pairs.empty())
     least = result.pairs.front().squared_distance.first;
   result.summary.nodes = search.number_of_parts();

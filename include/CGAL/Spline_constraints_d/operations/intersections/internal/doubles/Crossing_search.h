@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_DOUBLES_CROSSING_SEARCH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_DOUBLES_CROSSING_SEARCH_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/doubles/Crossing_proof.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/doubles/Halved_curve.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -21,7 +22,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -48,8 +48,8 @@ class Crossing_search
   std::array<Halved_curve, 2> m_curves;
   Crossing_proof m_proof;
   double m_size;
-  std::vector<Crossing> m_crossings;
-  std::vector<Solution_d<double>> m_solutions; // of the same number
+  Scratch_vector<Crossing> m_crossings;
+  Scratch_vector<Solution_d<double>> m_solutions; // of the same number
   std::size_t m_nodes = 0;
 
 public:
@@ -70,11 +70,11 @@ public:
 
   // The pairs of parameters of common points; nothing where not all of them are proved to be crossings. A range that
   // goes beyond [0,1] holds the only solution near it, which may be beyond it.
-  std::optional<std::vector<Solution_d<double>>> operator()(std::size_t most_nodes)
+  std::optional<Scratch_vector<Solution_d<double>>> operator()(std::size_t most_nodes)
   {
     if (!(m_size > least_size))
       return std::nullopt;
-    std::vector<Parts> tasks;
+    Scratch_vector<Parts> tasks;
     tasks.reserve(64);
     tasks.push_back({0, 0});
     while (!tasks.empty()) {
@@ -184,7 +184,7 @@ private:
   }
 
   // Makes the pairs of halves tasks, if they are not too short.
-  bool halve(const Parts& parts, std::vector<Parts>& tasks)
+  bool halve(const Parts& parts, Scratch_vector<Parts>& tasks)
   {
     if ((std::min)(part(parts, 0).width, part(parts, 1).width) < least_width)
       return false;

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_DOUBLES_HALVED_CURVE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_DOUBLES_HALVED_CURVE_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -65,8 +65,8 @@ public:
 private:
   std::size_t m_degree;
   double m_size = 0; // the greatest coordinate
-  std::vector<Plane_vector> m_vectors;
-  std::vector<Part> m_parts;
+  Scratch_vector<Plane_vector> m_vectors;
+  Scratch_vector<Part> m_parts;
 
 public:
   //! \pre The degree is positive and at most the greatest one.

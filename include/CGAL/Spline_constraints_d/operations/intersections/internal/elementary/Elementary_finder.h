@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_FINDER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_FINDER_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Affine_overlap.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_pair.h>
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -80,7 +80,7 @@ public:
         if (!std::isfinite(point.parameters[j].first) || !std::isfinite(point.parameters[j].second))
           return std::nullopt;
     m_points.sort(is_before<d>);
-    return Elementary_points<d>{split, size, std::move(m_points)};
+    return Elementary_points<d>{split, size, 0, std::move(m_points)};
   }
 
 private:
@@ -325,7 +325,7 @@ private:
   // --- a curve and what has a form of degree one or two
 
   template <class Number>
-  std::vector<Number> composition(const Control_polygon<Number, d>& curve, std::size_t other) const
+  Scratch_vector<Number> composition(const Control_polygon<Number, d>& curve, std::size_t other) const
   {
     if (m_operands[other].kind == Elementary_kind::SPHERE)
       return sphere_composition(curve, m_operands[other]);
@@ -358,7 +358,7 @@ private:
                      const std::array<double, 2>& range)
   {
     const auto piece = piece_of<Interval>(curve, first_knot);
-    std::vector<Interval> f = composition(piece, other);
+    Scratch_vector<Interval> f = composition(piece, other);
     std::array<bool, 2> is_root_at_end{};
     for (const std::size_t side : {0, 1}) {
       Interval& value = side == 0 ? f.front() : f.back();

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_PAIR_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_ELEMENTARY_PAIR_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Elementary_points.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Turned_segment.h>
@@ -20,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <list>
 #include <optional>
 #include <span>
 #include <utility>
@@ -40,7 +40,7 @@ protected:
   using Operand = Elementary_operand<d>;
 
   std::array<Operand, 2> m_operands;
-  std::list<Elementary_point<d>> m_points;
+  Scratch_list<Elementary_point<d>> m_points;
 
 private:
   mutable std::array<std::array<double, 2>, d> m_control_points{};   // of a point or segment

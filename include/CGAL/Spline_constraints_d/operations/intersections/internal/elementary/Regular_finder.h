@@ -49,12 +49,28 @@ public:
       m_size(m_split + number_of_parameters(second))
   {}
 
+  // Those of two planar curves that cross in all common points, if doubles prove that.
+  std::optional<Elementary_points<d>> crossings() const
+  {
+    if constexpr (d == 2)
+      if (has_direct_equations() && Crossing_search::can_search(m_first.coefficients) &&
+          Crossing_search::can_search(m_second.coefficients)) {
+        Crossing_search search(m_first.coefficients, m_second.coefficients);
+        const std::size_t most_points = static_cast<std::size_t>(m_first.degrees[0] * m_second.degrees[0]);
+        auto solutions = search(200 + 20 * most_points);
+        if (!solutions || !are_seen_to_be_regular(*solutions))
+          return std::nullopt;
+        Elementary_points<d> result = regular_points(std::move(*solutions));
+        result.nodes = search.nodes();
+        return result;
+      }
+    return std::nullopt;
+  }
+
   Regular_points<d> operator()(Budgeted_solver& solve) const
   {
     if (!has_direct_equations())
       return {};
-    if (auto crossings = crossings_in_doubles(solve); crossings && are_seen_to_be_regular(*crossings))
-      return {std::nullopt, regular_points(std::move(*crossings))};
     Budgeted_solver limited = solve.limited(most_nodes);
     Solution_set_d<double> solutions = limited(system());
     solve.add_work_of(limited);
@@ -81,24 +97,6 @@ private:
     return m_size == d && is_curved(m_first) && is_curved(m_second);
   }
 
-  // The solutions of two planar curves that cross in all common points, if they are seen to; limits are left to the
-  // solver.
-  std::optional<std::vector<Solution_d<double>>> crossings_in_doubles(Budgeted_solver& solve) const
-  {
-    if constexpr (d == 2)
-      if (!solve.has_node_limit() && !solve.must_stop() && Crossing_search::can_search(m_first.coefficients) &&
-          Crossing_search::can_search(m_second.coefficients)) {
-        Crossing_search search(m_first.coefficients, m_second.coefficients);
-        const std::size_t most_points = static_cast<std::size_t>(m_first.degrees[0] * m_second.degrees[0]);
-        auto result = search(200 + 20 * most_points);
-        Summary work;
-        work.nodes = search.nodes();
-        solve.budget().add(work);
-        return result;
-      }
-    return std::nullopt;
-  }
-
   Constraint_system_d system() const
   {
     Constraint_system_d result(std::vector<Constraint_system_d::Domain>(m_size, {0, 1}));
@@ -122,7 +120,8 @@ private:
                                            Bernstein_tensor<double>(std::move(degrees), std::move(coefficients)));
   }
 
-  Elementary_points<d> regular_points(std::vector<Solution_d<double>> solutions) const
+  template <class Solutions>
+  Elementary_points<d> regular_points(Solutions solutions) const
   {
     Elementary_points<d> result{m_split, m_size};
     for (Solution_d<double>& solution : solutions) {
@@ -201,6 +200,13 @@ private:
       point.point[i] = rounded_value(curve.coefficients[i], t);
   }
 };
+
+template <int d>
+std::optional<Elementary_points<d>> crossing_points(const Elementary_operand<d>& first,
+                                                    const Elementary_operand<d>& second)
+{
+  return Regular_finder<d>(first, second).crossings();
+}
 
 template <int d>
 Regular_points<d> regular_points(const Elementary_operand<d>& first, const Elementary_operand<d>& second,

@@ -9,13 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_TURNED_SEGMENT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_TURNED_SEGMENT_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Parameter_place.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/closed_forms.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -100,7 +100,7 @@ inline bool is_turned_segment(const Elementary_operand<3>& surface)
   // all are zero: intervals tell in most cases, also where they are exact
   const auto residuals = [&]<class Number>(const Number&) {
     const Turned_segment<Number> form(surface);
-    std::vector<Number> result;
+    Scratch_vector<Number> result;
     for (const std::size_t end : {0, 1}) {
       const auto &m = form.center[end], &e = form.arm[end], &f = form.quarter_arm[end];
       for (std::size_t k = 0; k < 9; ++k)
@@ -117,8 +117,8 @@ inline bool is_turned_segment(const Elementary_operand<3>& surface)
     result.push_back(inner_product(form.arm[1], form.quarter_arm[0]));
     return result;
   };
-  const std::vector<Interval> bounds = residuals(Interval());
-  std::vector<Exact_rational> values;
+  const Scratch_vector<Interval> bounds = residuals(Interval());
+  Scratch_vector<Exact_rational> values;
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     if (known_sign(bounds[k]) != 0)
       return false;

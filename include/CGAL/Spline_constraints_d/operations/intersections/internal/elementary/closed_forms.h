@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_CLOSED_FORMS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_CLOSED_FORMS_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_operand.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/unit_roots.h>
@@ -20,7 +21,6 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -114,7 +114,7 @@ Coordinates<Number, d> coordinates_of(const Elementary_operand<d>& operand, std:
 
 // The control points of a Bezier piece.
 template <Formula_number Number, std::size_t d>
-using Control_polygon = std::vector<Coordinates<Number, d>>;
+using Control_polygon = Scratch_vector<Coordinates<Number, d>>;
 
 /*
 Of the piece of a curve between the knot with an index and the next one: the values of the polar form of the piece, by
@@ -246,9 +246,9 @@ The composition of a curve with what is zero on the other operand, in Bernstein 
 control points, of a square those of its polar form, products summed up.
 */
 template <Formula_number Number, std::size_t d, class Side>
-std::vector<Number> linear_composition(const Control_polygon<Number, d>& curve, const Side& side)
+Scratch_vector<Number> linear_composition(const Control_polygon<Number, d>& curve, const Side& side)
 {
-  std::vector<Number> result;
+  Scratch_vector<Number> result;
   for (const Coordinates<Number, d>& point : curve)
     result.push_back(side(point));
   return result;
@@ -263,9 +263,9 @@ inline double binomial_number(std::size_t n, std::size_t k)
 }
 
 template <Formula_number Number, class Polar>
-std::vector<Number> quadratic_composition(std::size_t degree, const Polar& polar)
+Scratch_vector<Number> quadratic_composition(std::size_t degree, const Polar& polar)
 {
-  std::vector<Number> result(2 * degree + 1, number_of<Number>(0));
+  Scratch_vector<Number> result(2 * degree + 1, number_of<Number>(0));
   for (std::size_t i = 0; i <= degree; ++i)
     for (std::size_t k = 0; k <= i; ++k) {
       const double weight = binomial_number(degree, i) * binomial_number(degree, k) * (i == k ? 1 : 2);
@@ -277,7 +277,7 @@ std::vector<Number> quadratic_composition(std::size_t degree, const Polar& polar
 }
 
 template <Formula_number Number, std::size_t n, int d>
-std::vector<Number> sphere_composition(const Control_polygon<Number, n>& curve, const Elementary_operand<d>& sphere)
+Scratch_vector<Number> sphere_composition(const Control_polygon<Number, n>& curve, const Elementary_operand<d>& sphere)
 {
   const Coordinates<Number, n> center = coordinates_of<Number>(sphere);
   const Number squared_radius = number_of<Number>(sphere.numbers[d]);

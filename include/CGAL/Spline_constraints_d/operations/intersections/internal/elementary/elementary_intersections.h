@@ -12,12 +12,13 @@
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_operand.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/elementary_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/regular_points.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <deque>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -25,16 +26,18 @@ namespace internal {
 namespace Intersections {
 
 template <SplineKernel Kernel, int d>
-Spline_constraints::Intersections<Kernel, d> intersections_at(Elementary_points<d> found, const Summary& work)
+Spline_constraints::Intersections<Kernel, d> intersections_at(Elementary_points<d> found, Summary work = {})
 {
-  std::deque<Intersection<Kernel, d>> result;
+  std::vector<Intersection<Kernel, d>> result;
+  result.reserve(found.points.size());
   for (Elementary_point<d>& point : found.points)
     result.emplace_back(std::move(point), found.split, found.number_of_parameters);
+  work.nodes += found.nodes;
   return Spline_constraints::Intersections<Kernel, d>(std::move(result), work, {});
 }
 
-// The intersections of two objects where closed forms find them all, in kernels of doubles. They take less time than a
-// limit can be.
+// The intersections of two objects where closed forms find them all, or a search in doubles does, in kernels of
+// doubles. They take less time than a limit can be; limits of nodes are left to the solver.
 template <SplineKernel Kernel, int d>
 std::optional<Spline_constraints::Intersections<Kernel, d>> elementary_intersections(const Elementary_operand<d>& a,
                                                                                       const Elementary_operand<d>& b,
@@ -44,7 +47,9 @@ std::optional<Spline_constraints::Intersections<Kernel, d>> elementary_intersect
   if (options.visitor.stop())
     return std::nullopt;
   auto found = elementary_points<d>(a, b);
-  return found ? std::optional(intersections_at<Kernel>(std::move(*found), Summary())) : std::nullopt;
+  if (!found && options.node_limit == 0)
+    found = crossing_points<d>(a, b);
+  return found ? std::optional(intersections_at<Kernel>(std::move(*found))) : std::nullopt;
 }
 
 } // namespace Intersections

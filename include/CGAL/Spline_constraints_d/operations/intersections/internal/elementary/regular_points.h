@@ -31,13 +31,22 @@ struct Regular_points
   std::optional<Elementary_points<d>> points = std::nullopt;
 };
 
-// Of two polynomial curves, or of a curve and a surface, in one piece each; nothing where they take many nodes. Defined
-// in Regular_finder.h.
+// Of two planar polynomial curves in one piece each that cross in all common points, if doubles prove that.
+template <int d>
+std::optional<Elementary_points<d>> crossing_points(const Elementary_operand<d>& first,
+                                                    const Elementary_operand<d>& second);
+
+// Of two polynomial curves, or of a curve and a surface, in one piece each; nothing where they take many nodes. Both
+// are defined in Regular_finder.h.
 template <int d>
 Regular_points<d> regular_points(const Elementary_operand<d>& first, const Elementary_operand<d>& second,
                                  Budgeted_solver& solve);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
+extern template std::optional<Elementary_points<2>> crossing_points<2>(const Elementary_operand<2>&,
+                                                                       const Elementary_operand<2>&);
+extern template std::optional<Elementary_points<3>> crossing_points<3>(const Elementary_operand<3>&,
+                                                                       const Elementary_operand<3>&);
 extern template Regular_points<2> regular_points<2>(const Elementary_operand<2>&, const Elementary_operand<2>&,
                                                     Budgeted_solver&);
 extern template Regular_points<3> regular_points<3>(const Elementary_operand<3>&, const Elementary_operand<3>&,

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_UNIT_ROOTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_ELEMENTARY_UNIT_ROOTS_H
 
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/interval_pairs.h>
@@ -22,7 +23,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -30,7 +30,7 @@ namespace internal {
 namespace Intersections {
 
 // Coefficients of Bernstein polynomials over [0,1], enclosed. All that computes with them needs upward rounding.
-using Bernstein_bounds = std::vector<Interval>;
+using Bernstein_bounds = Scratch_vector<Interval>;
 
 // A root that is the only one in its range, or twice one.
 struct Unit_root
@@ -70,12 +70,12 @@ inline Bernstein_bounds derivative_of(const Bernstein_bounds& f)
 // Without a root at 0, where the first coefficient is zero, and without one at 1, where the last one is. Nothing is
 // left where it has more roots than its degree.
 template <class Number>
-std::vector<Number> without_roots_at_ends(std::vector<Number> f, const std::array<bool, 2>& is_root)
+Scratch_vector<Number> without_roots_at_ends(Scratch_vector<Number> f, const std::array<bool, 2>& is_root)
 {
   for (const std::size_t side : {0, 1}) {
     if (!is_root[side] || f.empty())
       continue;
-    std::vector<Number> quotient;   // f / t, or f / (1 - t)
+    Scratch_vector<Number> quotient; // f / t, or f / (1 - t)
     const std::size_t degree = f.size() - 1;
     for (std::size_t i = 0; i < degree; ++i) {
       const std::size_t divisor = side == 0 ? i + 1 : degree - i;
@@ -94,12 +94,12 @@ and f0 / q. `exact()` returns the coefficients as rational numbers, which are as
 discriminant is not certain.
 */
 template <class Exact_coefficients>
-std::vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coefficients& exact)
+Scratch_vector<Unit_root> roots_of_quadratic(Bernstein_bounds f, const Exact_coefficients& exact)
 {
   Interval discriminant = CGAL::square(f[1]) - f[0] * f[2];
   int sign = known_sign(discriminant);
   if (!is_certain(discriminant)) {
-    const std::vector<Exact_rational> g = exact();
+    const Scratch_vector<Exact_rational> g = exact();
     const Exact_rational value(g[1] * g[1] - g[0] * g[2]);
     sign = known_sign(value);
     discriminant = enclosure_of(value);
@@ -124,13 +124,13 @@ class Root_isolation
 {
   static constexpr int most_parts = 400;
 
-  std::vector<Unit_root> m_roots;
+  Scratch_vector<Unit_root> m_roots;
   int m_parts = 0;
 
 public:
   // The roots in (0,1); nothing where one is not proved to be a simple one. \pre the first and the last coefficient
   // have signs
-  std::optional<std::vector<Unit_root>> operator()(const Bernstein_bounds& f)
+  std::optional<Scratch_vector<Unit_root>> operator()(const Bernstein_bounds& f)
   {
     if (!isolate(f, Interval(0), Interval(1)))
       return std::nullopt;
@@ -234,13 +234,13 @@ private:
 
 // The roots in (0,1), as above.
 template <class Exact_coefficients>
-std::optional<std::vector<Unit_root>> unit_roots(const Bernstein_bounds& f, const Exact_coefficients& exact)
+std::optional<Scratch_vector<Unit_root>> unit_roots(const Bernstein_bounds& f, const Exact_coefficients& exact)
 {
   if (f.size() == 1)
-    return std::vector<Unit_root>();
+    return Scratch_vector<Unit_root>();
   if (f.size() == 2)
-    return known_sign(f[0]) == known_sign(f[1]) ? std::vector<Unit_root>()
-                                          : std::vector<Unit_root>{{f[0] / (f[0] - f[1])}};
+    return known_sign(f[0]) == known_sign(f[1]) ? Scratch_vector<Unit_root>()
+                                                : Scratch_vector<Unit_root>{{f[0] / (f[0] - f[1])}};
   if (f.size() == 3)
     return roots_of_quadratic(f, exact);
   return Root_isolation()(f);
