@@ -393,10 +393,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Short_integer over_common_denominator(const std::
   return denominator;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void set_quotient(Exact_rational& target, const Short_integer& numerator,
-                                                 const Short_integer& denominator)
+// A template, as not all rational numbers have what is asked of some.
+template <class Rational>
+void set_quotient_of(Rational& target, const Short_integer& numerator, const Short_integer& denominator)
 {
-  if constexpr (Writable_as_mpq<Exact_rational>) {
+  if constexpr (Writable_as_mpq<Rational>) {
     mpq_ptr value = writable_mpq_of(target);
     mpz_set(mpq_numref(value), Short_integer::View(numerator));
     if (is_power_of_two(denominator)) {
@@ -408,6 +409,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void set_quotient(Exact_rational& target, const S
     }
   } else
     target = quotient(numerator.to_big_integer(), denominator.to_big_integer());
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void set_quotient(Exact_rational& target, const Short_integer& numerator,
+                                                 const Short_integer& denominator)
+{
+  set_quotient_of(target, numerator, denominator);
 }
 #endif
 

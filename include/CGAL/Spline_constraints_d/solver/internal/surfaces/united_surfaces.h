@@ -60,42 +60,57 @@ inline Surface_solution_set_d moved_to_faces(const Surface_solution_set_d& found
           found.undecided_regions(), found.summary()};
 }
 
-/*
-The surfaces of the parts of a system, each with the topology that it has alone, and the curves where two of them meet.
-Where they have no common curves but touch in points, the system is solved as it is, if that does not take many boxes:
-then the disks that end in these points are known.
-*/
-template <class Traits, class Concurrency_tag>
-Surface_solution_set_d united_surfaces(const Constraint_system_d& system, const std::vector<Factor_system>& parts,
-                                       const Solver_options& options, Run_control& control)
+// Where the surfaces of two parts of a system meet.
+struct Meetings_of_parts
 {
-  constexpr std::size_t few_nodes = 60000;
   std::vector<Surface_crossing> crossings;
-  std::vector<Curve_vertex> touching;
-  bool has_curves =
-      std::any_of(parts.begin(), parts.end(), [](const Factor_system& part) { return !part.faces.empty(); });
-  Summary work;
+  std::vector<Curve_vertex> touching; // points in which they have no more in common
+  bool has_curves;                    // or faces, or this is not known
+};
+
+template <class Concurrency_tag>
+Meetings_of_parts meetings_of(const std::vector<Factor_system>& parts, const Solver_options& options,
+                              Run_control& control, Summary& work)
+{
+  Meetings_of_parts result{
+      {}, {}, std::any_of(parts.begin(), parts.end(), [](const Factor_system& part) { return !part.faces.empty(); })};
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t k = i + 1; k < parts.size(); ++k)
       if (const auto common = common_system(parts[i], parts[k])) {
-        crossings.push_back(
+        result.crossings.push_back(
             {{i, k},
              all_curves<Certified_solver_traits, Concurrency_tag>(*common, rest_of(options, work), control, {})});
-        const Curve_solution_set_d& curves = crossings.back().curves;
+        const Curve_solution_set_d& curves = result.crossings.back().curves;
         work.nodes += curves.summary().nodes;
-        has_curves = has_curves || !curves.curves().empty() || !curves.is_complete();
+        result.has_curves = result.has_curves || !curves.curves().empty() || !curves.is_complete();
         for (const std::size_t v : lone_points(curves))
-          touching.push_back(curves.vertices()[v]);
+          result.touching.push_back(curves.vertices()[v]);
       }
-  if (!has_curves && !touching.empty()) {
-    Solver_options few = rest_of(options, work);
-    few.node_limit = few.node_limit == 0 ? few_nodes : (std::min)(few.node_limit, few_nodes);
-    Surface_solution_set_d whole = all_surfaces<Traits, Concurrency_tag>(system, few, control);
-    work.nodes += whole.summary().nodes;
-    whole.set_work(work.nodes, control.seconds());
-    if (whole.is_complete())
-      return whole;
-  }
+  return result;
+}
+
+// The surfaces of a system as it is, if they do not take many boxes.
+template <class Traits, class Concurrency_tag>
+std::optional<Surface_solution_set_d> surfaces_of_few_nodes(const Constraint_system_d& system,
+                                                            const Solver_options& options, Run_control& control,
+                                                            Summary& work)
+{
+  constexpr std::size_t few_nodes = 60000;
+  Solver_options few = rest_of(options, work);
+  few.node_limit = few.node_limit == 0 ? few_nodes : (std::min)(few.node_limit, few_nodes);
+  Surface_solution_set_d result = all_surfaces<Traits, Concurrency_tag>(system, few, control);
+  work.nodes += result.summary().nodes;
+  if (!result.is_complete())
+    return std::nullopt;
+  result.set_work(work.nodes, control.seconds());
+  return result;
+}
+
+// All of them side by side, each with the topology that it has alone.
+template <class Traits, class Concurrency_tag>
+Surface_solution_set_d surfaces_of_parts(const Constraint_system_d& system, const std::vector<Factor_system>& parts,
+                                         const Solver_options& options, Run_control& control, Summary& work)
+{
   std::optional<Surface_solution_set_d> result;
   for (const Factor_system& part : parts) {
     Surface_solution_set_d own = all_surfaces<Traits, Concurrency_tag>(part.system, rest_of(options, work), control);
@@ -111,15 +126,33 @@ Surface_solution_set_d united_surfaces(const Constraint_system_d& system, const 
                    std::vector<Surface_arc>(), std::vector<Surface_patch>(), std::vector<Solution_surface>(),
                    std::vector<std::size_t>(), std::vector<std::size_t>(), std::vector<Undecided_surface_region>(),
                    Summary());
-  for (Surface_crossing& crossing : crossings)
-    result->add(std::move(crossing));
-  result->set_work(work.nodes, control.seconds());
-  if (result->system().dimension() == system.dimension())
-    for (Curve_vertex& point : touching) {
-      point.is_singular = true;
-      result->add_singular_point(std::move(point));
-    }
   return *std::move(result);
+}
+
+/*
+The surfaces of the parts of a system, and the curves where two of them meet. Where they have no common curves but touch
+in points, the system is solved as it is, if that does not take many boxes: then the disks that end in these points are
+known.
+*/
+template <class Traits, class Concurrency_tag>
+Surface_solution_set_d united_surfaces(const Constraint_system_d& system, const std::vector<Factor_system>& parts,
+                                       const Solver_options& options, Run_control& control)
+{
+  Summary work;
+  Meetings_of_parts meetings = meetings_of<Concurrency_tag>(parts, options, control, work);
+  if (!meetings.has_curves && !meetings.touching.empty())
+    if (auto whole = surfaces_of_few_nodes<Traits, Concurrency_tag>(system, options, control, work))
+      return *std::move(whole);
+  auto result = surfaces_of_parts<Traits, Concurrency_tag>(system, parts, options, control, work);
+  for (Surface_crossing& crossing : meetings.crossings)
+    result.add(std::move(crossing));
+  result.set_work(work.nodes, control.seconds());
+  if (result.system().dimension() == system.dimension())
+    for (Curve_vertex& point : meetings.touching) {
+      point.is_singular = true;
+      result.add_singular_point(std::move(point));
+    }
+  return result;
 }
 
 template <class Traits, class Concurrency_tag>
