@@ -105,8 +105,8 @@ TEST(Sweep_envelope, growing_ball)
   });
 }
 
-// An arc whose image is a pole of the ball is one point but for rounding: it is not halved for ever, and the limit of
-// time holds.
+// An arc whose image is a pole of the ball, or a tip of the apple, is one point but for rounding: it is not halved for
+// ever, nor is what is beside it, and the limit of time holds.
 TEST(Sweep_envelope, mesh_of_arcs_that_are_one_point)
 {
   const SC::Envelope_surface_3 apple =
@@ -115,8 +115,11 @@ TEST(Sweep_envelope, mesh_of_arcs_that_are_one_point)
   const SC::Envelope_part_3& part = apple.parts().front();
   EXPECT_FALSE(
       SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.01}, {.time_limit = 0.1}).is_complete());
-  EXPECT_TRUE(
-      SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.1, .is_remeshed = false}).is_complete());
+  const SC::Solution_surface_mesh coarse =
+      SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.1, .is_remeshed = false});
+  EXPECT_TRUE(coarse.is_complete());
+  EXPECT_GT(coarse.mesh.number_of_vertices(), 100u);
+  EXPECT_LT(coarse.mesh.number_of_vertices(), 2000u);
 }
 
 // Vertices of a solution that no patch has.

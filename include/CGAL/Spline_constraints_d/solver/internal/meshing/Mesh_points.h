@@ -107,7 +107,8 @@ public:
   }
 
   // Whether the surface above the middle of a chord of an arc is near enough to the chord: on a steep patch it is far
-  // away although the arc is near. It may be beyond the arc.
+  // away although the arc is near. It may be beyond the arc. Where the image of the arc is one point but for rounding,
+  // lengths say nothing.
   bool is_near_chord(std::size_t patch, std::size_t a, std::size_t b)
   {
     std::vector<double> point = middle_of(a, b);
@@ -116,7 +117,8 @@ public:
     const Surface_image::Point &p = m_points[a].image, &q = m_points[b].image;
     const double distance = distance_from_chord(p, m_image(patch, point), q);
     constexpr double share = 0.25;
-    return distance <= m_options.chord_error && distance <= share * std::sqrt(CGAL::squared_distance(p, q));
+    return distance <= m_options.chord_error &&
+        (distance <= share * std::sqrt(CGAL::squared_distance(p, q)) || is_rounding(distance));
   }
 
   // Whether the chord between two points is near enough to a point of the surface between them, and short enough. Where
@@ -128,14 +130,14 @@ public:
   }
   bool is_fine(const Surface_image::Point& p, const Surface_image::Point& middle, const Surface_image::Point& q) const
   {
-    constexpr double share = 1.0 / 16, rounding = 0x1p-44;
+    constexpr double share = 1.0 / 16;
     const double length = std::sqrt(CGAL::squared_distance(p, q)), distance = distance_from_chord(p, middle, q);
     const bool is_flat =
         8 * distance <= m_options.angle * length; // a circle turns by 8 times its sagitta over the chord
     const bool is_tiny = std::isfinite(m_options.chord_error) &&
         (distance <= share * m_options.chord_error || length <= m_options.chord_error);
-    const bool is_rounding = distance <= rounding * m_extent;
-    return distance <= m_options.chord_error && length <= m_options.edge_length && (is_flat || is_tiny || is_rounding);
+    return distance <= m_options.chord_error && length <= m_options.edge_length &&
+        (is_flat || is_tiny || is_rounding(distance));
   }
 
   static double distance_from_chord(const Surface_image::Point& p, const Surface_image::Point& middle,
@@ -157,6 +159,12 @@ public:
   }
 
 private:
+  bool is_rounding(double distance) const
+  {
+    constexpr double rounding = 0x1p-44;
+    return distance <= rounding * m_extent;
+  }
+
   static const Surface_points::Double_ranges& around(Surface_points::Double_ranges& own, const Exact_ranges& box)
   {
     if (own.empty())
