@@ -48,6 +48,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Elementary_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/elementary/Regular_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/found_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/repeated_parts.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/Offset_self_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/pair_loci.h>
@@ -106,6 +107,8 @@ template std::vector<Common_point> self_common_points<2>(const Spline_patch<2>&,
 template std::vector<Common_point> self_common_points<3>(const Spline_patch<3>&, Budgeted_solver&);
 template int times_over_itself<2>(const Spline_patch<2>&);
 template int times_over_itself<3>(const Spline_patch<3>&);
+template Found_implicit_equation implicit_equation_of<2>(const Exact_map<2>&, int, const Solver_options&);
+template Found_implicit_equation implicit_equation_of<3>(const Exact_map<3>&, int, const Solver_options&);
 
 } // namespace Intersections
 namespace Distances {

@@ -63,6 +63,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Surface_intersection_point.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/contact_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/implicitization.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>

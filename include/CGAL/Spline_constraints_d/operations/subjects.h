@@ -40,6 +40,7 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `voronoi`: Voronoi diagrams, medial axes, offsets, trimmed bisectors and sectors.
 
 `intersections/internal/elimination` finds common points of curves without subdivision, by polynomials in one parameter;
+`intersections/internal/implicitization` finds equations of curves and surfaces;
 `intersections/internal/primitives` recognises surfaces that are primitives but for rounding.
 In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves cut into arcs, and their graph),
 `disks` (one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest

@@ -20,7 +20,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlapping_patches.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicit_equation.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <array>

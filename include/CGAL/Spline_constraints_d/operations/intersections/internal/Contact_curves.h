@@ -16,13 +16,13 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Common_point_filter.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/equations_of_pairs.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicit_equation.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact/Regular_pair.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Face_factor.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Regular_pair.h>
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/finders.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicit_equation.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/geometry/healing/internal/Primitive_healer.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_shape.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicit_equation.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Visitor_reference.h>
