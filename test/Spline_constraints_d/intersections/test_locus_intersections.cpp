@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 
@@ -181,6 +182,62 @@ TEST(Locus_intersections, ThreeImplicitSurfaces)
   const auto corner = SC::intersections(SC::segment_curve(K::Point_3(1, 1, -3), K::Point_3(1, 1, 3)), sphere, cylinder);
   expect_complete(corner, 2);
   EXPECT_EQ(points_of(corner, Kind::TRANSVERSAL), (Points_3{{1, 1, -1.414213562}, {1, 1, 1.414213562}}));
+}
+
+// More equations than unknowns: decided exactly, also where coordinates are irrational.
+TEST(Locus_intersections, FourImplicitSurfaces)
+{
+  const SC::Implicit_surface_3 sphere(x * x + y * y + z * z - Power_polynomial(2), wide_in_space),
+      cylinder(x * x + y * y - Power_polynomial(Exact_rational(4) / 3), wide_in_space), first(x - y, wide_in_space),
+      second(y - z, wide_in_space);
+  // irrational: the roots of 2/3
+  const auto both = SC::intersections(first, second, sphere, cylinder);
+  expect_complete(both, 2);
+  const Exact_rational little = Exact_rational(1) / Exact_rational(1e40);
+  for (const auto& point : both)
+    EXPECT_NEAR(std::abs(point.coordinate(2).value()), std::sqrt(2. / 3), 1e-12);
+  const SC::Implicit_surface_3 wider(x * x + y * y - Power_polynomial(Exact_rational(4) / 3 + little), wide_in_space);
+  expect_complete(SC::intersections(first, second, sphere, wider), 0);
+  // rational, two curves of intersection that meet in one point
+  const SC::Implicit_surface_3 paraboloid(x * x + y * y - z, wide_in_space), saddle(x * y - z, wide_in_space),
+      cubic(x * x * x + y - z, wide_in_space), plane(x + y + z, wide_in_space);
+  const auto origin = SC::intersections(paraboloid, saddle, cubic, plane);
+  EXPECT_TRUE(origin.is_complete());
+  ASSERT_EQ(origin.size(), 1);
+  EXPECT_NEAR(origin[0].coordinate(0).value(), 0, 1e-12);
+}
+
+// The curve in which two spline surfaces meet, and a third one.
+TEST(Locus_intersections, CurvesOfIntersectionAsOperands)
+{
+  using Surface = SC::Bspline_surface_3<K>;
+  const auto bilinear = [](K::Point_3 a, K::Point_3 b, K::Point_3 c, K::Point_3 d) {
+    return Surface({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {a, b, c, d});
+  };
+  // z = x y, z = x / 4 + y / 4 and x = y, all over the unit square: x^2 = x / 2
+  const Surface saddle = bilinear({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}),
+                slope = bilinear({-1, -1, -Exact_rational(1) / 2}, {-1, 2, Exact_rational(1) / 4},
+                                 {2, -1, Exact_rational(1) / 4}, {2, 2, 1}),
+                wall = bilinear({Exact_rational(1) / 4, Exact_rational(1) / 4, -1},
+                                {Exact_rational(1) / 4, Exact_rational(1) / 4, 2}, {2, 2, -1}, {2, 2, 2});
+  const auto found = SC::intersections(saddle, slope, wall);
+  expect_complete(found, 1);
+  EXPECT_EQ(points_of(found, Kind::TRANSVERSAL), (Points_3{{0.5, 0.5, 0.25}}));
+  EXPECT_NEAR(found[0].parameter(0, 0), 0.5, 1e-12);
+  EXPECT_NEAR(found[0].parameter(2, 0), 1. / 7, 1e-12);
+  // with an offset or an implicit surface instead
+  expect_complete(
+      SC::intersections(saddle, slope, SC::Implicit_surface_3(x - y, {{{Exact_rational(1) / 4, 2}, {-9, 9}, {-9, 9}}})),
+      1);
+  // two curves of intersection
+  const SC::Implicit_surface_3 ceiling(z - Power_polynomial(Exact_rational(1) / 4), wide_in_space);
+  const auto meeting = SC::intersections(saddle, slope, wall, ceiling);
+  EXPECT_TRUE(meeting.is_complete());
+  EXPECT_EQ(meeting.size(), 1);
+  EXPECT_EQ(SC::intersections(saddle, slope, wall,
+                              SC::Implicit_surface_3(z - Power_polynomial(Exact_rational(1) / 3), wide_in_space))
+                .size(),
+            0);
 }
 
 // A sign, and nothing beyond the box; a point that misses by little is not on it.

@@ -232,10 +232,11 @@ concept Locus_operand = requires(const T& operand) { to_locus(operand); };
 template <class T>
 using Locus_of = decltype(to_locus(std::declval<const T&>()));
 
-// Of the same space, not all of them parametric, with common points that are isolated as a rule.
+// Of the same space, with common points that are isolated as a rule; two of them are not both parametric.
 template <class First, class... Others>
 concept Locus_operands = Locus_operand<First> &&(Locus_operand<Others>&&...) &&
-    (Locus<First> || ... || Locus<Others>)&&((Locus_of<First>::dimension == Locus_of<Others>::dimension) && ...) &&
+    (sizeof...(Others) > 1 || (Locus<First> || ... || Locus<Others>)) &&
+    ((Locus_of<First>::dimension == Locus_of<Others>::dimension) && ...) &&
     (Locus_of<First>::codimension + ... + Locus_of<Others>::codimension) >= Locus_of<First>::dimension;
 
 } // namespace Intersections
@@ -285,9 +286,10 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
 /*!
 \ingroup PkgSplineConstraintsDIntersections
 
-all points that three operands have in common, such as three implicit surfaces in space.
+all points that three operands have in common: three surfaces in space, or the curve of intersection of two and a third
+one. All may be parametric; the unknowns are the parameters of all of them then.
 
-\tparam A,B,C as those of two operands.
+\tparam A,B,C as those of two operands, but for that all may be parametric.
 \param a the first operand.
 \param b the second operand.
 \param c the third operand.
@@ -300,6 +302,29 @@ auto intersections(const A& a, const B& b, const C& c, const Solver_options& opt
 {
   return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(
       options, to_locus(a), to_locus(b), to_locus(c))();
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIntersections
+
+all points that four operands have in common: four surfaces in space, or the curves of intersection of two and two.
+There are more equations than unknowns: common points are proved where their coordinates or parameters are rational or
+in a number field of low degree, and excluded elsewhere.
+
+\tparam A,B,C,D as those of three operands.
+\param a the first operand.
+\param b the second operand.
+\param c the third operand.
+\param d the fourth operand.
+\param options those of the solver.
+\throws Invalid_input as for two operands.
+*/
+template <class A, class B, class C, class D>
+requires internal::Intersections::Locus_operands<A, B, C, D>
+auto intersections(const A& a, const B& b, const C& c, const D& d, const Solver_options& options = {})
+{
+  return internal::Intersections::Locus_intersector<internal::Intersections::Locus_of<A>::dimension>(
+      options, to_locus(a), to_locus(b), to_locus(c), to_locus(d))();
 }
 
 } // namespace Spline_constraints
