@@ -28,6 +28,7 @@
 #include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features/ray_traps_2.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Circle_emptiness.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Common_normal_finder.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Farthest_point_search.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Implicit_foot_finder.h>

@@ -37,6 +37,7 @@
 #include <CGAL/Spline_constraints_d/operations/distances/Special_point_kind.h>
 #include <CGAL/Spline_constraints_d/operations/distances/Surface_locator_3.h>
 #include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/distances/common_normals.h>
 #include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
 #include <CGAL/Spline_constraints_d/operations/distances/implicit_distances.h>
 #include <CGAL/Spline_constraints_d/operations/distances/near_coincidences.h>
