@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/IO/internal/scene/Scene_painter.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/trimmed_sphere_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Cell_triangulation.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Overlap_finder.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Shared_edges_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/trimmed_by_zeros.h>

@@ -122,10 +122,12 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Connected_regions_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_face_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/Surface_overlap_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_mesh_3.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/accessible_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/surface_overlaps.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/visible_regions.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/Swept_volume_3.h>

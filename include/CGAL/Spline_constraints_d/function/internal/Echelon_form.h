@@ -63,6 +63,24 @@ public:
     return result;
   }
 
+  // A basis of all vectors orthogonal to all rows.
+  std::vector<std::vector<Exact_rational>> kernel(std::size_t length) const
+  {
+    std::vector<bool> is_free(length, true);
+    for (const auto& [place, row] : m_rows)
+      is_free[place] = false;
+    std::vector<std::vector<Exact_rational>> result;
+    for (std::size_t free = 0; free < length; ++free) {
+      if (!is_free[free])
+        continue;
+      std::vector<Exact_rational>& vector = result.emplace_back(length, Exact_rational(0));
+      vector[free] = 1;
+      for (const auto& [place, row] : m_rows)
+        vector[place] = -row[free];
+    }
+    return result;
+  }
+
 private:
   static void subtract(std::vector<Exact_rational>& row, const std::vector<Exact_rational>& other, std::size_t place)
   {

@@ -37,23 +37,23 @@ namespace Intersections {
 
 /*
 The polynomial f of a given degree with f(S) = 0, for a curve in the plane or a surface S = X/w, if there is one up to a
-factor.
+factor; or of all of them, as for a curve in space.
 
 On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if
 and only if this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f. Of a curve it
 is the same with one degree.
 */
-template <int d>
+template <int d, int axes = d - 1>
 class Implicit_equation
 {
   using Homogeneous_point = std::array<Exact_rational, d + 1>; // numerators and weight
-  using Piece = std::array<std::size_t, d - 1>;
+  using Piece = std::array<std::size_t, axes>;
 
   const Spline_patch<d>& m_spline;
   const int m_degree;
   const std::function<void()> m_check;
   std::vector<std::array<int, d>> m_monomials;
-  std::array<std::vector<Exact_rational>, d - 1> m_breaks;
+  std::array<std::vector<Exact_rational>, axes> m_breaks;
 
 public:
   // `check()` is called before each linear equation, and may end the work by an exception.
@@ -65,7 +65,7 @@ public:
       if (std::accumulate(exponents.begin(), exponents.end(), 0) <= degree)
         std::copy(exponents.begin(), exponents.end(), m_monomials.emplace_back().begin());
     });
-    for (int axis = 0; axis < d - 1; ++axis)
+    for (int axis = 0; axis < axes; ++axis)
       m_breaks[static_cast<std::size_t>(axis)] = spline.breaks(axis);
   }
 
@@ -94,6 +94,17 @@ public:
     visit_pieces([&](const Piece& piece) { return add_piece(rows, piece); });
     const std::size_t count = m_monomials.size() - rows.rank();
     return {count, count == 1 ? std::optional(polynomial(rows.orthogonal_vector(m_monomials.size()))) : std::nullopt};
+  }
+
+  // A basis of all of them.
+  std::vector<Power_polynomial> basis() const
+  {
+    Echelon_form rows;
+    visit_pieces([&](const Piece& piece) { return add_piece(rows, piece); });
+    std::vector<Power_polynomial> result;
+    for (const std::vector<Exact_rational>& coefficients : rows.kernel(m_monomials.size()))
+      result.push_back(polynomial(coefficients));
+    return result;
   }
 
 private:
@@ -164,9 +175,9 @@ private:
   template <class Visit>
   void visit_points(const Piece& piece, const Visit& visit) const
   {
-    std::array<std::vector<Exact_rational>, d - 1> parameters;
+    std::array<std::vector<Exact_rational>, axes> parameters;
     std::vector<int> last;
-    for (std::size_t axis = 0; axis < d - 1; ++axis) {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
       parameters[axis] = parameters_in(static_cast<int>(axis), piece[axis]);
       last.push_back(static_cast<int>(parameters[axis].size()) - 1);
     }
@@ -175,14 +186,14 @@ private:
       if (!goes_on)
         return;
       m_check();
-      std::array<Exact_rational, d - 1> u;
-      for (std::size_t axis = 0; axis < d - 1; ++axis)
+      std::array<Exact_rational, axes> u;
+      for (std::size_t axis = 0; axis < axes; ++axis)
         u[axis] = parameters[axis][static_cast<std::size_t>(index[axis])];
       goes_on = visit(point_at(u));
     });
   }
 
-  Homogeneous_point point_at(const std::array<Exact_rational, d - 1>& u) const
+  Homogeneous_point point_at(const std::array<Exact_rational, axes>& u) const
   {
     Homogeneous_point result;
     for (std::size_t i = 0; i < d; ++i)
