@@ -199,8 +199,86 @@ TEST(AccessibleRegions, LabelsAreThoseOfRandomRays)
   EXPECT_GT(obstructed_count, 100);
 }
 
+// The shadow of a triangle grows by the radius of the tool, in all directions; also past a ball with an irrational
+// radius.
+TEST(AccessibleRegions, ThickTools)
+{
+  using Triangle = K::Triangle_3;
+  const auto covered = [](const std::vector<Triangle>& triangles, const Axis& axis) {
+    const auto regions = SC::accessible_regions(square(4), SC::Tool_obstacles_3<K>{.triangles = triangles}, axis);
+    EXPECT_TRUE(regions.is_complete());
+    EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+    return area(regions, obstructed);
+  };
+  const Triangle triangle(Point(0, 0, 1), Point(2, 0, 1.25), Point(0.5, 2, 1.5));
+  const double sides = 2 + 2.5 + std::hypot(0.5, 2.); // of the shadow
+  EXPECT_NEAR(covered({triangle}, {}), 2, 1e-9);
+  for (const double radius : {0.25, 0.5}) {
+    const double expected = 2 + radius * sides + pi * radius * radius, thicker = radius * (1 + 2. / 256);
+    const double found = covered({triangle}, {.radius = radius});
+    EXPECT_GT(found, expected - 0.01);
+    EXPECT_LT(found, 2 + thicker * sides + pi * thicker * thicker + 0.01);
+  }
+  // two faces of a roof, along an oblique direction, without the vertices on the floor
+  const std::vector<Triangle> roof{Triangle(Point(-1, 0, 1), Point(1, 0, 1), Point(0, 1, 0.5)),
+                                   Triangle(Point(1, 0, 1), Point(-1, 0, 1), Point(0, -1, 0.5))};
+  const double thin = covered(roof, {.direction = Vector(1, 0, 2)});
+  EXPECT_NEAR(thin, 2, 1e-9);
+  EXPECT_GT(covered(roof, {.direction = Vector(1, 0, 2), .radius = 0.25}), thin + 0.25 * 4);
+  const auto ball = SC::accessible_regions(square(4), Spheres{Sphere(Point(0, 0, 3), 2)}, Axis{.radius = 0.5});
+  ASSERT_TRUE(ball.is_complete());
+  EXPECT_NEAR(area(ball, obstructed), pi * (std::sqrt(2.) + 0.5) * (std::sqrt(2.) + 0.5), 0.02);
+}
+
+// What is free has the distance of the radius from the triangles at least, what is not has it at most, but for 1/128.
+TEST(AccessibleRegions, ThickToolsAtRandomPoints)
+{
+  std::mt19937 random(4);
+  const auto number = [&](double lower, double upper) { return std::uniform_real_distribution(lower, upper)(random); };
+  int free_count = 0, obstructed_count = 0;
+  constexpr double radius = 0.25;
+  for (int repetition = 0; repetition < 1; ++repetition) {
+    const Surface surface = random_surface(random);
+    std::vector<K::Triangle_3> triangles;
+    for (int i = 0; i <= repetition; ++i)
+      triangles.emplace_back(Point(number(-1, 1), number(-1, 1), number(1, 2)),
+                             Point(number(-1, 1), number(-1, 1), number(1, 2)),
+                             Point(number(-1, 1), number(-1, 1), number(1, 2)));
+    const Axis axis{.direction = Vector(0.25, 0, 1), .radius = radius};
+    const auto regions = SC::accessible_regions(surface, SC::Tool_obstacles_3<K>{.triangles = triangles}, axis);
+    for (int i = 0; i < 400; ++i) {
+      const double u = number(0, 1), v = number(0, 1);
+      const auto label = label_at(regions, u, v);
+      if (!label)
+        continue;
+      double least = 1e9; // by samples of the triangle and of the ray
+      for (const auto& triangle : triangles)
+        for (int j = 0; j <= 40; ++j)
+          for (int k = 0; j + k <= 40; ++k) {
+            const Vector p = surface(u, v) - triangle[0], w = triangle[1] - triangle[0], x = triangle[2] - triangle[0];
+            const Vector offset = w * (j / 40.) + x * (k / 40.) - p;
+            const double ahead = std::max(0., offset * *axis.direction / axis.direction->squared_length());
+            least = std::min(least, (offset - ahead * *axis.direction).squared_length());
+          }
+      const bool is_free = label == free_label;
+      if (is_free)
+        EXPECT_GT(std::sqrt(least), radius - 1e-9);
+      else
+        EXPECT_LT(std::sqrt(least), radius * (1 + 1. / 128) + 0.02);
+      ++(is_free ? free_count : obstructed_count);
+    }
+  }
+  EXPECT_GT(free_count, 50);
+  EXPECT_GT(obstructed_count, 50);
+}
+
 TEST(AccessibleRegions, BadInputAndLimits)
 {
+  EXPECT_THROW(SC::accessible_regions(square(1), Spheres(), Axis{.radius = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::accessible_regions(square(1),
+                                      SC::Tool_obstacles_3<K>{.triangles = {K::Triangle_3(
+                                                                  Point(0, 0, 1), Point(1, 1, 1), Point(2, 2, 1))}}),
+               SC::Invalid_input);
   const Spheres ball{Sphere(Point(0, 0, 3), 1)};
   EXPECT_THROW(SC::accessible_regions(square(1), Spheres{Sphere(Point(0, 0, 3), 0)}), SC::Invalid_input);
   EXPECT_THROW(SC::accessible_regions(square(1), ball, Axis{.direction = Vector(0, 0, 0)}), SC::Invalid_input);

@@ -45,6 +45,9 @@ struct Tool_axis
   //! a field of directions over the domain of the surface, points standing for the vectors from the origin to them;
   //! none: normals. Where it is tangent to the surface the tool does not stand.
   std::optional<Bspline_surface_3<Kernel>> field{};
+
+  //! the radius of the tool: all points within this distance of the ray belong to it; not negative.
+  typename Kernel::FT radius{0};
 };
 
 namespace internal {
@@ -59,8 +62,11 @@ Exact_tool_axis exact_tool_axis(const Tool_axis<Kernel>& axis)
       throw Invalid_input("accessibility_boundaries: a direction is zero");
     return result;
   };
+  if (!(axis.radius >= 0))
+    throw Invalid_input("accessibility_boundaries: the radius of the tool is negative or not a number");
   return {checked(axis.direction), checked(axis.hemisphere),
-          axis.field ? std::optional(exact_map<3>(*axis.field)) : std::nullopt};
+          axis.field ? std::optional(exact_map<3>(*axis.field)) : std::nullopt,
+          converted_number<Exact_rational>(axis.radius)};
 }
 
 } // namespace Surface_curves
@@ -108,6 +114,8 @@ accessibility_boundaries(const Surface& surface, const Check& check,
                          const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal::Surface_curves;
+  if (axis.radius != 0)
+    throw Invalid_input("accessibility_boundaries: the tool has a radius, which accessible_regions() takes");
   return Surface_curves_3<Operand_kernel<Surface>>(
       access_boundaries_of(internal::Common::Intersection_operand<Surface>::map(surface),
                            internal::Common::Intersection_operand<Check>::map(check), exact_tool_axis(axis), options));
@@ -125,6 +133,8 @@ accessibility_boundaries(const Surface& surface,
   using namespace internal::Surface_curves;
   if (!(check.squared_radius() > 0))
     throw Invalid_input("accessibility_boundaries: the sphere is degenerate");
+  if (axis.radius != 0)
+    throw Invalid_input("accessibility_boundaries: the tool has a radius, which accessible_regions() takes");
   return Surface_curves_3<Operand_kernel<Surface>>(access_boundaries_of(
       internal::Common::Intersection_operand<Surface>::map(surface), exact_triple(check.center()),
       internal::converted_number<Exact_rational>(check.squared_radius()), exact_tool_axis(axis), options));

@@ -21,8 +21,11 @@
 #endif
 
 #include <CGAL/Sphere_3.h>
+#include <CGAL/Triangle_3.h>
 
 #include <ranges>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -30,7 +33,19 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSurfaceRegions
 
-the parts of a surface that a thin straight tool, as in 5-axis milling, reaches past balls: where the ray from
+What may be in the way of a tool.
+*/
+template <SplineKernel Kernel>
+struct Tool_obstacles_3
+{
+  std::vector<CGAL::Sphere_3<Kernel>> balls{};       ///< balls
+  std::vector<CGAL::Triangle_3<Kernel>> triangles{}; ///< triangles, as the faces of a polyhedron
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSurfaceRegions
+
+the parts of a surface that a straight tool, as in 5-axis milling, reaches past balls: where the ray from
 \f$S(u,v)\f$ along the axis \f$O(u,v)\f$ of the tool has no point in one of the balls, and \f$\langle O, V\rangle > 0\f$
 if the directions are limited to a hemisphere around \f$V\f$. Labels are values of `Access` as numbers.
 
@@ -40,7 +55,7 @@ by exact arithmetic; faces with the same label are united, so that lines which t
 nothing. The axis is the direction, the field, or the normal \f$S_u \times S_v\f$ of the surface in its lowest degree,
 so that poles are no exception. Where a singular point of the curves is not proved, a small cell is undecided.
 
-For a tool with a radius, it is to be added to the radii of the balls.
+The radius of a thick tool, a cylinder with a half-ball at its end, is added to those of the balls.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param spheres a range of `CGAL::Sphere_3` of the kernel of the surface.
@@ -59,7 +74,42 @@ Trimmed_surface_3 accessible_regions(const Surface& surface, const Spheres& sphe
 {
   using namespace internal::Surface_regions;
   return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
-                     exact_spheres(spheres, "accessible_regions"),
+                     {exact_spheres(spheres, "accessible_regions")},
+                     {internal::Surface_curves::exact_tool_axis(axis), {}, false}, options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSurfaceRegions
+
+the same past triangles as well, as those of a mesh: with the radius \f$r\f$ of the tool, around vertices \f$V\f$,
+edges from these along \f$e\f$, and planes with normals \f$n\f$ there are spheres, pipes and offset planes,
+\f[ |(V-S) \times O|^2 = r^2 |O|^2, \; |V-S|^2 = r^2, \; \langle V-S, O \times e\rangle^2 = r^2 |O \times e|^2, \;
+|(V-S) \times e|^2 = r^2 |e|^2, \; \langle V-S, n\rangle^2 = r^2 |n|^2, \f]
+and faces are decided by the distances of one ray, exactly. Where such curves would touch, as those around an edge and
+its end do, the outer one has a radius that is greater by 1/256, so that they cross: what is free is free of all that is
+within \f$r\f$ of the ray, and what is not has something within \f$r\,(1 + 1/128)\f$. A thin tool has the exact
+regions.
+
+A curved check surface is given by triangles next to it: if they are within \f$\varepsilon\f$, a tool with the radius
+\f$r + \varepsilon\f$ tells what is certainly reached.
+
+\param surface,axis,options as above.
+\param obstacles the balls and triangles, which need not fit together.
+\throws Invalid_input also when a triangle is degenerate.
+
+Complexity: as above, with two curves for each vertex and edge, and one for each plane.
+*/
+template <internal::Surface_curves::Surface_operand Surface>
+Trimmed_surface_3
+accessible_regions(const Surface& surface,
+                   const Tool_obstacles_3<internal::Surface_curves::Operand_kernel<Surface>>& obstacles,
+                   const Tool_axis<internal::Surface_curves::Operand_kernel<Surface>>& axis = {},
+                   const Solver_options& options = {.tolerance = 1e-8})
+{
+  using namespace internal::Surface_regions;
+  const std::string operation = "accessible_regions";
+  return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
+                     {exact_spheres(obstacles.balls, operation), exact_triangles(obstacles.triangles, operation)},
                      {internal::Surface_curves::exact_tool_axis(axis), {}, false}, options);
 }
 

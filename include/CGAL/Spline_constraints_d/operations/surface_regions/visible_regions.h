@@ -60,8 +60,8 @@ visible_regions(const Surface& surface, const CGAL::Point_3<internal::Surface_cu
 {
   using namespace internal::Surface_regions;
   return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
-                     exact_spheres(spheres, "visible_regions"), {{}, internal::Surface_curves::exact_triple(eye), true},
-                     options);
+                     {exact_spheres(spheres, "visible_regions")},
+                     {{}, internal::Surface_curves::exact_triple(eye), true}, options);
 }
 
 /*!
@@ -83,7 +83,7 @@ visible_regions(const Surface& surface,
   if (exact[0] == 0 && exact[1] == 0 && exact[2] == 0)
     throw Invalid_input("visible_regions: the direction is zero");
   return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
-                     exact_spheres(spheres, "visible_regions"), Sight{{exact, {}, {}}, {}, true}, options);
+                     {exact_spheres(spheres, "visible_regions")}, Sight{{exact, {}, {}}, {}, true}, options);
 }
 
 } // namespace Spline_constraints

@@ -72,6 +72,7 @@ struct Exact_tool_axis
 {
   std::optional<Exact_triple> direction, hemisphere;
   std::optional<Exact_map<3>> field;
+  Exact_rational radius = 0;
 };
 
 // Where rays along the axis of a tool only touch a surface or a sphere; defined in Access_boundaries.h.

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/implicitization/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/exact_triples.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>
 
 #include <algorithm>
@@ -28,22 +29,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Surface_regions {
-
-inline Exact_rational dot(const Exact_triple& a, const Exact_triple& b)
-{
-  return Exact_rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-
-inline Exact_triple cross(const Exact_triple& a, const Exact_triple& b)
-{
-  return {Exact_rational(a[1] * b[2] - a[2] * b[1]), Exact_rational(a[2] * b[0] - a[0] * b[2]),
-          Exact_rational(a[0] * b[1] - a[1] * b[0])};
-}
-
-inline Exact_triple difference(const Exact_triple& a, const Exact_triple& b)
-{
-  return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1]), Exact_rational(a[2] - b[2])};
-}
 
 /*
 What a surface hides of itself, if it lies on a plane or a quadric Q and its edges are in planes. On the ray S + t O,

@@ -9,11 +9,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Own_shadow.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Thick_rays.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>
 
@@ -30,14 +32,16 @@ namespace internal {
 namespace Surface_regions {
 
 /*
-The rays from the points S = X/w of a surface, with the directions O, and balls that are in their way. With e = w c - X
-for the center c, the ray of a point or its line touches a ball where |e x O|^2 = r^2 w^2 |O|^2, and the point is on the
-ball where |e|^2 = r^2 w^2. Between these curves, a ray is free as a whole or not at all.
+The rays from the points S = X/w of a surface, with the directions O, and what is in their way. With e = w c - X for the
+center c of a ball, the ray of a point or its line touches it where |e x O|^2 = r^2 w^2 |O|^2, and the point is on the
+ball where |e|^2 = r^2 w^2. Between these curves, a ray is free as a whole or not at all. The radius of the tool is
+added to r; if r is the root of a number R that is no square, f = sqrt(R) g is replaced by f^2 = R g^2.
 */
 class Ray_regions
 {
   const Spline_patch<3> m_surface;
   std::vector<Exact_sphere> m_spheres;
+  std::optional<Thick_rays> m_triangles;
   Sight m_sight;
   Operation_budget m_budget;
   std::vector<Surface_cell_3> m_cells;
@@ -45,12 +49,14 @@ class Ray_regions
   std::optional<Own_shadow> m_shadow;
 
 public:
-  Ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,
+  Ray_regions(const Exact_map<3>& surface, const Exact_obstacles& obstacles, const Sight& sight,
               const Solver_options& options)
-    : m_surface(surface), m_spheres(spheres), m_sight(sight), m_budget(options), m_cells(cells_of(m_surface)),
+    : m_surface(surface), m_spheres(obstacles.spheres), m_sight(sight), m_budget(options), m_cells(cells_of(m_surface)),
       m_directions(m_cells.size())
   {
     const auto& axis = m_sight.axis;
+    if (!obstacles.triangles.empty())
+      m_triangles.emplace(obstacles.triangles, axis.radius, axis.direction);
     if (!axis.field)
       return;
     const Exact_map<3>& field = *axis.field;
@@ -147,8 +153,13 @@ private:
       m_budget.check();
       const Cell_vector to_center = sphere.center * cell.coordinates[3] - numerators_of(cell);
       const Cell_vector moment = cross(to_center, direction);
-      result.push_back(dot(moment, moment) - square * squared_weight * sphere.squared_radius);
-      result.push_back(dot(to_center, to_center) - squared_weight * sphere.squared_radius);
+      result.push_back(touching(sphere, dot(moment, moment), square * squared_weight));
+      result.push_back(touching(sphere, dot(to_center, to_center), squared_weight));
+    }
+    if (m_triangles) {
+      m_budget.check();
+      for (Cell_polynomial& f : m_triangles->zeros(cell, direction))
+        result.push_back(std::move(f));
     }
     if (m_sight.axis.hemisphere && !m_sight.axis.direction)
       result.push_back(dot(direction, constant_vector(*m_sight.axis.hemisphere)));
@@ -162,6 +173,26 @@ private:
       f = without_factors_of(cell.coordinates[3], f);
     }
     return result;
+  }
+
+  // What vanishes where a squared length is that of the radii of a ball and the tool together, times a square.
+  Cell_polynomial touching(const Exact_sphere& sphere, const Cell_polynomial& length, const Cell_polynomial& unit) const
+  {
+    const Exact_rational& radius = m_sight.axis.radius;
+    const Cell_polynomial rest = length - unit * Exact_rational(sphere.squared_radius + radius * radius);
+    if (radius == 0)
+      return rest;
+    if (const auto root = rational_square_root(sphere.squared_radius))
+      return rest - unit * Exact_rational(2 * radius * *root);
+    return rest * rest - unit * unit * Exact_rational(4 * radius * radius * sphere.squared_radius);
+  }
+
+  // Whether a squared length, as a multiple of a square, is less than or equal to that of both radii together.
+  bool is_within(const Exact_sphere& sphere, const Exact_rational& length, const Exact_rational& unit) const
+  {
+    const Exact_rational& radius = m_sight.axis.radius;
+    const Exact_rational rest(length - unit * (sphere.squared_radius + radius * radius));
+    return rest <= 0 || rest * rest <= 4 * radius * radius * sphere.squared_radius * unit * unit;
   }
 
   std::optional<Access> access(std::size_t index, const Parameters& parameters)
@@ -178,23 +209,24 @@ private:
     for (const Exact_sphere& sphere : m_spheres)
       if (is_in_the_way(sphere, point, direction))
         return Access::OBSTRUCTED;
+    if (m_triangles && m_triangles->is_hit(point, direction))
+      return Access::OBSTRUCTED;
     if (!m_shadow)
       return Access::FREE;
     const std::optional<bool> is_hit = m_shadow->is_hit(point, direction, m_sight.eye, m_budget);
     return is_hit ? std::optional(*is_hit ? Access::OBSTRUCTED : Access::FREE) : std::nullopt;
   }
 
-  // Whether a ray, or its part before the eye, has a point in a ball: the squared distance of p + t d from the center,
-  // less the squared radius, is t^2 |d|^2 - 2 t <c-p,d> + |c-p|^2 - r^2.
+  // Whether a ray, or its part before the eye, has a point in a ball: the squared distance of p + t d from the center
+  // is t^2 |d|^2 - 2 t <c-p,d> + |c-p|^2.
   bool is_in_the_way(const Exact_sphere& sphere, const Exact_triple& p, const Exact_triple& d) const
   {
     const auto& c = sphere.center;
     const Exact_triple to_center{Exact_rational(c[0] - p[0]), Exact_rational(c[1] - p[1]), Exact_rational(c[2] - p[2])};
-    const Exact_rational square = dot(d, d), ahead = dot(to_center, d),
-                         power(dot(to_center, to_center) - sphere.squared_radius);
-    if (power <= 0)
+    const Exact_rational square = dot(d, d), ahead = dot(to_center, d), distance = dot(to_center, to_center);
+    if (is_within(sphere, distance, Exact_rational(1)))
       return true;
-    if (!(ahead > 0) || ahead * ahead < square * power)
+    if (!(ahead > 0) || !is_within(sphere, Exact_rational(distance * square - ahead * ahead), square))
       return false;
     if (!m_sight.eye)
       return true;
@@ -207,10 +239,10 @@ private:
 };
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Trimmed_surface_3 ray_regions(const Exact_map<3>& surface,
-                                                             const std::vector<Exact_sphere>& spheres,
-                                                             const Sight& sight, const Solver_options& options)
+                                                             const Exact_obstacles& obstacles, const Sight& sight,
+                                                             const Solver_options& options)
 {
-  return Ray_regions(surface, spheres, sight, options).regions();
+  return Ray_regions(surface, obstacles, sight, options).regions();
 }
 
 } // namespace Surface_regions

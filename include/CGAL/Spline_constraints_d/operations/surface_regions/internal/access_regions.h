@@ -16,8 +16,10 @@
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/surface_curve_finders.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Access.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/Trimmed_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/exact_triples.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +33,15 @@ struct Exact_sphere
 {
   Exact_triple center;
   Exact_rational squared_radius;
+};
+
+using Exact_triangle = std::array<Exact_triple, 3>;
+
+// What may be in the way.
+struct Exact_obstacles
+{
+  std::vector<Exact_sphere> spheres;
+  std::vector<Exact_triangle> triangles = {};
 };
 
 // Rays from the points of a surface: along the axis of a tool, or towards an eye, where they end.
@@ -55,8 +66,23 @@ std::vector<Exact_sphere> exact_spheres(const Spheres& spheres, const std::strin
   return result;
 }
 
+// \throws Invalid_input when one is degenerate.
+template <class Triangles>
+std::vector<Exact_triangle> exact_triangles(const Triangles& triangles, const std::string& operation)
+{
+  std::vector<Exact_triangle> result;
+  for (const auto& triangle : triangles) {
+    result.push_back({exact_triple(triangle[0]), exact_triple(triangle[1]), exact_triple(triangle[2])});
+    const auto& [p, q, r] = result.back();
+    const Exact_triple normal = cross(difference(q, p), difference(r, p));
+    if (dot(normal, normal) == 0)
+      throw Invalid_input(operation + ": triangle " + std::to_string(result.size() - 1) + " is degenerate");
+  }
+  return result;
+}
+
 // Defined in Ray_regions.h.
-Trimmed_surface_3 ray_regions(const Exact_map<3>& surface, const std::vector<Exact_sphere>& spheres, const Sight& sight,
+Trimmed_surface_3 ray_regions(const Exact_map<3>& surface, const Exact_obstacles& obstacles, const Sight& sight,
                               const Solver_options& options);
 
 } // namespace Surface_regions

@@ -40,7 +40,7 @@ class Trimmed_cells
     Range range;
   };
 
-  static constexpr int most_depth = 6;
+  static constexpr int most_depth = 8;
 
   const Trimming& m_trimming;
   Operation_budget& m_budget;
@@ -144,11 +144,12 @@ private:
     return result;
   }
 
+  // Not in the middle, where curves cross in symmetrical scenes.
   void add_quarters(std::size_t whole, const Surface_cell_3& part, const std::vector<Cell_polynomial>& curves,
                     int depth)
   {
-    const Exact_rational half = inverse_power_of_two(1);
-    const std::array<Range, 2> halves{Range(0, half), Range(half, 1)};
+    const Exact_rational cut(15, 32);
+    const std::array<Range, 2> halves{Range(0, cut), Range(cut, 1)};
     for (const Range& u : halves)
       for (const Range& v : halves) {
         const std::vector<Range> box{u, v};
