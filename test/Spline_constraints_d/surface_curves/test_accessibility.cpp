@@ -175,8 +175,49 @@ TEST(Accessibility, random_balls)
   }
 }
 
+// Around the shadow, at the distance of the radius: circles around that of a sphere, also of a spline, which has another
+// one inside, and around an irrational one; beside edges and around corners of a square that stands at a height.
+TEST(Accessibility, tools_with_a_radius)
+{
+  const SC::Tool_axis<K> thick{.direction = up, .radius = Rational(1) / 2};
+  const auto expect_circle = [](const Curves& set, const SC::Surface_curve& curve, double x, double y, double radius) {
+    for (const auto& sample : set.polyline(curve, 1e-2))
+      EXPECT_NEAR(length(sample.point - Point(x, y, 0)), radius, tiny);
+  };
+  for (const int square : {1, 2}) {
+    const Curves set = expect_curves(plane, K::Sphere_3(Point(0, 0, 3), Rational(square)), thick, 1, 0);
+    expect_circle(set, set.curves()[0], 0, 0, std::sqrt(square) + 0.5);
+  }
+  const Surface ball = SC::sphere_surface<K>(Point(Rational(1) / 4, 0, 3), 1);
+  const Curves around = expect_curves(plane, ball, thick, 2, 0);
+  const auto width = [&](const SC::Surface_curve& curve) {
+    return length(around.polyline(curve, 1e-2)[0].point - Point(Rational(1) / 4, 0, 0));
+  };
+  const std::size_t inner = width(around.curves()[0]) < 1 ? 0 : 1;
+  expect_circle(around, around.curves()[inner], 0.25, 0, 0.5);
+  expect_circle(around, around.curves()[1 - inner], 0.25, 0, 1.5);
+  // the end of the tool: a ball of the radius 2 that touches the sphere
+  const Curves ends =
+      expect_curves(plane, K::Sphere_3(Point(0, 0, 2), Rational(1)), {.direction = up, .radius = Rational(2)}, 2, 0);
+  const std::size_t end = length(ends.polyline(ends.curves()[0], 1e-2)[0].point - Point(0, 0, 0)) < 2.5 ? 0 : 1;
+  expect_circle(ends, ends.curves()[end], 0, 0, std::sqrt(5.));
+  expect_circle(ends, ends.curves()[1 - end], 0, 0, 3);
+  const Surface roof = SC::bilinear_surface<K>(Point(-1, -1, 2), Point(-1, 1, 2), Point(1, -1, 2), Point(1, 1, 2));
+  const Curves set = expect_curves(plane, roof, thick, 4, 8);
+  for (const SC::Surface_curve& curve : set.curves())
+    for (const auto& sample : set.polyline(curve, 1e-2)) {
+      const double x = std::abs(CGAL::to_double(sample.point.x())), y = std::abs(CGAL::to_double(sample.point.y()));
+      if (curve.is_closed)
+        EXPECT_NEAR(std::hypot(x - 1, y - 1), 0.5, tiny);
+      else
+        EXPECT_LT((std::min)({std::abs(x - 0.5), std::abs(x - 1.5), std::abs(y - 0.5), std::abs(y - 1.5)}), tiny);
+    }
+}
+
 TEST(Accessibility, bad_input)
 {
+  EXPECT_THROW(SC::accessibility_boundaries(plane, dome(), SC::Tool_axis<K>{.radius = Rational(-1)}),
+               SC::Invalid_input);
   const K::Sphere_3 ball(Point(0, 0, 3), 1);
   EXPECT_THROW(SC::accessibility_boundaries(plane, ball, {.direction = Vector(0, 0, 0)}), SC::Invalid_input);
   EXPECT_THROW(SC::accessibility_boundaries(plane, ball, {.hemisphere = Vector(0, 0, 0)}), SC::Invalid_input);

@@ -75,7 +75,7 @@ Exact_tool_axis exact_tool_axis(const Tool_axis<Kernel>& axis)
 /*!
 \ingroup PkgSplineConstraintsDSurfaceCurves
 
-the curves on a surface between the places that a thin straight tool, as in 5-axis milling, can reach and those where a
+the curves on a surface between the places that a straight tool, as in 5-axis milling, can reach and those where a
 check surface is in its way: where the ray from \f$S(u,v)\f$ along the axis \f$O(u,v)\f$ of the tool touches the check
 surface \f$K(s,t)\f$, or meets an edge or a crease of it,
 \f[ \langle K - S, O_1\rangle = \langle K - S, O_2\rangle = \langle n_K, O\rangle = 0, \quad \langle K - S, O\rangle >
@@ -88,7 +88,12 @@ points where the surfaces meet are no solutions, and the degree is lower. The in
 the tool, not behind it, and edges of the check surface count, too. Of a sphere, the equation is \f$|(c - S) \times O|^2
 = r^2 |O|^2\f$, with \f$c\f$ ahead, in the two parameters of the surface only.
 
-For a tool with a radius, the check surface has to be replaced by its offset, which is a sphere for a sphere.
+A tool with a radius \f$r\f$ meets the offsets of the check surface on both sides, pipes around its edges and creases,
+and spheres around its corners, where the distance of its axis to these is critical: with \f$D = K - S\f$,
+\f[ |D \times O|^2 = r^2 |O|^2, \quad \langle D \times O, K_s \times O\rangle = \langle D \times O, K_t \times
+O\rangle = 0, \quad \langle D, O\rangle > 0; \f]
+and its end, half a ball, where \f$|D|^2 = r^2\f$ is critical. These, too, are candidates: some are within the offset of
+another part.
 
 Both surfaces are cut where normals or tangents jump by more than a constant factor, and each two parts have curves of
 their own; cuts of the check surface count as creases. Where the axis of the tool runs along an edge of the check
@@ -100,9 +105,9 @@ first two unknowns.
 unknowns; or a `CGAL::Sphere_3`, without unknowns.
 \param axis the directions of the tool.
 \param options those of `solve_curves()`; limits hold for the operation as a whole.
-\throws Invalid_input when a direction is zero, a field of directions has another domain than the surface or comes with
-a direction, the sphere is degenerate, a coordinate is not finite, a weight is not proved to have one sign, or an option
-makes no sense.
+\throws Invalid_input when a direction is zero, a radius negative, a field of directions has another domain than the
+surface or comes with a direction, the sphere is degenerate, a coordinate is not finite, a weight is not proved to have
+one sign, or an option makes no sense.
 
 Complexity: that of `solve_curves()` with three equations in four unknowns, and of two in three for each edge; of a
 sphere, of one in two. Source: \cgalCite{ek-gcs-01}, section 3.5.
@@ -114,8 +119,6 @@ accessibility_boundaries(const Surface& surface, const Check& check,
                          const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal::Surface_curves;
-  if (axis.radius != 0)
-    throw Invalid_input("accessibility_boundaries: the tool has a radius, which accessible_regions() takes");
   return Surface_curves_3<Operand_kernel<Surface>>(
       access_boundaries_of(internal::Common::Intersection_operand<Surface>::map(surface),
                            internal::Common::Intersection_operand<Check>::map(check), exact_tool_axis(axis), options));
@@ -133,8 +136,6 @@ accessibility_boundaries(const Surface& surface,
   using namespace internal::Surface_curves;
   if (!(check.squared_radius() > 0))
     throw Invalid_input("accessibility_boundaries: the sphere is degenerate");
-  if (axis.radius != 0)
-    throw Invalid_input("accessibility_boundaries: the tool has a radius, which accessible_regions() takes");
   return Surface_curves_3<Operand_kernel<Surface>>(access_boundaries_of(
       internal::Common::Intersection_operand<Surface>::map(surface), exact_triple(check.center()),
       internal::converted_number<Exact_rational>(check.squared_radius()), exact_tool_axis(axis), options));

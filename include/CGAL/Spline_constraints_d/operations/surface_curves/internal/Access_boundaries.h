@@ -9,13 +9,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_INTERNAL_ACCESS_BOUNDARIES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_INTERNAL_ACCESS_BOUNDARIES_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/curves_within_budget.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,6 +43,8 @@ class Access_boundaries
 
   std::optional<Vector> m_direction, m_hemisphere;
   std::optional<Spline_patch<3>> m_field;
+  Exact_rational m_radius;
+  std::set<Exact_triple> m_corners; // that have their curves
   Operation_budget m_budget;
   std::vector<Oriented_patch> m_parts;
   Parameter_box m_domain;
@@ -49,7 +53,7 @@ class Access_boundaries
 public:
   //! \throws Invalid_input when the field has another domain than the surface, or a direction beside it.
   Access_boundaries(const Spline_patch<3>& surface, const Exact_tool_axis& axis, const Solver_options& options)
-    : m_direction(vector(axis.direction)), m_hemisphere(vector(axis.hemisphere)),
+    : m_direction(vector(axis.direction)), m_hemisphere(vector(axis.hemisphere)), m_radius(axis.radius),
       m_budget(options), m_domain{surface.domain(0), surface.domain(1)}, m_curves(place_on_surface(surface))
   {
     if (axis.field)
@@ -75,6 +79,10 @@ public:
   // A ray touches a sphere if its center is ahead, at the distance of the radius from the line.
   void add_sphere(const Exact_triple& center, const Exact_rational& squared_radius)
   {
+    if (m_radius != 0) {
+      add_thick_sphere(center, squared_radius);
+      return;
+    }
     for (const Oriented_patch& part : m_parts)
       add(part, {}, {}, [&](std::span<const Unknown> u) {
         const Vector_expression<3> ray = constant(*vector(center)) - Parametric_vector<3>(part.patch)(u),
@@ -107,6 +115,8 @@ private:
       if (other.is_degenerate)
         for (const Oriented_patch& part : m_parts)
           m_curves.add_undecided({part.patch.domain(0), part.patch.domain(1)});
+      else if (m_radius != 0)
+        add_thick_contacts(other);
       else if (m_direction)
         add_contours(other);
       else
@@ -115,6 +125,106 @@ private:
         for (const int side : {0, 1})
           add_edge(check, other, axis, side);
     }
+  }
+
+  // The sum of both radii is r + sqrt(R) with a rational r; (r + sqrt(R))^2 = r^2 + R + 2 r sqrt(R).
+  void add_thick_sphere(const Exact_triple& center, const Exact_rational& squared_radius)
+  {
+    const Exact_rational squares(squared_radius + m_radius * m_radius),
+        product(4 * m_radius * m_radius * squared_radius);
+    const auto has_distance = [&](const Expression& length, const Expression& unit) {
+      if (const auto root = rational_square_root(squared_radius))
+        return std::vector<Constraint>{length == Exact_rational(squares + 2 * m_radius * *root) * unit};
+      const Expression rest = length - squares * unit;
+      return std::vector<Constraint>{rest * rest == product * unit * unit, rest > 0};
+    };
+    for (const Oriented_patch& part : m_parts) {
+      const auto offset = [&](std::span<const Unknown> u) {
+        return constant(*vector(center)) - Parametric_vector<3>(part.patch)(u);
+      };
+      add(part, {}, {}, [&](std::span<const Unknown> u) {
+        const Vector_expression<3> axis = tool_axis(part, u);
+        std::vector<Constraint> result = has_distance(squared_norm(cross(offset(u), axis)), squared_norm(axis));
+        result.push_back(dot(offset(u), axis) > 0);
+        return result;
+      });
+      add(part, {}, {}, [&](std::span<const Unknown> u) {
+        return has_distance(squared_norm(offset(u)), Expression(Exact_rational(1)));
+      });
+    }
+  }
+
+  // Where a thick tool touches a surface, a curve or a point: with the offset D from the source to it, the line along O
+  // is at the distance r, |D x O|^2 = r^2 |O|^2, or the source, |D|^2 = r^2; both are critical. `tangents(u)` are the
+  // derivatives of the other operand, by its parameters in `ranges`.
+  template <class Tangents>
+  void add_thick(const Spline_patch<3>& other, const Tangents& tangents, const Curve_vertex::Exact_box& ranges,
+                 const std::array<bool, 2>& is_closed)
+  {
+    const Exact_rational square(m_radius * m_radius);
+    for (const Oriented_patch& part : m_parts) {
+      const auto offset = [&](std::span<const Unknown> u) {
+        return Parametric_vector<3>(other)(u.subspan(2)) - Parametric_vector<3>(part.patch)(u.first(2));
+      };
+      add(part, ranges, is_closed, [&](std::span<const Unknown> u) {
+        const Vector_expression<3> axis = tool_axis(part, u), moment = cross(offset(u), axis);
+        std::vector<Constraint> result{squared_norm(moment) == square * squared_norm(axis), dot(offset(u), axis) > 0};
+        for (const Vector_expression<3>& tangent : tangents(u.subspan(2)))
+          result.push_back(dot(moment, cross(tangent, axis)) == 0);
+        return result;
+      });
+      add(part, ranges, is_closed, [&](std::span<const Unknown> u) {
+        std::vector<Constraint> result{squared_norm(offset(u)) == square};
+        for (const Vector_expression<3>& tangent : tangents(u.subspan(2)))
+          result.push_back(dot(offset(u), tangent) == 0);
+        return result;
+      });
+    }
+  }
+
+  void add_thick_contacts(const Oriented_patch& other)
+  {
+    add_thick(
+        other.patch,
+        [&](std::span<const Unknown> u) {
+          return std::vector<Vector_expression<3>>{Parametric_vector<3>(other.tangents[0])(u),
+                                                   Parametric_vector<3>(other.tangents[1])(u)};
+        },
+        {other.patch.domain(0), other.patch.domain(1)}, other.is_seam);
+  }
+
+  // Pipes around the pieces of a curve, and spheres around its ends and kinks.
+  void add_thick_curve(const Spline_patch<3>& curve)
+  {
+    const std::vector<Exact_rational> breaks = curve.breaks(0);
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+      const Spline_patch<3> piece = curve.part(0, {breaks[i - 1], breaks[i]});
+      const Parametric_vector<3> tangent(tangent_direction(piece, 0));
+      add_thick(piece, [&](std::span<const Unknown> u) { return std::vector<Vector_expression<3>>{tangent(u)}; },
+                {piece.domain(0)}, {false, false});
+    }
+    std::vector<Exact_rational> corners = curve.possible_kinks(0);
+    if (!is_smoothly_closed(curve, breaks)) {
+      corners.push_back(breaks.front());
+      corners.push_back(breaks.back());
+    }
+    for (const Exact_rational& corner : corners)
+      if (m_corners.insert(curve(std::array{corner})).second) // which is not an end of an edge before
+        add_thick(curve.part(0, {corner, corner}),
+                  [](std::span<const Unknown>) { return std::vector<Vector_expression<3>>(); }, {}, {false, false});
+  }
+
+  static bool is_smoothly_closed(const Spline_patch<3>& curve, const std::vector<Exact_rational>& breaks)
+  {
+    const auto tangent = [&](const Parameter_range& range, int side) {
+      std::array<Exact_rational, 3> result;
+      const Vector_of_functions<3> at_end = curve.one_sided_tangent(0, range, side);
+      for (std::size_t i = 0; i < 3; ++i)
+        result[i] = at_end[i](std::array<Exact_rational, 0>{});
+      return Vector(result[0], result[1], result[2]);
+    };
+    const Vector first = tangent({breaks[0], breaks[1]}, 0), last = tangent({breaks.end()[-2], breaks.back()}, 1);
+    return curve.is_closed(0) && CGAL::cross_product(first, last) == CGAL::NULL_VECTOR && first * last > 0;
   }
 
   static std::optional<Vector> vector(const std::optional<Exact_triple>& coordinates)
@@ -212,6 +322,10 @@ private:
   // Where rays meet a curve; one along the rays gives one point only, where those of its ends meet.
   void add_curve(const Spline_patch<3>& curve)
   {
+    if (m_radius != 0) {
+      add_thick_curve(curve);
+      return;
+    }
     if (m_direction && is_along_direction(curve))
       return;
     for (const Oriented_patch& part : m_parts)
