@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -171,6 +172,40 @@ TEST(Implicit_distances, limits_and_bad_input)
   const auto stopped = SC::implicit_feet(K::Point_2(1, Rational(1, 3)), ellipse(), {.node_limit = 1});
   EXPECT_FALSE(stopped.is_complete());
   EXPECT_FALSE(stopped.undecided().empty());
+}
+
+// A circle of the radius 1 in the plane z = 1, from points beside and on its axis; its half in a box; a node.
+TEST(Implicit_distances, curves_in_space)
+{
+  auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
+  const SC::Implicit_surface_3 sphere(x * x + y * y + z * z == 2), level(z == 1), tube(x * x + y * y == 1);
+  const auto beside = SC::implicit_feet(K::Point_3(3, 0, 0), sphere, level);
+  EXPECT_TRUE(beside.is_complete());
+  ASSERT_EQ(number_inside(beside), 2u);
+  expect_distance(beside.distance_range(), std::sqrt(5.));
+  EXPECT_NEAR(CGAL::to_double(beside.feet()[0].point.x()), 1, 1e-12);
+  EXPECT_NEAR(CGAL::to_double(beside.feet()[1].point.x()), -1, 1e-12);
+  // the circles z = 1 and z = -1, with four feet
+  const auto both = SC::implicit_feet(K::Point_3(0, Rational(5, 2), Rational(1, 2)), sphere, tube);
+  EXPECT_TRUE(both.is_complete());
+  EXPECT_EQ(number_inside(both), 4u);
+  expect_distance(both.distance_range(), std::sqrt(2.25 + 0.25));
+  // a half, whose ends are the nearest points
+  auto [u, v, w] = SC::unknowns({-3, 0}, {-3, 3}, {-3, 3});
+  const SC::Implicit_surface_3 half(u * u + v * v == 1);
+  const auto ends = SC::implicit_feet(K::Point_3(3, 0, 1), half, level);
+  EXPECT_TRUE(ends.is_complete());
+  EXPECT_EQ(number_inside(ends), 1u);
+  expect_distance(ends.distance_range(), std::sqrt(10.));
+  EXPECT_FALSE(ends.feet()[0].is_inside);
+  // two lines that cross in the origin: a foot on each, and the node
+  const SC::Implicit_surface_3 saddle(x * y == z), floor(z == 0);
+  const auto node = SC::implicit_feet(K::Point_3(1, 2, 1), saddle, floor);
+  EXPECT_TRUE(node.is_complete());
+  EXPECT_EQ(std::count_if(node.feet().begin(), node.feet().end(), [](const auto& foot) { return foot.is_inside; }), 3);
+  expect_distance(node.distance_range(), std::sqrt(2.));
+  const SC::Implicit_surface_3 far(SC::Power_polynomial::variable(0), {{{5, 6}, {5, 6}, {5, 6}}});
+  EXPECT_TRUE(SC::implicit_feet(K::Point_3(1, 2, 1), saddle, far).feet().empty());
 }
 
 } // namespace implicit_distances_test

@@ -175,8 +175,8 @@ TEST(Accessibility, random_balls)
   }
 }
 
-// Around the shadow, at the distance of the radius: circles around that of a sphere, also of a spline, which has another
-// one inside, and around an irrational one; beside edges and around corners of a square that stands at a height.
+// Around the shadow, at the distance of the radius: circles around that of a sphere, also of a spline, which has
+// another one inside, and around an irrational one; beside edges and around corners of a square that is at a height.
 TEST(Accessibility, tools_with_a_radius)
 {
   const SC::Tool_axis<K> thick{.direction = up, .radius = Rational(1) / 2};

@@ -138,8 +138,45 @@ requires(Point::Ambient_dimension::value ==
   std::vector<Exact_rational> p;
   for (int i = 0; i < d; ++i)
     p.push_back(exact[i]);
-  return Implicit_feet<typename Point::R, d>(
-      internal::Distances::implicit_feet_of(locus.polynomial(), {locus.box().begin(), locus.box().end()}, p, options));
+  return Implicit_feet<typename Point::R, d>(internal::Distances::implicit_feet_of(
+      {locus.polynomial()}, {locus.box().begin(), locus.box().end()}, p, options));
+}
+
+/*!
+\ingroup PkgSplineConstraintsDDistances
+
+the same for the curve in which two implicit surfaces meet: \f$f = g = \det(x - p, \nabla f, \nabla g) = 0\f$ within
+both boxes, and its ends on their faces. Singular points of the curve, where the gradients are parallel, are answers,
+too; a curve along which the surfaces touch is undecided.
+
+\param point a point of CGAL in space.
+\param first,second the surfaces. Where their boxes do not meet, nothing is found.
+\param options those of the solver; limits hold for all systems together.
+\throws Invalid_input as for one of them.
+
+Complexity: three equations in three unknowns; and those of the faces. Source: \cgalCite{pm-sicad-02}.
+*/
+template <class Point>
+requires(Point::Ambient_dimension::value ==
+         3) Implicit_feet<typename Point::R, 3> implicit_feet(const Point& point, const Implicit_hypersurface<3>& first,
+                                                              const Implicit_hypersurface<3>& second,
+                                                              const Solver_options& options = {})
+{
+  const auto exact = internal::exact_object(point);
+  std::vector<Exact_rational> p;
+  std::vector<std::pair<Exact_rational, Exact_rational>> box;
+  bool is_void = false;
+  for (int i = 0; i < 3; ++i) {
+    p.push_back(exact[i]);
+    box.emplace_back((std::max)(first.box()[i].first, second.box()[i].first),
+                     (std::min)(first.box()[i].second, second.box()[i].second));
+    is_void = is_void || box.back().second < box.back().first;
+  }
+  options.check();
+  if (is_void)
+    return Implicit_feet<typename Point::R, 3>(internal::Distances::Found_implicit_feet());
+  return Implicit_feet<typename Point::R, 3>(
+      internal::Distances::implicit_feet_of({first.polynomial(), second.polynomial()}, box, p, options));
 }
 
 /*!

@@ -24,7 +24,7 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// Points of f = 0 in a box where the distance to a point is critical, there or on a face.
+// Points of f = 0, or of f = g = 0 in space, in a box where the distance to a point is critical, there or on a face.
 struct Found_implicit_feet
 {
   struct Foot
@@ -41,7 +41,7 @@ struct Found_implicit_feet
 };
 
 // Defined in Implicit_foot_finder.h.
-Found_implicit_feet implicit_feet_of(const Power_polynomial& f,
+Found_implicit_feet implicit_feet_of(const std::vector<Power_polynomial>& polynomials,
                                      const std::vector<std::pair<Exact_rational, Exact_rational>>& box,
                                      const std::vector<Exact_rational>& point, const Solver_options& options);
 

@@ -27,21 +27,22 @@ namespace Spline_constraints {
 namespace internal {
 namespace Distances {
 
-// Finds all points of f = 0 in a box where the distance to a point p is critical: inside, on faces and on edges.
+// Finds all points of f = 0, or f = g = 0 in space, in a box where the distance to a point p is critical: inside, on
+// faces and on edges.
 class Implicit_foot_finder
 {
   using Box = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
-  const Power_polynomial& m_f;
+  const std::vector<Power_polynomial>& m_polynomials;
   const Box& m_box;
   const std::vector<Exact_rational>& m_p;
   Budgeted_solver m_solver;
   Found_implicit_feet m_found;
 
 public:
-  Implicit_foot_finder(const Power_polynomial& f, const Box& box, const std::vector<Exact_rational>& p,
-                       const Solver_options& options)
-    : m_f(f), m_box(box), m_p(p), m_solver(options)
+  Implicit_foot_finder(const std::vector<Power_polynomial>& polynomials, const Box& box,
+                       const std::vector<Exact_rational>& p, const Solver_options& options)
+    : m_polynomials(polynomials), m_box(box), m_p(p), m_solver(options)
   {}
 
   Found_implicit_feet operator()()
@@ -70,26 +71,61 @@ private:
     }
   }
 
-  // Where f = 0 and its gradient in a face is parallel to the offset from p.
+  // Where the polynomials are zero and the offset from p is a combination of their gradients in a face.
   void find_on(const Box& face)
   {
-    Power_polynomial f = m_f;
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < face.size(); ++i)
       if (face[i].first < face[i].second)
         free.push_back(i);
+    std::vector<Power_polynomial> equations;
+    for (const Power_polynomial& polynomial : m_polynomials) {
+      Power_polynomial f = restricted(polynomial, face, free);
+      if (f.is_constant() && !f.is_zero())
+        return;
+      if (!f.is_zero())
+        equations.push_back(std::move(f));
+    }
+    if (equations.empty()) {
+      if (free.empty())
+        add(face, Solution_kind::CERTIFIED, false);
       else
+        add_undecided(face, Undecided_reason::CONTINUUM);
+    } else if (equations.size() == 1)
+      find_on_hypersurface(equations.front(), face, free);
+    else {
+      if (free.size() == 3)
+        equations.push_back(volume(equations, free));
+      solve(equations, face, false);
+    }
+  }
+
+  // On a face, as a polynomial in the coordinates that are free.
+  static Power_polynomial restricted(Power_polynomial f, const Box& face, const std::vector<std::size_t>& free)
+  {
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (!(face[i].first < face[i].second))
         f = f.substituted(static_cast<int>(i), Power_polynomial(face[i].first));
     for (std::size_t k = 0; k < free.size(); ++k)
       if (free[k] != k)
         f = f.substituted(static_cast<int>(free[k]), Power_polynomial::variable(static_cast<int>(k)));
-    if (f.is_constant()) {
-      if (f.is_zero() && free.empty())
-        add(face, Solution_kind::CERTIFIED, false);
-      else if (f.is_zero())
-        add_undecided(face, Undecided_reason::CONTINUUM);
-      return;
+    return f;
+  }
+
+  // The determinant of the offset and both gradients.
+  Power_polynomial volume(const std::vector<Power_polynomial>& f, const std::vector<std::size_t>& free) const
+  {
+    Power_polynomial result;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      result += (Power_polynomial::variable(i) - Power_polynomial(m_p[free[static_cast<std::size_t>(i)]])) *
+          (f[0].derivative(j) * f[1].derivative(k) - f[0].derivative(k) * f[1].derivative(j));
     }
+    return result;
+  }
+
+  void find_on_hypersurface(const Power_polynomial& f, const Box& face, const std::vector<std::size_t>& free)
+  {
     std::vector<Power_polynomial> offset, slope;
     for (std::size_t k = 0; k < free.size(); ++k) {
       offset.push_back(Power_polynomial::variable(static_cast<int>(k)) - Power_polynomial(m_p[free[k]]));
@@ -182,11 +218,11 @@ private:
   }
 };
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Found_implicit_feet
-implicit_feet_of(const Power_polynomial& f, const std::vector<std::pair<Exact_rational, Exact_rational>>& box,
-                 const std::vector<Exact_rational>& point, const Solver_options& options)
+CGAL_SPLINE_CONSTRAINTS_INLINE Found_implicit_feet implicit_feet_of(
+    const std::vector<Power_polynomial>& polynomials, const std::vector<std::pair<Exact_rational, Exact_rational>>& box,
+    const std::vector<Exact_rational>& point, const Solver_options& options)
 {
-  return Implicit_foot_finder(f, box, point, options)();
+  return Implicit_foot_finder(polynomials, box, point, options)();
 }
 
 } // namespace Distances
