@@ -52,8 +52,13 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_3.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_state.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_3.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_d.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/first_contacts_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/first_contacts_3.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Convexity.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Function_shape.h>
 #include <CGAL/Spline_constraints_d/operations/implicit_patches/Patch_shape.h>

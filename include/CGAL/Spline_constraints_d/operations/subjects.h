@@ -25,13 +25,13 @@ is in `internal/` may use the types and the `internal/` of these subjects, but c
 - `distances`: closest points, distances of curves, surfaces and regions.
 - `implicit_patches`: zeros of polynomials in tetrahedra, and their shape.
 - `smooth_surfaces`: smooth closed surfaces of cubic patches through the vertices of meshes.
-- `first_contacts`: when moving regions meet, and where.
 - `approximate_polygons`: polygons whose edges are known up to bands, and where points are in all of them.
 - `surface_regions`: parts of surfaces that curves on them bound: accessible regions, visible parts.
 - `loci`: curves of points that two curves define: bisectors, alpha-sectors, envelopes.
 - `rational_bisectors`: bisectors in space that are rational surfaces, and what lies on them.
 - `envelope_surfaces`: surfaces that solutions of constraints give: envelopes of moving surfaces, offsets, bisectors.
 - `swept_volumes`: the boundary of what a moving solid sweeps, as a closed mesh.
+- `first_contacts`: when moving regions and solids meet, and where.
 - `curve_features`: inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps.
 - `joints`: ends of curves that nearly meet, joined exactly.
 - `convex_hull`: convex hulls of curves.
@@ -77,11 +77,6 @@ using namespace Common;
 namespace Smooth_surfaces {
 using namespace Common;
 }
-namespace First_contacts {
-using namespace Common;
-using namespace Intersections;
-using namespace Regions;
-}
 namespace Approximate_polygons {
 using namespace Common;
 }
@@ -113,6 +108,13 @@ using namespace Common;
 using namespace Surface_curves;
 using namespace Envelope_surfaces;
 }
+namespace First_contacts {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+using namespace Envelope_surfaces;
+using namespace Swept_volumes;
+} // namespace First_contacts
 namespace Curve_features {
 using namespace Common;
 using namespace Intersections;

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_CONTACT_2_H
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_state.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
@@ -21,26 +22,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDFirstContacts
-How two regions lie to each other at a time, with their boundaries.
-*/
-enum class Contact_state
-{
-  APART,       ///< they have no point in common
-  TOUCHING,    ///< their boundaries have common points, their interiors have none
-  OVERLAPPING, ///< their interiors have a common point
-  UNDECIDED    ///< none of these is proved
-};
-
-//! \ingroup PkgSplineConstraintsDFirstContacts
-//! writes `apart`, `touching`, `overlapping` or `undecided`.
-inline std::ostream& operator<<(std::ostream& out, Contact_state state)
-{
-  static const char* const names[] = {"apart", "touching", "overlapping", "undecided"};
-  return out << names[static_cast<int>(state)];
-}
 
 /*!
 \ingroup PkgSplineConstraintsDFirstContacts

@@ -10,126 +10,23 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_FIRST_CONTACT_2_H
 
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/First_contact_d.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-
-#include <CGAL/Uncertain.h>
-
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 
-/*!
-\ingroup PkgSplineConstraintsDFirstContacts
+//! \ingroup PkgSplineConstraintsDFirstContacts
+//! when two regions meet first.
+using First_contact_2 = First_contact_d<Contact_2>;
 
-When two regions meet first: see `first_contact()`.
-*/
-class First_contact_2
-{
-public:
-  //! a closed range of times.
-  using Range = Contact_2::Range;
+//! \ingroup PkgSplineConstraintsDFirstContacts
+//! a time at which what two regions have in common begins or ceases.
+using Contact_event_2 = Contact_event_d<Contact_2>;
 
-private:
-  Contact_state m_state_at_begin = Contact_state::UNDECIDED;
-  std::optional<Range> m_time;
-  bool m_is_proved = false;
-  std::vector<Contact_2> m_contacts;
-  std::vector<Undecided_part> m_undecided;
-  Summary m_summary;
-
-public:
-  //! what the operation has found; `is_proved`: there is a contact in the range of time.
-  First_contact_2(Contact_state state_at_begin, std::optional<Range> time, bool is_proved,
-                  std::vector<Contact_2> contacts, std::vector<Undecided_part> undecided, const Summary& summary)
-    : m_state_at_begin(state_at_begin), m_time(std::move(time)), m_is_proved(is_proved),
-      m_contacts(std::move(contacts)), m_undecided(std::move(undecided)), m_summary(summary)
-  {
-    m_summary.is_complete = m_summary.is_complete && m_undecided.empty();
-  }
-
-  //! how they lie to each other at the first time of the motion: already overlapping, or touching, or apart.
-  Contact_state state_at_begin() const { return m_state_at_begin; }
-
-  //! whether they meet at any time of the motion. `false` is proved for all times; indeterminate where neither is.
-  CGAL::Uncertain<bool> do_meet() const { return {m_is_proved, m_time.has_value()}; }
-
-  //! before this range they are apart, and if `do_meet()` is certain they meet in it; nothing, if they never meet. The
-  //! first time of the motion alone, where they meet then.
-  const std::optional<Range>& time_range() const { return m_time; }
-
-  //! the contacts that are the first ones: all whose enclosures of the time meet `time_range()`. Several, if they come
-  //! at the same time, or so close to each other that this is not decided. None if the regions overlap at the first
-  //! time.
-  const std::vector<Contact_2>& contacts() const { return m_contacts; }
-
-  //! whether the time is enclosed and a contact proved, or it is proved that there is none.
-  bool is_complete() const { return m_summary.is_complete; }
-
-  //! what is not decided: the place is a range of time; the curves of the fixed region are counted behind those of the
-  //! moving one.
-  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
-
-  //! the work.
-  const Summary& summary() const { return m_summary; }
-};
-
-/*!
-\ingroup PkgSplineConstraintsDFirstContacts
-
-A time at which regions begin or cease to meet, to touch or to overlap, or meet for this time alone.
-*/
-struct Contact_event_2
-{
-  Contact_2::Range time;           ///< encloses the time, or all times if there are several
-  Contact_state before;            ///< since the event before, or at the first time of the motion
-  Contact_state after;             ///< until the next event
-  std::vector<Contact_2> contacts; ///< where they meet then
-};
-
-/*!
-\ingroup PkgSplineConstraintsDFirstContacts
-
-When two regions meet, and when they do not: see `contact_events()`.
-*/
-class Contact_events_2
-{
-  Contact_state m_state_at_begin = Contact_state::UNDECIDED, m_state_at_end = Contact_state::UNDECIDED;
-  std::vector<Contact_event_2> m_events;
-  std::vector<Undecided_part> m_undecided;
-  Summary m_summary;
-
-public:
-  //! what the operation has found.
-  Contact_events_2(Contact_state state_at_begin, Contact_state state_at_end, std::vector<Contact_event_2> events,
-                   std::vector<Undecided_part> undecided, const Summary& summary)
-    : m_state_at_begin(state_at_begin), m_state_at_end(state_at_end), m_events(std::move(events)),
-      m_undecided(std::move(undecided)), m_summary(summary)
-  {
-    m_summary.is_complete = m_summary.is_complete && m_undecided.empty();
-  }
-
-  //! at the first time.
-  Contact_state state_at_begin() const { return m_state_at_begin; }
-
-  //! at the last time.
-  Contact_state state_at_end() const { return m_state_at_end; }
-
-  //! in the order of time. Those with `APART` before and after are contacts that last no longer than the enclosure of
-  //! their time: the regions graze each other.
-  const std::vector<Contact_event_2>& events() const { return m_events; }
-
-  //! whether all events are there, and all states are decided.
-  bool is_complete() const { return m_summary.is_complete; }
-
-  //! what is not decided, as of `First_contact_2`.
-  const std::vector<Undecided_part>& undecided() const { return m_undecided; }
-
-  //! the work.
-  const Summary& summary() const { return m_summary; }
-};
+//! \ingroup PkgSplineConstraintsDFirstContacts
+//! when two regions meet, and when they do not.
+using Contact_events_2 = Contact_events_d<Contact_2>;
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/cut_triangles.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/sheets/Sweep_sheets.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/Solid_boundary.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/Solid_membership.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/corner_fans.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/swept_volume_finders.h>
 
@@ -150,27 +151,6 @@ private:
   }
 };
 
-// Whether the maps of a motion keep orientations. \throws Invalid_input when it is not proved that they are invertible.
-inline bool has_positive_maps(const Rational_motion_3& motion)
-{
-  const auto& c = motion.columns();
-  const auto minor = [&](std::size_t i, std::size_t k) { return c[1][i] * c[2][k] - c[1][k] * c[2][i]; };
-  const auto determinant = c[0][0] * minor(1, 2) + c[0][1] * minor(2, 0) + c[0][2] * minor(0, 1);
-  try {
-    return certified_weight_sign(determinant, {}) > 0;
-  } catch (const Invalid_input&) {
-    throw Invalid_input("swept volume: it is not proved that the maps of the motion are invertible at all times");
-  }
-}
-
-inline Solid_boundary solid_boundary_of(const std::vector<Common::Exact_map<3>>& surfaces)
-{
-  std::vector<Solid_boundary::Patch> patches;
-  for (const Common::Exact_map<3>& surface : surfaces)
-    patches.emplace_back(surface);
-  return Solid_boundary(patches);
-}
-
 // The boundary as triangles that cross each other; the cells that these cut space into; which of them are swept; the
 // triangles between those that are and those that are not.
 CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const std::vector<Common::Exact_map<3>>& surfaces,
@@ -181,7 +161,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const std::vector<
   if (!(fineness.chord_error > 0 && std::isfinite(fineness.chord_error)))
     throw Invalid_input("swept_volume: the chord error must be positive and finite");
   Common::Operation_budget budget(options);
-  const Solid_boundary solid = solid_boundary_of(surfaces);
+  const Solid_boundary solid = solid_boundary_of(surfaces, "swept volume");
   Sweep_membership membership(solid, motion, budget);
   double error = fineness.chord_error;
   Boundary_of_cells::Mesh mesh;
@@ -189,7 +169,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const std::vector<
   std::vector<Undecided_part> undecided;
   const auto add_undecided = [&](const auto& parts) { undecided.insert(undecided.end(), parts.begin(), parts.end()); };
 
-  const auto has_outer_normals = membership.has_outer_normals(has_positive_maps(motion));
+  const auto has_outer_normals = membership.has_outer_normals(has_positive_maps(motion, "swept volume"));
   if (!has_outer_normals)
     undecided.push_back({{}, {}, "on which side of the surface the solid lies"});
   const Smooth_patches smooth(solid, motion, budget);
@@ -224,8 +204,8 @@ sweep_intervals_of(const std::vector<Common::Exact_map<3>>& surfaces, const Rati
                    const std::array<Exact_rational, 3>& point, const Solver_options& options)
 {
   Common::Operation_budget budget(options);
-  const Solid_boundary solid = solid_boundary_of(surfaces);
-  has_positive_maps(motion); // or else it throws
+  const Solid_boundary solid = solid_boundary_of(surfaces, "swept volume");
+  has_positive_maps(motion, "swept volume"); // or else it throws
   return Sweep_membership(solid, motion, budget).intervals(point);
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Exact_map.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/corner_fans.h>
 
@@ -83,6 +84,7 @@ private:
     std::array<Range, 2> ranges;
   };
 
+  std::string m_name; // for messages
   std::vector<Patch> m_patches;
   std::vector<Origin> m_origins;
   std::size_t m_operands;
@@ -90,11 +92,13 @@ private:
   std::vector<std::size_t> m_components;                         // of patches: any one of the same connected part
 
 public:
+  // Messages begin with the name.
   // \throws Invalid_input when a side is neither a pole nor the same as exactly one other one, or orientations differ.
-  explicit Solid_boundary(const std::vector<Patch>& patches) : m_operands(patches.size())
+  Solid_boundary(const std::vector<Patch>& patches, std::string name)
+    : m_name(std::move(name)), m_operands(patches.size())
   {
     if (patches.empty())
-      throw Invalid_input("swept volume: the solid has no surface");
+      throw Invalid_input(m_name + ": the solid has no surface");
     for (std::size_t i = 0; i < patches.size(); ++i)
       add(patches[i], {i, {patches[i].domain(0), patches[i].domain(1)}});
     glue();
@@ -127,7 +131,7 @@ public:
   Solid_boundary cut_along(std::vector<Lines> lines) const
   {
     extend(lines);
-    Solid_boundary result(m_operands);
+    Solid_boundary result(m_operands, m_name);
     for (std::size_t patch = 0; patch < size(); ++patch) {
       std::array<std::vector<Range>, 2> ranges;
       for (const std::size_t axis : {0u, 1u}) {
@@ -149,7 +153,7 @@ public:
   // The same with some patches cut at a corner, see fan_at().
   Solid_boundary with_fans(const std::vector<std::optional<int>>& corners) const
   {
-    Solid_boundary result(m_operands);
+    Solid_boundary result(m_operands, m_name);
     for (std::size_t patch = 0; patch < size(); ++patch)
       if (!corners[patch])
         result.add(m_patches[patch], m_origins[patch]);
@@ -161,7 +165,7 @@ public:
   }
 
 private:
-  explicit Solid_boundary(std::size_t operands) : m_operands(operands) {}
+  Solid_boundary(std::size_t operands, std::string name) : m_name(std::move(name)), m_operands(operands) {}
 
   Range original(std::size_t patch, std::size_t axis, const Range& range) const
   {
@@ -264,19 +268,20 @@ private:
       if (!is_same && (other == side || !are_same(backwards, curve)))
         continue;
       if (result)
-        throw Invalid_input("swept volume: more than two surfaces meet in one edge: " + name(side) + ", " +
+        throw Invalid_input(m_name + ": more than two surfaces meet in one edge: " + name(side) + ", " +
                             name(result->side) + ", " + name(other));
       result = Glued_side{other, !is_same};
     }
     if (!result)
-      throw Invalid_input(m_operands == 1 ? "swept volume: the surface is not closed: " + name(side) +
-                                  " is neither a seam nor a pole"
-                                          : "swept volume: the solid is not closed: " + name(side) +
+      throw Invalid_input(m_operands == 1
+                              ? m_name + ": the surface is not closed: " + name(side) + " is neither a seam nor a pole"
+                              : m_name + ": the solid is not closed: " + name(side) +
                                   " is neither a pole, nor has another edge the same curve with the same parameter or "
                                   "the reversed one");
     const bool goes_forward = side.is_forward() != result->is_reversed;
     if (goes_forward == result->side.is_forward())
-      throw Invalid_input("swept volume: normals point to different sides of the solid at the common edge of two "
+      throw Invalid_input(m_name +
+                          ": normals point to different sides of the solid at the common edge of two "
                           "surfaces: " +
                           name(side) + ", " + name(result->side));
     return *result;
@@ -309,6 +314,14 @@ private:
     }
   }
 };
+
+inline Solid_boundary solid_boundary_of(const std::vector<Common::Exact_map<3>>& surfaces, const std::string& name)
+{
+  std::vector<Solid_boundary::Patch> patches;
+  for (const Common::Exact_map<3>& surface : surfaces)
+    patches.emplace_back(surface);
+  return Solid_boundary(patches, name);
+}
 
 } // namespace Swept_volumes
 } // namespace internal

@@ -6,12 +6,16 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_LASTING_OVERLAP_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_LASTING_OVERLAP_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_STATES_OF_REGIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_STATES_OF_REGIONS_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Rational_motion_2.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_equations.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/State_of_regions.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/contact_finders.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/contact_times.h>
 #include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -70,9 +74,45 @@ inline bool stays_inside(const std::vector<Boundary_loop_2>& region, const Ratio
   });
 }
 
+// How a moving region lies to one that does not move.
+class States_of_regions
+{
+  const Moving_regions& m_regions;
+  Budgeted_solver& m_solve;
+
+public:
+  static constexpr const char* not_decided = "how the regions lie to each other at this time";
+
+  States_of_regions(const Moving_regions& regions, Budgeted_solver& solve) : m_regions(regions), m_solve(solve) {}
+
+  Contact_state at(const Exact_rational& time, const std::vector<Contact_candidate>& = {})
+  {
+    return State_of_regions(moved(m_regions.moving, m_regions.motion, time), m_regions.fixed, m_solve)();
+  }
+
+  // Whether a point of the boundary of one region is inside of the other one at a time before and until the end.
+  bool overlap_lasts(const Parameter_range& time, const Exact_rational& before)
+  {
+    const Exact_rational begin = time_close_before(time, before);
+    const auto moving = moved(m_regions.moving, m_regions.motion, begin);
+    State_of_regions state(moving, m_regions.fixed, m_solve);
+    const auto back = m_regions.motion(begin).inverse();
+    for (const Exact_pair& p : state.inner_points(0)) {
+      const auto own = back.transform(Rational_motion_2::Kernel::Point_2(p[0], p[1]));
+      if (stays_inside(m_regions.fixed, m_regions.motion, {own.x(), own.y()}, {begin, time.second}))
+        return true;
+    }
+    const Rational_motion_2 inverse = m_regions.motion.inverse();
+    for (const Exact_pair& p : state.inner_points(1))
+      if (stays_inside(m_regions.moving, inverse, p, {begin, time.second}))
+        return true;
+    return false;
+  }
+};
+
 } // namespace First_contacts
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_LASTING_OVERLAP_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_STATES_OF_REGIONS_H

@@ -6,29 +6,22 @@
 //
 // Author(s)     : The Spline_constraints_d authors
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_DISTINCT_CONTACTS_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_DISTINCT_CONTACTS_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_REGION_CONTACTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_REGION_CONTACTS_H
 
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/Contact_search.h>
+#include <CGAL/Spline_constraints_d/operations/first_contacts/internal/contact_times.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace First_contacts {
-
-inline bool do_meet(const Parameter_range& a, const Parameter_range& b)
-{
-  return a.first <= b.second && b.first <= a.second;
-}
 
 /*
 Candidates that may be the same contact. One in a vertex solves the equations of the pieces that end there, too, and is
@@ -52,41 +45,11 @@ inline bool may_be_the_same(const Contact_search& search, const Contact_candidat
   return true;
 }
 
-// Whether the solution was only not told apart from the end of a piece, so that it is the contact in the vertex there.
-inline bool is_next_to_end(const Contact_candidate& c)
-{
-  return c.solution.reason() == Undecided_reason::DOMAIN_BOUNDARY ||
-      c.solution.reason() == Undecided_reason::INEQUALITY;
-}
+inline int rank(const Contact_candidate& c) { return c.is_at_vertex[0] + c.is_at_vertex[1]; }
 
-/*
-Each contact once: in vertices, where it is in one. What is undecided in a box of the size of the tolerance, in which a
-contact is proved by other equations, is that contact; others in the box are not told apart from it.
-*/
-inline std::vector<Contact_candidate> distinct_contacts(const Contact_search& search,
-                                                        std::vector<Contact_candidate> candidates)
+inline bool is_tiny(const Contact_search&, const Contact_candidate& c)
 {
-  const auto number_of_vertices = [](const Contact_candidate& c) { return c.is_at_vertex[0] + c.is_at_vertex[1]; };
-  std::stable_sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-    return std::pair(b.is_proved(), number_of_vertices(b)) < std::pair(a.is_proved(), number_of_vertices(a));
-  });
-  std::vector<Contact_candidate> result;
-  for (Contact_candidate& candidate : candidates) {
-    const bool is_tiny = candidate.solution.reason() == Undecided_reason::TOLERANCE;
-    const auto known = std::find_if(result.begin(), result.end(), [&](const Contact_candidate& other) {
-      return (candidate.is_proved() || is_tiny || is_next_to_end(candidate)) && other.is_proved() &&
-          may_be_the_same(search, other, candidate);
-    });
-    if (known == result.end())
-      result.push_back(std::move(candidate));
-    else if (is_tiny) {
-      known->is_alone = false;
-      known->time = {(std::min)(known->time.first, candidate.time.first),
-                     (std::max)(known->time.second, candidate.time.second)};
-    }
-  }
-  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-  return result;
+  return c.solution.reason() == Undecided_reason::TOLERANCE;
 }
 
 inline Undecided_part::Range curve_parameters(const Boundary_element& element, const Parameter_range& range)
@@ -132,28 +95,12 @@ inline Contact_2 contact_of(const Contact_search& search, const Contact_candidat
           places, candidate.solution};
 }
 
-inline std::vector<Contact_2> proved_contacts(const Contact_search& search,
-                                              const std::vector<Contact_candidate>& candidates)
-{
-  std::vector<Contact_2> result;
-  for (const Contact_candidate& candidate : candidates)
-    if (candidate.is_proved())
-      result.push_back(contact_of(search, candidate));
-  return result;
-}
-
-inline Undecided_part undecided_time(const Parameter_range& time, const std::string& reason)
-{
-  return {{to_double_range(time)}, {}, reason};
-}
-
-inline Undecided_part undecided_contact(const Contact_search& search, const Contact_candidate& candidate,
-                                        std::size_t number_of_moving_curves)
+inline Undecided_part undecided_contact(const Contact_search& search, const Contact_candidate& candidate)
 {
   Undecided_part result = undecided_time(candidate.time, in_words(candidate.solution.reason()));
   for (const std::size_t k : {0, 1}) {
     const Boundary_element& element = search.element(k, candidate.elements[k]);
-    result.parameters.push_back({element.piece->curve + (k == 0 ? 0 : number_of_moving_curves),
+    result.parameters.push_back({element.piece->curve + (k == 0 ? 0 : search.number_of_moving_curves()),
                                  {curve_parameters(element, candidate.parameters[k])}});
   }
   return result;
@@ -164,4 +111,4 @@ inline Undecided_part undecided_contact(const Contact_search& search, const Cont
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_DISTINCT_CONTACTS_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_FIRST_CONTACTS_INTERNAL_REGION_CONTACTS_H
