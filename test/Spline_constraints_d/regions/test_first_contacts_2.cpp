@@ -669,6 +669,34 @@ TEST(First_contacts_2, Bad_input)
   expect_none(SC::first_contact(unit, motion.restricted(R(7, 8), R(1)), unit), "part of the time");
 }
 
+// A curved boundary slides along a straight one until the foot comes to an end of it.
+TEST(First_contacts_2, Sliding)
+{
+  const Region table = rectangle(0, -1, 4, 0), unit = disc(P(0, 0), R(1));
+  const auto off = SC::contact_events(unit, line(P(1, 1), P(6, 1)), table);
+  expect_states(off, {State::TOUCHING, State::APART}, "off");
+  ASSERT_EQ(1u, off.events().size());
+  EXPECT_TRUE(encloses(off.events()[0].time, R(3, 5)));
+  const auto onto = SC::contact_events(unit, line(P(-3, 1), P(2, 1)), table);
+  expect_states(onto, {State::APART, State::TOUCHING}, "onto");
+  ASSERT_EQ(1u, onto.events().size());
+  EXPECT_TRUE(encloses(onto.events()[0].time, R(3, 5)));
+  expect_contact(SC::first_contact(unit, line(P(-3, 1), P(2, 1)), table), R(3, 5), "onto");
+  // the table under the disc
+  const auto away = SC::contact_events(table, line(P(-1, -1), P(-6, -1)), unit);
+  expect_states(away, {State::TOUCHING, State::APART}, "away");
+  ASSERT_EQ(1u, away.events().size());
+  EXPECT_TRUE(encloses(away.events()[0].time, R(3, 5)));
+  // over all of it, with a rigid motion of the scene, and at a height that misses
+  const Map map(R(3, 5), R(-4, 5), R(2, 7), R(4, 5), R(3, 5), R(1, 3));
+  const Motion moved_line = constant(map, {R(0), R(1)}) * line(P(-2, 1), P(6, 1));
+  const auto over = SC::contact_events(unit, moved_line, transformed(table, map));
+  expect_states(over, {State::APART, State::TOUCHING, State::APART}, "over");
+  ASSERT_EQ(2u, over.events().size());
+  EXPECT_TRUE(encloses(over.events()[0].time, R(1, 4)) && encloses(over.events()[1].time, R(3, 4)));
+  expect_none(SC::first_contact(unit, line(P(-3, R(1) + R(1e-12)), P(7, R(1) + R(1e-12))), table), "above");
+}
+
 // Where a run ends early, what was not looked at is undecided, and nothing is claimed of it.
 TEST(First_contacts_2, Limits)
 {

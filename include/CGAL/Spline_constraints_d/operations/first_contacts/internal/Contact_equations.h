@@ -114,7 +114,30 @@ public:
                     m_weight * exact_dot(normal, a));
   }
 
-  // The same of a fixed point and a moving line.
+  // Whether a line, through two points, is the same at all times, seen from the moving region.
+  bool keeps_fixed_line(const Exact_pair& a, const Exact_pair& b) const
+  {
+    const Exact_pair normal{Exact_rational(a[1] - b[1]), Exact_rational(b[0] - a[0])};
+    std::array<Function, 3> line; // its coefficients there
+    for (std::size_t k = 0; k < 3; ++k)
+      line[k] = m_columns[k][0] * normal[0] + m_columns[k][1] * normal[1];
+    line[2] = line[2] - m_weight * exact_dot(normal, a);
+    const std::array<Exact_rational, 1> begin{m_time.first};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < k; ++i)
+        if (!vanishes(line[i] * line[k](begin) - line[k] * line[i](begin)))
+          return false;
+    return true;
+  }
+
+  // Whether a moving line, through two points, is the same at all times.
+  bool keeps_moving_line(const Exact_pair& a, const Exact_pair& b) const
+  {
+    const Exact_pair from = image(a), to = image(b);
+    return keeps_on_line(a, from, to) && keeps_on_line(b, from, to);
+  }
+
+  // Whether a moving line goes through a fixed point all the time.
   bool keeps_line_through(const Exact_pair& point, const Exact_pair& a, const Exact_pair& b) const
   {
     const Exact_pair side{Exact_rational(b[0] - a[0]), Exact_rational(b[1] - a[1])};
@@ -127,6 +150,17 @@ public:
   }
 
 private:
+  // At the begin.
+  Exact_pair image(const Exact_pair& x) const
+  {
+    const std::array<Exact_rational, 1> begin{m_time.first};
+    const auto coordinate = [&](std::size_t i) {
+      return Exact_rational((m_columns[0][i](begin) * x[0] + m_columns[1][i](begin) * x[1] + m_columns[2][i](begin)) /
+                            m_weight(begin));
+    };
+    return {coordinate(0), coordinate(1)};
+  }
+
   static bool vanishes(const Function& f) { return f.bounds() == std::pair(Exact_rational(0), Exact_rational(0)); }
 
   static std::array<std::array<Function, 2>, 3> parts(const Rational_motion_2& motion, const Parameter_range& time)
@@ -180,12 +214,14 @@ public:
 
 private:
   // The ends of straight pieces that touch along a line are vertices of others; and where a vertex moves along a line,
-  // what changes does so where it is at an end, or where another solution is.
+  // or a curve slides on one, what changes does so where an end comes, or where another solution is.
   bool are_identities(const std::array<bool, 2>& is_at_vertex) const
   {
     const auto [is_moving_vertex, is_fixed_vertex] = is_at_vertex;
     if (!is_moving_vertex && !is_fixed_vertex)
-      return m_moving.is_straight && m_fixed.is_straight;
+      return (m_moving.is_straight && m_fixed.is_straight) ||
+          (m_fixed.is_straight && m_motion.keeps_fixed_line(m_fixed.vertex, m_fixed.piece->at(Exact_rational(1)))) ||
+          (m_moving.is_straight && m_motion.keeps_moving_line(m_moving.vertex, m_moving.piece->at(Exact_rational(1))));
     if (is_moving_vertex && !is_fixed_vertex)
       return m_fixed.is_straight &&
           m_motion.keeps_on_line(m_moving.vertex, m_fixed.vertex, m_fixed.piece->at(Exact_rational(1)));
