@@ -175,24 +175,31 @@ TEST(First_contacts_3, Spheres)
   expect_zero(SC::first_contact(sphere(1), line(from, to), sphere(1)), {faces}, gap, "apart from seams");
 }
 
-// A sphere that passes the edge of a box at a distance that differs little from its radius.
+// A sphere that passes the edge of a box at a distance that differs little from its radius, or not at all.
 TEST(First_contacts_3, Near_misses)
 {
   const Solid obstacle = box(Point(0, -4, -8), Point(8, 4, 0));
   const Vector way(Rational(3) / 5, 0, Rational(4) / 5), side(Rational(-4) / 5, 0, Rational(3) / 5);
-  const double gap = 1e-12;
-  for (const int sign : {1, -1}) {
-    const Rational distance = 1 + sign * Rational(gap);
-    const Point nearest = CGAL::ORIGIN + side * distance;
-    const SC::First_contact_3 contact =
-        SC::first_contact(sphere(1), line(nearest - way * Rational(5), nearest + way * Rational(6)), obstacle);
-    if (sign > 0)
-      expect_none(contact, "gap");
-    else
-      expect_zero(
-          contact, {face_on_edge},
-          [&](const Rational& t) { return Rational((11 * t - 5) * (11 * t - 5) + distance * distance - 1); }, "gap");
-  }
+  const auto passing = [&](const Rational& distance) {
+    const Point nearest = Point(0, Rational(1) / 3, 0) + side * distance;
+    return line(nearest - way * Rational(5), nearest + way * Rational(6));
+  };
+  const Rational gap(1e-12), near = 1 + gap, inside = 1 - gap;
+  expect_none(SC::first_contact(sphere(1), passing(near), obstacle), "miss");
+  expect_zero(
+      SC::first_contact(sphere(1), passing(inside), obstacle), {face_on_edge},
+      [&](const Rational& t) { return Rational((11 * t - 5) * (11 * t - 5) + inside * inside - 1); }, "hit");
+  const SC::Contact_events_3 events = SC::contact_events(sphere(1), passing(1), obstacle);
+  EXPECT_EQ((States{State::APART, State::APART}), states_of(events));
+  ASSERT_EQ(1u, events.events().size());
+  EXPECT_TRUE(encloses(events.events()[0].time, Rational(5) / 11));
+  // with the pole, on a parabola
+  const Motion parabola =
+      Motion::along(Curve(2, {0, 0, 0, 1, 1, 1}, {Point(-1, 0, 2), Point(0, 0, 0), Point(1, 0, 2)}));
+  const SC::Contact_events_3 pole = SC::contact_events(sphere(1), parabola, table());
+  EXPECT_EQ((States{State::APART, State::APART}), states_of(pole));
+  ASSERT_EQ(1u, pole.events().size());
+  EXPECT_TRUE(encloses(pole.events()[0].time, Rational(1) / 2));
 }
 
 // cos + sin = 2 h, and a corner that grazes the wall at a double root.

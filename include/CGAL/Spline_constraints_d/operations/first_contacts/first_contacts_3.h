@@ -42,8 +42,8 @@ range of one surface. Normals may point to either side.
 \param fixed the surfaces of the other solid.
 \param options those of the solver; limits hold for the operation as a whole.
 \return the first contact. If the solids overlap at the first time, it is this time. Not decided, and named, are solids
-that touch at the first time, and contacts along curves that are no straight lines of a cylinder or a cone, and no edges
-of plane faces.
+that touch at the first time; curved faces that graze each other; poles of the parameters of both that meet; contacts
+that last; and those along curves that are no straight lines of a cylinder or a cone, and no edges of plane faces.
 \throws Invalid_input when surfaces do not bound a solid, as `swept_volume()` does; it is not proved that the maps of
 the motion are invertible at all times; a coordinate is not finite; or an option makes no sense.
 

@@ -18,7 +18,6 @@
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/solids/Moving_space.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/solids/Solid_element.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/solids/identities.h>
-#include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -107,13 +106,13 @@ public:
     for (std::size_t i = 0; i < 3; ++i)
       constraints.push_back(p.x[i] * q.w == q.x[i] * p.w);
     if (own.size() + other.size() > 2 && other.size() == 2) {
-      const Homogeneous_expression plane = tangent_plane_of(m_fixed.map, other);
+      const Homogeneous_expression plane{values(m_fixed.normals, other), values(m_fixed.plane_offset, other)};
       for (std::size_t axis = 0; axis < own.size(); ++axis) {
         const Homogeneous_expression along = m_motion.image(derivative_of(m_moving.map, axis, own), time);
         constraints.push_back(dot(plane.x, along.x) + plane.w * along.w == 0);
       }
     } else if (own.size() + other.size() > 2) {
-      const Vector_expression<3> normal = m_motion.image_of_normal(tangent_plane_of(m_moving.map, own).x, time),
+      const Vector_expression<3> normal = m_motion.image_of_normal(values(m_moving.normals, own), time),
                                  tangent = Spline_map<1, 3>(tangents_of_curve(m_fixed.map))(other[0]);
       constraints.push_back(dot(normal, tangent) == 0);
     } else if (own.size() == 1 && other.size() == 1 && (is_smooth(m_moving) || is_smooth(m_fixed))) {
@@ -231,13 +230,6 @@ private:
     const auto& [x, y, z] = map.numerators();
     return {values({x.derivative(k), y.derivative(k), z.derivative(k)}, u),
             map.is_rational() ? values(map.weight().derivative(k), u) : Expression(Exact_rational(0))};
-  }
-
-  // Divided by factors that vanish along sides, as at a pole of a sphere.
-  static Homogeneous_expression tangent_plane_of(const Spline_patch<3>& map, std::span<const Unknown> u)
-  {
-    const auto planes = tangent_planes(map, [] {}).front().functions.splines();
-    return {values({planes[0], planes[1], planes[2]}, u), values(planes[3], u)};
   }
 };
 

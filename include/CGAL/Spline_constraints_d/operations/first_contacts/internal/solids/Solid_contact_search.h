@@ -158,8 +158,10 @@ inline Vector_bounds<3> bounds_of_place(const Solid_contact_search& search, cons
 // Whether the enclosure is of the size of the tolerance in space and time, as around a pole, where a parameter is free.
 inline bool is_tiny(const Solid_contact_search& search, const Solid_candidate& c)
 {
-  if (c.solution.reason() != Undecided_reason::CONTINUUM)
-    return c.solution.reason() == Undecided_reason::TOLERANCE;
+  if (c.is_proved() || is_next_to_end(c.solution))
+    return false;
+  if (c.solution.reason() == Undecided_reason::TOLERANCE)
+    return true;
   const Exact_rational most(search.solids().tolerance);
   const auto is_narrow = [&](const auto& bounds) {
     return std::ranges::all_of(bounds, [&](const Rational_interval& x) { return x.upper - x.lower <= most; });

@@ -66,6 +66,7 @@ struct Solid_element
   std::optional<Exact_vector> normal;    // of a plane face
   std::optional<Exact_vector> direction; // of a straight edge, or of a face that is a part of a cylinder
   Vector_of_functions<3> normals;        // of a face, a smooth edge or corner, of the own parameters
+  Exact_function plane_offset;           // of a face: normals and this are its tangent planes
   bool has_pole = false;                 // a face with a side that is one point
   bool is_developable = false;           // a face along whose straight lines the tangent plane does not change
 
@@ -182,7 +183,7 @@ private:
   void append(const Spline_patch<3>& map, std::size_t patch, const std::array<Parameter_range, 2>& place,
               Solid_part part)
   {
-    Solid_element element{map, patch, place, part, interval_box_of(map.values()), {}, {}, {}, {}};
+    Solid_element element{map, patch, place, part, interval_box_of(map.values()), {}, {}, {}, {}, {}};
     append_boxes_of_parts(map, map.number_of_parameters() == 1 ? 3 : 2, element.boxes_of_parts);
     if (part == Solid_part::FACE) {
       element.normals = m_normals[patch];
@@ -202,6 +203,7 @@ private:
     Solid_element& face = m_elements.back();
     for (int k = 0; k < 4; ++k)
       face.has_pole = face.has_pole || !m_solid.glued({patch, k});
+    face.plane_offset = offset;
     const auto planes = tangent_plane(map);
     face.normal = normal_of_plane(planes);
     for (int axis = 0; axis < 2 && !face.normal && !face.is_developable; ++axis)
