@@ -237,6 +237,15 @@ TEST(Approximate_polygons, Square_has_13_of_16_signatures)
     for (const Polygon& part : cells.find("LLLR")->parts)
       lowest = (std::min)(lowest, *part.bottom_vertex(), [](const P& p, const P& q) { return p.y() < q.y(); });
     EXPECT_EQ(lowest, P(2, R(4 + 8 / width)));
+    // four cells begin at that distance: for narrow bands, nine are left near the square, as for a square with edges
+    const auto is_near = [](const Polygon& part) {
+      return std::any_of(part.begin(), part.end(),
+                         [](const P& p) { return CGAL::abs(p.x() - 2) < 6 && CGAL::abs(p.y() - 2) < 6; });
+    };
+    const auto near = std::count_if(cells.cells().begin(), cells.cells().end(), [&](const SC::Signature_cell_2& cell) {
+      return std::any_of(cell.parts.begin(), cell.parts.end(), is_near);
+    });
+    EXPECT_EQ(near, 9) << width;
     expect_models(approximate, cells);
   }
 }
