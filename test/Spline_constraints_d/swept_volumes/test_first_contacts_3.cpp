@@ -161,7 +161,8 @@ std::string message_of(const Call& call)
 
 constexpr Parts faces{Part::FACE, Part::FACE}, edges{Part::EDGE, Part::EDGE}, corners{Part::CORNER, Part::CORNER},
     edge_on_face{Part::EDGE, Part::FACE}, face_on_edge{Part::FACE, Part::EDGE},
-    corner_on_face{Part::CORNER, Part::FACE}, face_on_corner{Part::FACE, Part::CORNER};
+    corner_on_face{Part::CORNER, Part::FACE}, face_on_corner{Part::FACE, Part::CORNER},
+    corner_on_edge{Part::CORNER, Part::EDGE};
 
 } // namespace
 
@@ -354,6 +355,15 @@ TEST(First_contacts_3, Through_a_box)
   ASSERT_EQ(2u, events.events().size());
   EXPECT_TRUE(encloses(events.events()[0].time, Rational(4) / 9));
   EXPECT_TRUE(encloses(events.events()[1].time, Rational(7) / 9));
+}
+
+// What slides onto a table meets its edge where it touches the plane of the table.
+TEST(First_contacts_3, Sliding)
+{
+  const Motion slide = line(Point(-9, Rational(1) / 3, 1), Point(0, Rational(1) / 3, 1));
+  expect_contact(SC::first_contact(sphere(1), slide, table()), {face_on_edge}, Rational(5) / 9, "with the pole");
+  expect_contact(SC::first_contact(box(1, 1, 1), slide, table()), {corner_on_edge, corner_on_edge}, Rational(4) / 9,
+                 "box");
 }
 
 TEST(First_contacts_3, State_at_the_first_time)

@@ -105,12 +105,41 @@ public:
   Vector_of_functions<3> image_of_normal(const Exact_vector& x) const { return combined(m_normal_columns, x); }
   // @}
 
+  // Whether the plane through a fixed point with a normal is the same at all times, seen from the moving space.
+  bool keeps_fixed_plane(const Exact_vector& point, const Exact_vector& normal) const
+  {
+    std::array<Exact_function, 4> plane;
+    for (std::size_t k = 0; k < 4; ++k)
+      plane[k] = m_columns[k][0] * normal[0] + m_columns[k][1] * normal[1] + m_columns[k][2] * normal[2];
+    plane[3] = plane[3] - m_weight * exact_dot(normal, point);
+    return is_direction_constant(plane);
+  }
+
+  // Whether a moving plane is the same at all times.
+  bool keeps_moving_plane(const Exact_vector& point, const Exact_vector& normal) const
+  {
+    const Vector_of_functions<3> n = image_of_normal(normal), x = image_of_point(point);
+    return is_direction_constant(
+        {n[0] * m_weight, n[1] * m_weight, n[2] * m_weight, n[0] * x[0] + n[1] * x[1] + n[2] * x[2]});
+  }
+
   static Vector_of_functions<3> cross_of(const Vector_of_functions<3>& a, const Vector_of_functions<3>& b)
   {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
 private:
+  // Whether the functions are multiples of each other by numbers.
+  static bool is_direction_constant(const std::array<Exact_function, 4>& f)
+  {
+    const std::array<Exact_rational, 1> begin{f[0].domain(0).first};
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < k; ++i)
+        if (!vanishes(f[i] * f[k](begin) - f[k] * f[i](begin)))
+          return false;
+    return true;
+  }
+
   static Vector_expression<3> column(const Vector_of_functions<3>& f, const Unknown& time)
   {
     return Spline_map<1, 3>(f)(time);

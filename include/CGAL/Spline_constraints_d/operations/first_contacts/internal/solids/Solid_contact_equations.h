@@ -73,6 +73,8 @@ public:
   bool are_void() const
   {
     const int moving = m_moving.dimension(), fixed = m_fixed.dimension();
+    if (moving + fixed > 2 && slide_on_plane())
+      return true;
     if (moving == 2 && fixed == 2)
       return share_lines(m_moving, m_fixed);
     if (moving + fixed == 3)
@@ -135,6 +137,13 @@ public:
 
 private:
   static bool is_smooth(const Solid_element& element) { return element.part == Solid_part::FACE; }
+
+  // Whether a plane face keeps its plane, seen from the other element, which then always touches it in the same points.
+  bool slide_on_plane() const
+  {
+    return (m_fixed.normal && m_motion.keeps_fixed_plane(m_fixed.first_point(), *m_fixed.normal)) ||
+        (m_moving.normal && m_motion.keeps_moving_plane(m_moving.first_point(), *m_moving.normal));
+  }
 
   // Of two faces: whether a straight line on one of them, along which its tangent plane is the same, is in the other
   // face wherever they have a common tangent plane.
