@@ -3,7 +3,8 @@
 
 // Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less
 // than unknowns, every curve of solutions, and with two less, every surface. With inequalities alone, or still fewer
-// equalities, it tells whether there is a solution: one of them, or that there is none by proof.
+// equalities, it tells whether there is a solution: one of them, or that there is none by proof. With as many
+// equalities as unknowns there may be elementary functions.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE] [--chord-error E]
@@ -123,6 +124,30 @@ int print_points(const Arguments& arguments, const std::vector<std::string>& nam
   return solutions.is_complete() ? 0 : 3;
 }
 
+// With elementary functions: as many equalities as unknowns.
+int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& input)
+{
+  if (arguments.number_type != "certified" || arguments.whole || arguments.test != "graph" || arguments.parallel)
+    throw SC::Invalid_input("elementary functions go with --number-type certified and --test graph, on one core, "
+                            "without --whole");
+  if (!arguments.output.empty())
+    throw SC::Invalid_input("--output is for curves and surfaces, which elementary functions have none of here");
+  const auto equalities = std::ranges::count(input.constraints, SC::Relation::EQUAL, &SC::Minibex_constraint::relation);
+  if (equalities != static_cast<long>(input.domains.size())) {
+    try {
+      SC::read_minibex(arguments.file);
+    } catch (const SC::Parse_error& error) {
+      throw SC::Invalid_input(std::string(error.what()) + "; elementary functions take as many equalities as unknowns");
+    }
+  }
+  Progress_bar progress;
+  SC::Solver_options options = arguments.options;
+  options.visitor = progress;
+  const auto solutions = SC::Propagation_solver_d(options)(input.domains, polynomial_constraints(input), input.values);
+  progress.clear();
+  return print_points(arguments, input.names, solutions);
+}
+
 // As many equations as unknowns, by the solver that gets on better.
 int solve_for_points(const Arguments& arguments, const SC::Minibex_system& input)
 {
@@ -138,11 +163,15 @@ template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGA
 int solve(Arguments arguments)
 {
   const auto start = std::chrono::steady_clock::now();
-  const SC::Minibex_system input = SC::read_minibex(arguments.file);
+  const SC::Minibex_system input = SC::read_minibex(arguments.file, SC::Minibex_subset::ELEMENTARY);
   const auto use_rest_of_time = [&] {
     if (double& limit = arguments.options.time_limit; limit > 0)   // what reading has left of it
       limit = (std::max)(limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1e-9);
   };
+  if (!input.values.all().empty()) {
+    use_rest_of_time();
+    return solve_with_functions(arguments, input);
+  }
   const auto equalities = std::count_if(input.constraints.begin(), input.constraints.end(), [](const auto& constraint) {
     return constraint.relation == SC::Relation::EQUAL;
   });

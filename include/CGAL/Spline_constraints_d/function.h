@@ -14,6 +14,8 @@
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_function.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Expression_graph.h>
 #include <CGAL/Spline_constraints_d/function/Graph_evaluation.h>

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_MINIBEX_SYSTEM_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_MINIBEX_SYSTEM_H
 
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 
@@ -35,14 +36,27 @@ struct Minibex_constraint
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-The polynomial system of a Minibex file. `names[i]` and `domains[i]` belong to the unknown of index `i` in the
-functions; the elements of an array `x[3]` are the unknowns `x(1)`, `x(2)`, `x(3)`.
+What is read of Minibex.
+*/
+enum class Minibex_subset
+{
+  POLYNOMIAL, //!< polynomials; all else is an error
+  ELEMENTARY  //!< elementary functions, quotients and all powers, too
+};
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+The system of a Minibex file. `names[i]` and `domains[i]` belong to the unknown of index `i` in the functions; the
+elements of an array `x[3]` are the unknowns `x(1)`, `x(2)`, `x(3)`. If there are elementary functions, the constraints
+are polynomials in unknowns and `values`.
 */
 struct Minibex_system
 {
   std::vector<std::string> names;
   std::vector<std::pair<Exact_rational, Exact_rational>> domains;
   std::vector<Minibex_constraint> constraints;
+  Elementary_values values = {};
 };
 
 } // namespace Spline_constraints

@@ -24,8 +24,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-reads a system of polynomial equations and inequalities in the polynomial subset of Minibex, the input language of the
-solver IBEX.
+reads a system of equations and inequalities in a subset of Minibex, the input language of the solver IBEX: of
+polynomials, and, where `subset` says so, of elementary functions, quotients and all powers.
 
 \code{.unparsed}
 Constants                    // optional
@@ -56,39 +56,48 @@ end
 - Every unknown needs a domain with finite bounds, which are constant expressions.
 - A function takes numbers and arrays, and returns a number. Names that it introduces are its own; it knows constants.
 - `min` and `max` take constants.
-- Not in the subset, and reported as such: functions other than `sqr` and one's own, `pi`, interval constants, matrices,
-  the sections `Parameters` and `Minimize`, loops in functions, constraints in parentheses.
+- With elementary functions: `exp`, `ln` (also `log`), `sqrt`, `abs`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`,
+  `sinh`, `cosh`, `tanh`, `pi`; `/` divides by what is no constant; `x^(1/3)` and `x^-2` are powers, and \f$x^y\f$ is
+  \f$e^{y \ln x}\f$. Numbers such as `2*pi` are enclosed, and as ends of domains they are rounded outwards. A point
+  where a part of the formula is not defined is no solution.
+- Not in the subset, and reported as such: other functions than these, `sqr` and one's own, interval constants,
+  matrices, the sections `Parameters` and `Minimize`, loops in functions, constraints in parentheses.
 
 Expressions are expanded; the time this takes is bounded by a constant (some seconds) plus a multiple of the length of
 the file.
 
 \param in the file's content.
 \param file_name how errors call the file.
+\param subset what is read of the language.
 \throws Parse_error with line, column and the offending text, when the content is not such a system or the limits of
 `Power_polynomial` are exceeded;
         also when the stream fails.
 */
-Minibex_system read_minibex(std::istream& in, const std::string& file_name);
+Minibex_system read_minibex(std::istream& in, const std::string& file_name,
+                            Minibex_subset subset = Minibex_subset::POLYNOMIAL);
 
 /*!
 \ingroup PkgSplineConstraintsDIO
 
 reads the file of the given path.
+\param path where it is.
+\param subset what is read of the language.
 \throws Parse_error as above, and when the file cannot be opened.
 */
-Minibex_system read_minibex(const std::string& path);
+Minibex_system read_minibex(const std::string& path, Minibex_subset subset = Minibex_subset::POLYNOMIAL);
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(std::istream& in, const std::string& file_name)
+CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(std::istream& in, const std::string& file_name,
+                                                           Minibex_subset subset)
 {
   const internal::Text_source source = internal::Text_source::read(in, file_name);
-  return internal::Minibex_parser(source.content(), file_name).system();
+  return internal::Minibex_parser(source.content(), file_name, subset).system();
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(const std::string& path)
+CGAL_SPLINE_CONSTRAINTS_INLINE Minibex_system read_minibex(const std::string& path, Minibex_subset subset)
 {
   const internal::Text_source source = internal::Text_source::read(path);
-  return internal::Minibex_parser(source.content(), path).system();
+  return internal::Minibex_parser(source.content(), path, subset).system();
 }
 #endif
 

@@ -93,7 +93,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void write_minibex(std::ostream& out, const Minib
   for (const Minibex_constraint& constraint : system.constraints) {
     if (constraint.relation == Relation::NOT_EQUAL)
       throw Invalid_input("write_minibex: the relation != cannot be written");
-    text += "  " + constraint.function.to_string(system.names) + ' ' + symbol(constraint.relation) + " 0;\n";
+    text += "  " + system.values.text(constraint.function, system.names) + ' ' + symbol(constraint.relation) + " 0;\n";
   }
   out << text << "end\n";
 }

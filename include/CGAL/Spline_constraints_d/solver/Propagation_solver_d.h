@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
 
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
@@ -31,7 +32,7 @@ namespace internal {
 Solution_set_d<double>
 solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                             const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
-                            const Solver_options& options);
+                            const Solver_options& options, const Elementary_values& values);
 
 // Defined in propagation/solutions_of_polynomials.h.
 Solution_set_d<double>
@@ -81,7 +82,29 @@ public:
   Solution_set_d<double> operator()(const std::vector<Constraint_system_d::Domain>& domain,
                                     const std::vector<std::pair<Power_polynomial, Relation>>& constraints) const
   {
-    return internal::solution_set_by_propagation(domain, constraints, m_options);
+    return internal::solution_set_by_propagation(domain, constraints, m_options, Elementary_values());
+  }
+
+  /*!
+  all solutions of constraints with values of elementary functions. A point where one of the values is not defined is no
+  solution.
+
+  Exactness: functions and their derivatives are enclosed by MPFR with directed rounding, so solutions are certified as
+  those of polynomials are. There are no exact signs: multiple roots, roots on the boundary of the domain, of an
+  inequality, or of where a function is defined stay undecided, with a box and
+  `Undecided_reason::TOLERANCE`, unless they are rational and all values there are rational by the laws of the
+  functions, as \f$e^0 = 1\f$.
+  \param domain a range for each unknown.
+  \param constraints polynomials in unknowns and values, and how they compare with zero; as many equalities as unknowns.
+  \param values what the values are.
+  \throws Invalid_input when a range is empty or missing, a value is missing, or the numbers of equalities and unknowns
+  differ.
+  */
+  Solution_set_d<double> operator()(const std::vector<Constraint_system_d::Domain>& domain,
+                                    const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                                    const Elementary_values& values) const
+  {
+    return internal::solution_set_by_propagation(domain, constraints, m_options, values);
   }
 };
 

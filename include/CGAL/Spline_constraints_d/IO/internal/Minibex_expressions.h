@@ -10,15 +10,16 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_MINIBEX_EXPRESSIONS_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/Minibex_lexer.h>
+#include <CGAL/Spline_constraints_d/IO/internal/Minibex_tokens.h>
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_number.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_function.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
-#include <CGAL/Spline_constraints_d/function/internal/Expansion_budget.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -32,14 +33,13 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Expressions of Minibex, by recursive descent, one token ahead. They are expanded as they are read. What they may cost is
-bounded by a budget linear in the size of the file, the depth of recursion by `maximal_depth`. What is written once and
-meant several times, as the body of a loop, of a sum or of a function, is read again each time.
+Expressions of Minibex, by recursive descent. They are expanded as they are read. What is written once and meant several
+times, as the body of a loop, of a sum or of a function, is read again each time. Elementary functions are values of
+their arguments, where they are wanted.
 */
-class Minibex_expressions
+class Minibex_expressions : protected Minibex_tokens
 {
 protected:
-  static constexpr int maximal_depth = 200;
   static constexpr int largest_integer = 1'000'000;
 
   // A number, an unknown, or an array of these.
@@ -49,13 +49,6 @@ protected:
     std::vector<Power_polynomial> values = {};
   };
   using Symbols = std::unordered_map<std::string, Symbol>;
-
-  // Where reading goes on.
-  struct Place
-  {
-    Minibex_lexer lexer;
-    Minibex_token token;
-  };
 
   struct Parameter
   {
@@ -70,100 +63,18 @@ protected:
     std::size_t number;   // it may use those before it
   };
 
-  Minibex_lexer m_lexer;
-  Minibex_token m_token;   // the next one
-  Expansion_budget m_budget;
   Symbols m_constants, m_symbols;   // the latter are seen outside of functions, or in the present one
   std::unordered_map<std::string, Function> m_functions;
   std::size_t m_usable_functions = 0;
-  int m_depth = 0;
   std::string m_declared;   // the unknown whose declaration is being read
+  const bool m_has_functions;
+  Elementary_values m_values;
 
-  Minibex_expressions(std::string_view content, const std::string& file_name)
-    : m_lexer(content, file_name), m_token(m_lexer.next()),
-      m_budget(0x1p23 + 16.0 * static_cast<double>(content.size()))
+  Minibex_expressions(std::string_view content, const std::string& file_name, bool has_functions)
+    : Minibex_tokens(content, file_name), m_has_functions(has_functions)
   {}
 
-  // ---- tokens ----
-
-  [[noreturn]] void fail(const std::string& message) const { m_lexer.fail(m_token, message); }
-
-  Minibex_token advance() { return std::exchange(m_token, m_lexer.next()); }
-
-  bool skip(std::string_view symbol)
-  {
-    const bool found = m_token.is(symbol);
-    if (found)
-      advance();
-    return found;
-  }
-
-  void expect(std::string_view symbol)
-  {
-    if (!skip(symbol))
-      fail("expected '" + std::string(symbol) + "'");
-  }
-
-  bool is_at_in() const { return m_token.is_name() && m_token.text == "in"; }
-
-  Place place() const { return {m_lexer, m_token}; }
-
-  // Runs exact arithmetic; its limits and its division by zero become errors at the given token.
-  template <class Work>
-  auto at(const Minibex_token& token, const Work& work) const
-  {
-    try {
-      return work();
-    } catch (const Parse_error&) {
-      throw;
-    } catch (const Invalid_input& error) {
-      m_lexer.fail(token, error.what());
-    }
-  }
-
-  // To read something again costs as much as to expand terms of the same number.
-  void return_to(const Place& place)
-  {
-    const std::size_t distance = m_lexer.position() - (std::min)(m_lexer.position(), place.lexer.position());
-    at(m_token, [&] { m_budget.spend(16.0 + static_cast<double>(distance)); });
-    m_lexer = place.lexer;
-    m_token = place.token;
-  }
-
-  void go_deeper()
-  {
-    if (++m_depth > maximal_depth)
-      fail("parentheses nested more than " + std::to_string(maximal_depth) + " deep");
-  }
-
   // ---- names ----
-
-  bool is_at_section() const
-  {
-    for (std::string_view word : {"constants", "variables", "parameters", "function", "minimize", "constraints"})
-      if (m_token.is_keyword(word))
-        return true;
-    return false;
-  }
-
-  static bool is_function_of_minibex(std::string_view name)
-  {
-    static constexpr std::array<std::string_view, 24> functions{
-        "diff", "max",  "min",  "atan2", "sign", "abs",  "exp",   "ln",    "sqrt",  "cos",   "sin",  "tan",
-        "acos", "asin", "atan", "cosh",  "sinh", "tanh", "acosh", "asinh", "atanh", "floor", "ceil", "chi"};
-    return std::find(functions.begin(), functions.end(), name) != functions.end();
-  }
-
-  bool is_reserved(const Minibex_token& token) const
-  {
-    for (std::string_view word : {"begin", "end", "for", "return"})
-      if (token.is_keyword(word))
-        return true;
-    for (std::string_view word : {"in", "inf", "mid", "sup", "sum", "integer", "pi", "oo"})
-      if (token.text == word)
-        return true;
-    return is_function_of_minibex(token.text) || is_at_section();
-  }
 
   Minibex_token parse_new_name()
   {
@@ -214,8 +125,11 @@ protected:
       if (is_division && (begin.is("-") || begin.is("+")))
         refuse_after_sign(begin);
       at(operation, [&] {
-        if (is_division)
+        if (is_division && (factor.is_constant() || !m_has_functions))
           product.divide(factor, m_budget);
+        else if (is_division)
+          product = Power_polynomial::product(product, value_of(factor, [&] { return m_values.reciprocal(factor); }),
+                                              m_budget);
         else
           product = Power_polynomial::product(product, factor, m_budget);
       });
@@ -248,30 +162,52 @@ protected:
     while (m_token.is("^")) {
       const Minibex_token operation = advance();
       const Minibex_token begin = m_token;
-      int exponent = parse_exponent();
-      at(operation, [&] {
-        if (exponent < 0) {
-          if (!result.is_constant())
-            throw Invalid_input("a negative exponent on a base that is not a constant");
-          result = Power_polynomial(1).divide(result, m_budget);
-          exponent = -exponent;
-        }
-        result = Power_polynomial::power(result, exponent, m_budget);
-      });
+      const Power_polynomial exponent = parse_exponent();
+      at(operation, [&] { result = power_of(result, exponent, begin); });
       if (begin.is("-") || begin.is("+"))
         refuse_after_sign(begin);
     }
     return result;
   }
 
-  int parse_exponent()
+  Power_polynomial parse_exponent()
   {
     const Minibex_token begin = m_token;
     bool is_negative = false;
     while (m_token.is("-") || m_token.is("+"))
       is_negative ^= advance().is("-");
-    const int size = integer_value(begin, parse_operand(), -largest_integer, largest_integer, "exponent");
-    return is_negative ? -size : size;
+    Power_polynomial exponent = parse_operand();
+    if (!m_has_functions)
+      integer_value(begin, exponent, -largest_integer, largest_integer, "exponent");
+    return is_negative ? -std::move(exponent) : exponent;
+  }
+
+  // Integers first; what is no constant is carried over by the logarithm.
+  Power_polynomial power_of(const Power_polynomial& base, const Power_polynomial& exponent, const Minibex_token& begin)
+  {
+    if (!exponent.is_constant())
+      return value_of(base, [&] {
+        const Power_polynomial logarithm = m_values.value(Elementary_function::LOGARITHM, base);
+        return m_values.value(Elementary_function::EXPONENTIAL,
+                              Power_polynomial::product(exponent, logarithm, m_budget));
+      });
+    const Exact_rational number = exponent.constant_term();
+    if (denominator_of(number) != 1)
+      return value_of(base, [&] { return m_values.power(base, number); });
+    const int count = integer_value(begin, exponent, -largest_integer, largest_integer, "exponent");
+    if (count >= 0)
+      return Power_polynomial::power(base, count, m_budget);
+    if (!base.is_constant() && !m_has_functions)
+      throw Invalid_input("a negative exponent on a base that is not a constant");
+    return Power_polynomial::power(value_of(base, [&] { return m_values.reciprocal(base); }), -count, m_budget);
+  }
+
+  // To make a value costs as much as to write its argument.
+  template <class Make>
+  Power_polynomial value_of(const Power_polynomial& argument, const Make& make)
+  {
+    m_budget.spend(64.0 * (1.0 + static_cast<double>(argument.terms().size())));
+    return make();
   }
 
   Power_polynomial parse_operand()
@@ -342,9 +278,23 @@ protected:
       return parse_call(position->second);
     if (name == "oo")
       fail(m_declared.empty() ? "infinity is not a number" : "the domain of '" + m_declared + "' must be finite");
-    if (name == "pi" || is_function_of_minibex(name))
-      fail("'" + name + "' is not in the polynomial subset of Minibex");
+    const auto function = elementary_function_of_name(name);
+    if (m_has_functions && (name == "pi" || function))
+      return parse_value(function);
+    if (name == "pi" || function || is_function_of_minibex(name))
+      fail("'" + name + "' is not in the " + (m_has_functions ? "" : "polynomial ") + "subset of Minibex");
     fail(is_reserved(m_token) ? "expected a number, a name or '('" : "unknown name");
+  }
+
+  // A function of what follows in parentheses; without one, pi.
+  Power_polynomial parse_value(const std::optional<Elementary_function>& function)
+  {
+    const Minibex_token name = advance();
+    if (!function)
+      return 4 * m_values.value(Elementary_function::ARC_TANGENT, Power_polynomial(1));
+    expect("(");
+    const Power_polynomial argument = parse_parenthesis();
+    return at(name, [&] { return value_of(argument, [&] { return m_values.value(*function, argument); }); });
   }
 
   // ---- what is read several times ----

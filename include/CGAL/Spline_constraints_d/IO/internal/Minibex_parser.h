@@ -11,7 +11,14 @@
 
 #include <CGAL/Spline_constraints_d/IO/Minibex_system.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Minibex_expressions.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/numbers.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,7 +38,9 @@ class Minibex_parser : Minibex_expressions
   Minibex_system m_system;
 
 public:
-  Minibex_parser(std::string_view content, const std::string& file_name) : Minibex_expressions(content, file_name) {}
+  Minibex_parser(std::string_view content, const std::string& file_name, Minibex_subset subset)
+    : Minibex_expressions(content, file_name, subset == Minibex_subset::ELEMENTARY)
+  {}
 
   Minibex_system system()
   {
@@ -49,10 +58,23 @@ public:
     parse_constraints();
     if (m_token.kind != Minibex_token::Kind::END_OF_FILE)
       fail("expected nothing after 'end'");
+    if (needs_values())
+      m_system.values = std::move(m_values);
     return std::move(m_system);
   }
 
 private:
+  // Numbers may have served for domains alone.
+  bool needs_values() const
+  {
+    const auto has = [](const Power_polynomial& polynomial, bool is_value) {
+      return std::ranges::any_of(polynomial.variables(),
+                                 [&](int j) { return (j >= Elementary_values::first_index) == is_value; });
+    };
+    return std::ranges::any_of(m_system.constraints, [&](const auto& c) { return has(c.function, true); }) ||
+        std::ranges::any_of(m_values.all(), [&](const auto& value) { return has(value.argument, false); });
+  }
+
   void refuse_other_sections() const
   {
     for (std::string_view section : {"constants", "parameters", "minimize"})
@@ -93,6 +115,8 @@ private:
   Power_polynomial parse_number(const std::string& name)
   {
     const Minibex_token begin = m_token;
+    if (!begin.is("["))
+      return m_has_functions ? parse_sum() : parse_constant();
     const auto [lower, upper] = parse_interval();
     if (lower != upper)
       m_lexer.fail(begin, "constant '" + name + "' is an interval; only numbers are supported");
@@ -221,21 +245,34 @@ private:
                               parse_interval());
   }
 
-  // [a,b], or a number.
+  // [a,b], or a number. Ends that are not rational are rounded outwards.
   std::pair<Exact_rational, Exact_rational> parse_interval()
   {
     const Minibex_token begin = m_token;
-    if (!skip("[")) {
-      const Exact_rational value = parse_constant().constant_term();
-      return {value, value};
-    }
-    Exact_rational lower = parse_constant().constant_term();
+    if (!skip("["))
+      return parse_bounds();
+    Exact_rational lower = parse_bounds().first;
     expect(",");
-    Exact_rational upper = parse_constant().constant_term();
+    Exact_rational upper = parse_bounds().second;
     expect("]");
     if (upper < lower)
       m_lexer.fail(begin, m_declared.empty() ? "empty interval" : "the domain of '" + m_declared + "' is empty");
     return {std::move(lower), std::move(upper)};
+  }
+
+  // Numbers below and above a constant.
+  std::pair<Exact_rational, Exact_rational> parse_bounds()
+  {
+    const Minibex_token begin = m_token;
+    const Power_polynomial value = m_has_functions ? parse_sum() : parse_constant();
+    if (value.is_constant())
+      return {value.constant_term(), value.constant_term()};
+    const Upward_rounding_guard guard;
+    at(begin, [&] { m_budget.spend(256.0 * static_cast<double>(m_values.all().size())); });
+    const auto range = elementary::number_of(value, elementary::numbers_among(m_values.all()));
+    if (!range || !std::isfinite(range->inf()) || !std::isfinite(range->sup()))
+      m_lexer.fail(begin, "expected a constant");
+    return {Exact_rational(range->inf()), Exact_rational(range->sup())};
   }
 
   // ---- constraints ----

@@ -9,6 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_AFFINE_ENCLOSURES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_AFFINE_ENCLOSURES_H
 
+#include <CGAL/Spline_constraints_d/function/internal/elementary/point_values.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
@@ -40,6 +42,12 @@ class Affine_enclosures
     Interval slope, rest;
   };
 
+  // A function of an unknown: at the centre, the slope and the rest for the box, and the derivative on it.
+  struct Function_enclosure
+  {
+    Interval value, slope, rest, derivative;
+  };
+
   const Sparse_system& m_system;
   std::vector<double> m_centre;
   std::vector<Interval> m_offset;                    // of the box from the centre
@@ -51,6 +59,10 @@ class Affine_enclosures
   std::vector<char> m_has_monomial, m_has_unknown, m_has_powers;
   std::vector<int> m_monomials, m_unknowns; // that occur in the sum
   std::vector<int> m_with_powers;
+  std::vector<Function_enclosure> m_functions;
+  std::vector<Interval> m_function_sums;
+  std::vector<char> m_has_function;
+  std::vector<int> m_with_functions;
   Interval m_constant, m_rest;
   Univariate_interval_polynomial m_polynomial;
 
@@ -101,6 +113,7 @@ private:
   void add_multiple(int constraint, double factor);
   void enclose_affinely();
   void enclose_powers(int unknown);
+  void enclose_function(int function, const Box_of_ranges& box);
   void enclose_derivatives(const Box_of_ranges& box);
 
   void add_slope(int unknown, const Interval& slope)
@@ -119,7 +132,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Affine_enclosures::Affine_enclosures(const Sparse
   : m_system(system), m_centre(system.dimension()), m_offset(system.dimension()), m_values(system.monomials()),
     m_rests(system.monomials()), m_slopes(system.factors()), m_monomial_sums(system.monomials()),
     m_linear(system.dimension()), m_has_monomial(system.monomials(), 0), m_has_unknown(system.dimension(), 0),
-    m_has_powers(system.dimension(), 0)
+    m_has_powers(system.dimension(), 0), m_functions(system.functions()), m_function_sums(system.functions()),
+    m_has_function(system.functions(), 0)
 {
   std::size_t powers = 0;
   for (int j = 0; j < system.dimension(); ++j) {
@@ -139,6 +153,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::set_box(const Box_of_rang
     m_offset[j] = box[j] - Interval(m_centre[j]);
     enclose_powers(j);
   }
+  for (int k = 0; k < m_system.functions(); ++k)
+    enclose_function(k, box);
   for (std::size_t k = 0; k < m_values.size(); ++k) {
     const std::size_t first = m_system.first_factor(static_cast<int>(k));
     for (std::size_t f = first; f < m_system.last_factor(static_cast<int>(k)); ++f) {
@@ -175,9 +191,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::form_sum(std::span<const 
     m_has_unknown[j] = 0;
   for (const int j : m_with_powers)
     m_has_powers[j] = 0;
+  for (const int k : m_with_functions)
+    m_has_function[k] = 0;
   m_monomials.clear();
   m_unknowns.clear();
   m_with_powers.clear();
+  m_with_functions.clear();
   m_constant = Interval(0);
   if (single >= 0)
     add_multiple(single, 1);
@@ -199,6 +218,15 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::add_multiple(int constrai
     }
     for (std::size_t e = 0; e < coefficients.size(); ++e)
       sums[e] += multiplier * coefficients[e];
+  }
+  for (const auto& part : m_system.elementary_parts(constraint)) {
+    const Interval multiple = multiplier * part.coefficient;
+    if (m_has_function[part.function] == 0) {
+      m_has_function[part.function] = 1;
+      m_with_functions.push_back(part.function);
+      m_function_sums[part.function] = multiple;
+    } else
+      m_function_sums[part.function] += multiple;
   }
   for (const auto& term : m_system.terms(constraint)) {
     const Interval multiple = multiplier * term.coefficient;
@@ -241,6 +269,58 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_affinely()
     for (std::size_t f = m_system.first_factor(k); f < m_system.last_factor(k); ++f)
       add_slope(m_system.factor(f).unknown, sum * m_slopes[f]);
   }
+  for (const int k : m_with_functions) {
+    const Interval& sum = m_function_sums[k];
+    m_constant += sum * m_functions[k].value;
+    m_rest += sum * m_functions[k].rest;
+    add_slope(m_system.function(k).unknown, sum * m_functions[k].slope);
+  }
+}
+
+/*
+A function of u on a range with the centre c differs from f(c) + s (u - c) by h(u). Where f is convex, h is largest at
+an end, and at least (f'(c) - s)(u - c); concave functions are the same upside down. Elsewhere the derivative bounds h,
+or the values do when s = 0.
+*/
+CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_function(int function, const Box_of_ranges& box)
+{
+  const Elementary_term& symbol = m_system.function(function);
+  const elementary::Operation& operation = symbol.operation;
+  Function_enclosure& enclosure = m_functions[function];
+  Interval argument = symbol.argument(box);
+  const Interval centre = symbol.scale * Interval(m_centre[symbol.unknown]) + symbol.shift;
+  enclosure = {elementary::entire_line(), Interval(0), Interval(0), elementary::entire_line()};
+  if (!is_finite(argument) || !elementary::is_in_domain(operation, centre))
+    return;
+  enclosure.value = elementary::range_of_values(operation, centre);
+  const Interval values = elementary::range_of_values(operation, argument), offset = argument - centre;
+  const Interval derivative = elementary::range_of_derivative(operation, argument, values);
+  enclosure.derivative = symbol.scale * derivative;
+  enclosure.rest = values - enclosure.value;
+  if (!is_finite(derivative) || width(argument) == 0)
+    return;
+  const auto use = [&](const Interval& slope, const Interval& rest) {
+    if (width(rest) < width(enclosure.rest)) {
+      enclosure.slope = symbol.scale * slope;
+      enclosure.rest = rest;
+    }
+  };
+  if (const int sign = elementary::convexity(operation, argument, values); sign != 0) {
+    const Interval lower = elementary::value_at(operation, argument.inf()) - enclosure.value;
+    const Interval upper = elementary::value_at(operation, argument.sup()) - enclosure.value;
+    const Interval secant = (upper - lower) / (Interval(argument.sup()) - Interval(argument.inf()));
+    if (!is_finite(secant))
+      return;
+    const Interval slope(middle(secant));
+    const Interval at_lower = lower - slope * (Interval(argument.inf()) - centre);
+    const Interval at_upper = upper - slope * (Interval(argument.sup()) - centre);
+    const Interval tangent = elementary::range_of_derivative(operation, centre, enclosure.value) - slope;
+    const double below = (elementary::point(magnitude(tangent)) * elementary::point(magnitude(offset))).sup();
+    use(slope,
+        sign > 0 ? Interval(-below, (std::max)(at_lower.sup(), at_upper.sup()))
+                 : Interval((std::min)(at_lower.inf(), at_upper.inf()), below));
+  } else
+    use(Interval(middle(derivative)), (derivative - Interval(middle(derivative))) * offset);
 }
 
 // Of the powers of an offset from zero: the third one differs least from a linear function with this slope.
@@ -280,6 +360,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_derivatives(const
                 m_monomial_sums[k] * m_system.product(k, box, f) * Interval(exponent) *
                     power(box[unknown], exponent - 1));
     }
+  }
+  for (const int k : m_with_functions) {
+    m_constant += m_function_sums[k] * m_functions[k].value;
+    add_slope(m_system.function(k).unknown, m_function_sums[k] * m_functions[k].derivative);
   }
 }
 #endif

@@ -9,11 +9,15 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_CONSTRAINT_PROPAGATION_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_CONSTRAINT_PROPAGATION_H
 
+#include <CGAL/Spline_constraints_d/function/internal/elementary/inverse_ranges.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/point_values.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -24,7 +28,7 @@ namespace internal {
 Narrows boxes by one constraint and one unknown after the other: seen as a polynomial in this unknown, with the others
 in their ranges, it has no zeros where they are cut off. What has narrowed much wakes the other constraints with the
 same unknown (propagation to a hull of Benhamou, Goualard, Granvilliers and Puget). A pass over a constraint takes time
-in proportion to its terms.
+in proportion to its terms. Of an elementary function, what is left for its values is carried back to the unknown.
 */
 class Constraint_propagation
 {
@@ -32,13 +36,18 @@ class Constraint_propagation
   std::vector<char> m_is_awake;
   std::vector<int> m_queue;
   std::vector<Interval> m_values, m_term_values; // of the univariate parts, and of the terms, of the constraint in hand
+  std::vector<Interval> m_elementary_values;     // of the elementary parts of the constraint in hand
+  std::vector<Interval> m_arguments, m_function_values; // as they were last asked for
   Univariate_interval_polynomial m_polynomial;
 
   static constexpr double woken_by = 0.9;   // when so much of a width is left
   static constexpr std::size_t passes = 20; // over each constraint, on the mean: the rest is left to splits
 
 public:
-  explicit Constraint_propagation(const Sparse_system& system) : m_system(system), m_is_awake(system.constraints(), 0)
+  explicit Constraint_propagation(const Sparse_system& system)
+    : m_system(system), m_is_awake(system.constraints(), 0),
+      m_arguments(system.functions(), elementary::point(std::numeric_limits<double>::infinity())),
+      m_function_values(system.functions())
   {}
 
   void wake_all()
@@ -88,12 +97,148 @@ private:
     return term.coefficient * m_system.product(term.monomial, box);
   }
 
+  Interval elementary_value(const Sparse_system::Elementary_part& part, const Box_of_ranges& box);
+  void wake_others(int unknown, int constraint)
+  {
+    for (const int other : m_system.constraints_of(unknown))
+      if (other != constraint)
+        wake(other);
+  }
+
   bool narrow_by(int constraint, Box_of_ranges& box);
+  bool narrow_by_elementary_parts(int constraint, Interval total, Box_of_ranges& box);
+  bool narrow_unbounded(int constraint, Box_of_ranges& box);
+  bool is_bounded(int constraint, const Box_of_ranges& box);
+  bool narrow_argument(const Sparse_system::Elementary_part& part, const Interval& values, int constraint,
+                       Box_of_ranges& box);
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Interval
+Constraint_propagation::elementary_value(const Sparse_system::Elementary_part& part, const Box_of_ranges& box)
+{
+  const Elementary_term& function = m_system.function(part.function);
+  const Interval argument = function.argument(box);
+  Interval& known_argument = m_arguments[part.function];
+  if (!(argument.inf() == known_argument.inf() && argument.sup() == known_argument.sup())) {
+    m_function_values[part.function] = elementary::range_of_values(function.operation, argument);
+    known_argument = argument;
+  }
+  return part.coefficient * m_function_values[part.function];
+}
+
+// Narrows the unknown of a function to where it is defined and has some of the values.
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_argument(const Sparse_system::Elementary_part& part,
+                                                                            const Interval& values, int constraint,
+                                                                            Box_of_ranges& box)
+{
+  const Elementary_term& function = m_system.function(part.function);
+  Interval& range = box[function.unknown];
+  Interval argument = function.argument(box);
+  if (!elementary::narrow_argument(function.operation, values, argument))
+    return false;
+  const Interval solved = (argument - function.shift) / function.scale;
+  if (solved.inf() > range.sup() || solved.sup() < range.inf())
+    return false;
+  const Interval narrowed = common_part(solved, range);
+  if (!(width(narrowed) < width(range) ||
+        (!is_finite(range) && (narrowed.inf() > range.inf() || narrowed.sup() < range.sup()))))
+    return true;
+  const bool has_narrowed_much = !is_finite(range) || width(narrowed) < woken_by * width(range);
+  range = narrowed;
+  if (has_narrowed_much)
+    wake_others(function.unknown, constraint);
+  return true;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by_elementary_parts(int constraint, Interval total,
+                                                                                       Box_of_ranges& box)
+{
+  const auto parts = m_system.elementary_parts(constraint);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Interval rest = without_summand(total, m_elementary_values[k]);
+    if (!narrow_argument(parts[k], -rest / parts[k].coefficient, constraint, box))
+      return false;
+    total = rest + (m_elementary_values[k] = elementary_value(parts[k], box));
+  }
+  return true;
+}
+
+// Sums of infinite ranges say nothing of their summands.
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::is_bounded(int constraint, const Box_of_ranges& box)
+{
+  for (const auto& part : m_system.elementary_parts(constraint))
+    if (!is_finite(elementary_value(part, box)) || !is_finite(box[m_system.function(part.function).unknown]))
+      return false;
+  for (const auto& occurrence : m_system.occurrences(constraint))
+    if (!is_finite(box[occurrence.unknown]))
+      return false;
+  return true;
+}
+
+/*
+If one summand alone is not finite, the others say what it is: this bounds an unknown that it is linear in, with a
+factor that is not zero, or the argument of a function.
+*/
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_unbounded(int constraint, Box_of_ranges& box)
+{
+  Interval others = m_system.constant(constraint) + m_system.slack(constraint), factor(1);
+  const Sparse_system::Elementary_part* function = nullptr;
+  int unknown = -1, count = 0;
+  for (const auto& part : m_system.elementary_parts(constraint))
+    if (const Interval value = elementary_value(part, box); is_finite(value))
+      others += value;
+    else {
+      ++count;
+      function = &part;
+    }
+  for (const auto& part : m_system.parts(constraint))
+    if (is_finite(box[part.unknown]))
+      others += part_value(part, box);
+    else {
+      ++count;
+      unknown = part.degree == 1 ? part.unknown : -1;
+      factor = m_system.coefficients(part)[0];
+    }
+  for (const auto& term : m_system.terms(constraint)) {
+    Interval product = term.coefficient;
+    int unbounded = -1, factors = 0;
+    for (std::size_t f = m_system.first_factor(term.monomial); f < m_system.last_factor(term.monomial); ++f)
+      if (const auto [own, exponent] = m_system.factor(f); is_finite(box[own]))
+        product *= power(box[own], exponent);
+      else {
+        unbounded = exponent == 1 ? own : -1;
+        ++factors;
+      }
+    if (factors == 0)
+      others += product;
+    else {
+      ++count;
+      unknown = factors == 1 ? unbounded : -1;
+      factor = product;
+    }
+  }
+  for (const auto& part : m_system.elementary_parts(constraint))
+    if (!narrow_argument(part,
+                         count == 1 && function == &part && is_finite(others) ? -others / part.coefficient
+                                                                              : elementary::entire_line(),
+                         constraint, box))
+      return false;
+  if (count != 1 || unknown < 0 || !is_finite(others) || !is_finite(factor) || has_zero(factor))
+    return true;
+  const Interval solved = -others / factor;
+  if (solved.inf() > box[unknown].sup() || solved.sup() < box[unknown].inf())
+    return false;
+  box[unknown] = common_part(solved, box[unknown]);
+  wake_others(unknown, constraint);
+  return true;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by(int constraint, Box_of_ranges& box)
 {
+  const auto elementary_parts = m_system.elementary_parts(constraint);
+  if (!m_system.is_polynomial() && !is_bounded(constraint, box))
+    return narrow_unbounded(constraint, box);
   const auto parts = m_system.parts(constraint);
   const auto terms = m_system.terms(constraint);
   Interval total = m_system.constant(constraint) + m_system.slack(constraint);
@@ -103,6 +248,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by(int constr
     total += m_values.emplace_back(part_value(part, box));
   for (const auto& term : terms)
     total += m_term_values.emplace_back(term_value(term, box));
+  m_elementary_values.clear();
+  for (const auto& part : elementary_parts)
+    total += m_elementary_values.emplace_back(elementary_value(part, box));
   if (total.inf() > 0 || total.sup() < 0)
     return false;
   for (const auto& occurrence : m_system.occurrences(constraint)) {
@@ -129,11 +277,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_by(int constr
     for (const auto& place : m_system.places(occurrence))
       total += m_term_values[place.term] = term_value(terms[place.term], box);
     if (has_narrowed_much)
-      for (const int other : m_system.constraints_of(occurrence.unknown))
-        if (other != constraint)
-          wake(other);
+      wake_others(occurrence.unknown, constraint);
   }
-  return true;
+  return narrow_by_elementary_parts(constraint, total, box);
 }
 #endif
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_SEARCH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_SEARCH_H
 
+#include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
@@ -52,7 +53,8 @@ class Propagation_search
   std::vector<Interval> m_waiting_boxes;
   std::vector<Waiting> m_waiting;
   Box_of_ranges m_box, m_before;
-  std::vector<double> m_rating, m_smear;
+  std::vector<double> m_rating;
+  std::vector<std::pair<int, double>> m_smear; // of the unknowns of the constraint in hand
   double m_tolerance;
   std::vector<Proved_root> m_roots;
   std::vector<Box_of_ranges> m_undecided, m_rest;
@@ -142,6 +144,7 @@ private:
   void split(int depth);
   int unknown_to_split();
   void rate_unknowns();
+  void share_rating(double rating, int constraint, int but);
 
   // Wide beside the tolerance, and with a double inside.
   bool may_be_split(const Interval& range) const
@@ -149,9 +152,16 @@ private:
     return width(range) >= m_tolerance * (std::max)(1.0, magnitude(range)) && range.inf() < middle(range) &&
         middle(range) < range.sup();
   }
+  // Those that are not defined by others.
+  int unknowns_to_split() const { return m_system.dimension() - m_system.defined(); }
   bool is_at_tolerance() const
   {
-    return std::none_of(m_box.begin(), m_box.end(), [&](const Interval& range) { return may_be_split(range); });
+    return std::none_of(m_box.begin(), m_box.begin() + unknowns_to_split(),
+                        [&](const Interval& range) { return may_be_split(range); });
+  }
+  bool is_bounded() const
+  {
+    return std::all_of(m_box.begin(), m_box.end(), [](const Interval& range) { return is_finite(range); });
   }
   void leave_undecided()
   {
@@ -187,6 +197,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_search::Verdict Propagation_search::n
     m_propagation.wake_constraints_of(node.split_unknown);
   if (!m_propagation.narrow(m_box))
     return Verdict::EMPTY;
+  if (!m_system.is_polynomial() && !is_bounded())
+    return Verdict::OPEN;
   for (int round = 0; round < most_rounds; ++round) {
     if (!m_rows.eliminate(m_box))
       return Verdict::OPEN;
@@ -215,6 +227,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_search::Verdict Propagation_search::n
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Propagation_search::finds_root()
 {
+  if (!m_system.is_polynomial() && !is_bounded())
+    return false;
   const auto root = m_krawczyk_test(m_box);
   if (!root)
     return false;
@@ -241,12 +255,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Propagation_search::unknown_to_split()
   rate_unknowns();
   const auto ignorance = [&](int j) { return magnitude(m_box[j]) > 0 ? width(m_box[j]) / magnitude(m_box[j]) : 0; };
   double largest = 0;
-  for (int j = 0; j < m_system.dimension(); ++j)
+  for (int j = 0; j < unknowns_to_split(); ++j)
     if (may_be_split(m_box[j]))
       largest = (std::max)(largest, ignorance(j));
   int result = -1;
   double best = -1;
-  for (int j = 0; j < m_system.dimension(); ++j)
+  for (int j = 0; j < unknowns_to_split(); ++j)
     if (may_be_split(m_box[j]) && ignorance(j) >= well_known * largest)
       if (const double rating = m_rating[j] * std::sqrt(std::sqrt(ignorance(j))); result < 0 || rating > best) {
         result = j;
@@ -255,23 +269,49 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Propagation_search::unknown_to_split()
   return result;
 }
 
-// By the sum over the constraints of its share in their variation (the smear of Kearfott).
+// By the sum over the constraints of its share in their variation (the smear of Kearfott). What defined unknowns have
+// is shared by those that define them.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::rate_unknowns()
 {
   m_rating.assign(m_system.dimension(), 0);
-  for (int i = 0; i < m_system.constraints(); ++i) {
-    const auto occurrences = m_system.occurrences(i);
-    m_smear.clear();
-    double sum = 0;
-    for (const auto& occurrence : occurrences) {
-      m_system.set_polynomial_in(occurrence, i, m_box, m_polynomial);
-      const Interval slope = m_polynomial.range_of_derivative(m_box[occurrence.unknown]);
-      sum += m_smear.emplace_back(magnitude(slope) * width(m_box[occurrence.unknown]));
+  for (int i = 0; i < m_system.constraints(); ++i)
+    share_rating(1, i, -1);
+  for (int j = m_system.dimension() - 1; j >= unknowns_to_split(); --j)
+    share_rating(m_rating[j], m_system.definition(j), j);
+}
+
+// Adds to the ratings of the unknowns of a constraint, but one.
+CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::share_rating(double rating, int constraint, int but)
+{
+  m_smear.clear();
+  double sum = 0;
+  const auto add = [&](int unknown, const Interval& slope) {
+    const double smear = unknown == but ? 0 : magnitude(slope) * width(m_box[unknown]);
+    m_smear.emplace_back(unknown, smear);
+    sum += smear;
+  };
+  for (const auto& occurrence : m_system.occurrences(constraint)) {
+    if (!is_finite(m_box[occurrence.unknown])) {
+      add(occurrence.unknown, Interval(1));
+      continue;
     }
-    if (sum > 0 && std::isfinite(sum))
-      for (std::size_t k = 0; k < occurrences.size(); ++k)
-        m_rating[occurrences[k].unknown] += m_smear[k] / sum;
+    m_system.set_polynomial_in(occurrence, constraint, m_box, m_polynomial);
+    add(occurrence.unknown, m_polynomial.range_of_derivative(m_box[occurrence.unknown]));
   }
+  for (const auto& part : m_system.elementary_parts(constraint)) {
+    const Elementary_term& function = m_system.function(part.function);
+    const Interval argument = function.argument(m_box);
+    add(function.unknown,
+        part.coefficient * function.scale *
+            elementary::range_of_derivative(function.operation, argument,
+                                            elementary::range_of_values(function.operation, argument)));
+  }
+  if (sum > 0 && std::isfinite(sum))
+    for (const auto& [unknown, smear] : m_smear)
+      m_rating[unknown] += rating * smear / sum;
+  else if (!m_system.is_polynomial()) // near poles
+    for (const auto& [unknown, smear] : m_smear)
+      m_rating[unknown] += std::isfinite(smear) ? 0 : rating;
 }
 #endif
 

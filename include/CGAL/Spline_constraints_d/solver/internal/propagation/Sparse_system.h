@@ -11,6 +11,9 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/numbers.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/point_values.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
@@ -38,9 +41,27 @@ inline void extend(Box_of_ranges& box, const Box_of_ranges& by)
     box[j] = Interval((std::min)(box[j].inf(), by[j].inf()), (std::max)(box[j].sup(), by[j].sup()));
 }
 
+// A function of scale times an unknown plus shift.
+struct Elementary_term
+{
+  elementary::Operation operation;
+  int unknown = 0;
+  Interval scale = Interval(1), shift = Interval(0);
+
+  Interval argument(const Box_of_ranges& box) const { return scale * box[unknown] + shift; }
+};
+// By the indices that they have in polynomials: numbers anywhere, functions as terms of their own.
+struct Elementary_terms
+{
+  elementary::Numbers numbers;
+  std::map<int, Elementary_term> functions;
+};
+
 /*
 Constraints as sums of monomials, laid out for passes over them: of each constraint the parts in one unknown alone,
-which are bounded as polynomials in it, and the other terms, whose monomials are shared by all constraints.
+which are bounded as polynomials in it, multiples of elementary functions of an unknown, and the other terms, whose
+monomials are shared by all constraints. The last unknowns may be defined by the last constraints, each by one, as what
+the constraint is without them and in terms of unknowns before them.
 */
 class Sparse_system
 {
@@ -54,6 +75,12 @@ public:
   {
     int unknown, degree;
     std::size_t first_coefficient;
+  };
+  // A multiple of an elementary function.
+  struct Elementary_part
+  {
+    int function;
+    Interval coefficient;
   };
   struct Mixed_term
   {
@@ -73,23 +100,33 @@ public:
   };
 
 private:
-  int m_dimension;
+  int m_dimension, m_defined;
   std::vector<Interval> m_constants, m_slack, m_coefficients;
   std::vector<Univariate_part> m_parts;
   std::vector<Mixed_term> m_terms;
+  std::vector<Elementary_term> m_functions;
+  std::map<int, int> m_places_of_functions;
+  std::vector<Elementary_part> m_elementary_parts;
   std::vector<Factor> m_factors;
   std::vector<Occurrence> m_occurrences;
   std::vector<Place> m_places;
-  std::vector<std::size_t> m_first_part{0}, m_first_term{0}, m_first_factor{0}, m_first_occurrence{0};
+  std::vector<std::size_t> m_first_part{0}, m_first_term{0}, m_first_factor{0}, m_first_occurrence{0},
+      m_first_elementary_part{0};
   std::vector<std::vector<int>> m_constraints_of;
   std::vector<int> m_equalities, m_degrees;
 
 public:
   // Of polynomials that are compared with zero. `check()` may end the work by an exception.
   Sparse_system(int dimension, const std::vector<Polynomial_constraint>& constraints,
-                const std::function<void()>& check);
+                const std::function<void()>& check, const Elementary_terms& elementary_terms = {}, int defined = 0);
 
   int dimension() const { return m_dimension; }
+  // How many unknowns, the last ones, are defined.
+  int defined() const { return m_defined; }
+  // No functions and no unknowns that stand for them.
+  bool is_polynomial() const { return m_functions.empty() && m_defined == 0; }
+  // The constraint that defines one of them.
+  int definition(int unknown) const { return constraints() - dimension() + unknown; }
   int constraints() const { return static_cast<int>(m_constants.size()); }
   std::size_t monomials() const { return m_first_factor.size() - 1; }
   std::size_t factors() const { return m_factors.size(); }
@@ -106,6 +143,12 @@ public:
 
   std::span<const Univariate_part> parts(int constraint) const { return slice(m_parts, m_first_part, constraint); }
   std::span<const Mixed_term> terms(int constraint) const { return slice(m_terms, m_first_term, constraint); }
+  std::span<const Elementary_part> elementary_parts(int constraint) const
+  {
+    return slice(m_elementary_parts, m_first_elementary_part, constraint);
+  }
+  int functions() const { return static_cast<int>(m_functions.size()); }
+  const Elementary_term& function(int index) const { return m_functions[index]; }
   std::span<const Occurrence> occurrences(int constraint) const
   {
     return slice(m_occurrences, m_first_occurrence, constraint);
@@ -137,7 +180,7 @@ public:
     return result;
   }
 
-  // The values of the function of a constraint on a box.
+  // The values of the function of a constraint on a box; any where it is not certain to be defined.
   Interval value(int constraint, const Box_of_ranges& box) const;
 
   // A constraint as a polynomial in one of its unknowns, the others being in their ranges, but for its constant term.
@@ -163,19 +206,21 @@ private:
     return {all.data() + first[index], first[index + 1] - first[index]};
   }
 
-  void add(const Power_polynomial& polynomial, Relation relation, std::map<Monomial, int>& monomials);
+  void add(const Power_polynomial& polynomial, Relation relation, std::map<Monomial, int>& monomials,
+           const Elementary_terms& elementary_terms);
+  void add_elementary_part(int symbol, const Interval& coefficient, const Elementary_terms& elementary_terms);
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE
 Sparse_system::Sparse_system(int dimension, const std::vector<Polynomial_constraint>& constraints,
-                             const std::function<void()>& check)
-  : m_dimension(dimension), m_constraints_of(dimension), m_degrees(dimension, 0)
+                             const std::function<void()>& check, const Elementary_terms& elementary_terms, int defined)
+  : m_dimension(dimension), m_defined(defined), m_constraints_of(dimension), m_degrees(dimension, 0)
 {
   std::map<Monomial, int> monomials;
   for (const auto& [polynomial, relation] : constraints) {
     check();
-    add(polynomial, relation, monomials);
+    add(polynomial, relation, monomials, elementary_terms);
   }
 }
 
@@ -192,11 +237,28 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Interval Sparse_system::value(int constraint, con
   }
   for (const Mixed_term& term : terms(constraint))
     result += term.coefficient * product(term.monomial, box);
+  for (const Elementary_part& part : elementary_parts(constraint)) {
+    const Elementary_term& symbol = m_functions[part.function];
+    const Interval argument = symbol.argument(box);
+    if (!elementary::is_in_domain(symbol.operation, argument))
+      return elementary::entire_line();
+    result += part.coefficient * elementary::range_of_values(symbol.operation, argument);
+  }
   return result;
 }
 
+CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_system::add_elementary_part(int symbol, const Interval& coefficient,
+                                                                       const Elementary_terms& elementary_terms)
+{
+  const auto [place, is_new] = m_places_of_functions.try_emplace(symbol, functions());
+  if (is_new)
+    m_functions.push_back(elementary_terms.functions.at(symbol));
+  m_elementary_parts.push_back({place->second, coefficient});
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_system::add(const Power_polynomial& polynomial, Relation relation,
-                                                       std::map<Monomial, int>& monomials)
+                                                       std::map<Monomial, int>& monomials,
+                                                       const Elementary_terms& elementary_terms)
 {
   struct Own
   {
@@ -207,31 +269,44 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_system::add(const Power_polynomial& p
   const int constraint = constraints();
   std::map<int, Own> of_unknowns;
   Interval constant(0);
-  for (const auto& [monomial, coefficient] : polynomial.terms())
-    if (monomial.powers.empty())
-      constant = enclosure_of(coefficient);
-    else if (monomial.powers.size() == 1) {
+  const auto add_term = [&](const Monomial& monomial, const Interval& coefficient) {
+    if (monomial.powers.empty()) {
+      constant = coefficient;
+      return;
+    }
+    if (monomial.powers.size() == 1) {
       const auto [unknown, exponent] = monomial.powers.front();
+      if (unknown >= m_dimension) {
+        add_elementary_part(unknown, coefficient, elementary_terms);
+        return;
+      }
       Own& own = of_unknowns[unknown];
       if (static_cast<int>(own.coefficients.size()) < exponent)
         own.coefficients.resize(exponent, Interval(0));
-      own.coefficients[exponent - 1] = enclosure_of(coefficient);
-    } else {
-      const auto [position, is_new] = monomials.try_emplace(monomial, static_cast<int>(this->monomials()));
-      if (is_new) {
-        for (const auto& [unknown, exponent] : monomial.powers)
-          m_factors.push_back({unknown, exponent});
-        m_first_factor.push_back(m_factors.size());
-      }
-      const int term = static_cast<int>(m_terms.size() - m_first_term.back());
-      m_terms.push_back({position->second, enclosure_of(coefficient)});
-      std::size_t factor = m_first_factor[position->second];
-      for (const auto& [unknown, exponent] : monomial.powers) {
-        Own& own = of_unknowns[unknown];
-        own.places.push_back({term, factor++});
-        own.degree = (std::max)(own.degree, exponent);
-      }
+      own.coefficients[exponent - 1] = coefficient;
+      return;
     }
+    const auto [position, is_new] = monomials.try_emplace(monomial, static_cast<int>(this->monomials()));
+    if (is_new) {
+      for (const auto& [unknown, exponent] : monomial.powers)
+        m_factors.push_back({unknown, exponent});
+      m_first_factor.push_back(m_factors.size());
+    }
+    const int term = static_cast<int>(m_terms.size() - m_first_term.back());
+    m_terms.push_back({position->second, coefficient});
+    std::size_t factor = m_first_factor[position->second];
+    for (const auto& [unknown, exponent] : monomial.powers) {
+      Own& own = of_unknowns[unknown];
+      own.places.push_back({term, factor++});
+      own.degree = (std::max)(own.degree, exponent);
+    }
+  };
+  if (elementary_terms.numbers.empty())
+    for (const auto& [monomial, coefficient] : polynomial.terms())
+      add_term(monomial, enclosure_of(coefficient));
+  else
+    for (const auto& [monomial, coefficient] : elementary::without_numbers(polynomial, elementary_terms.numbers))
+      add_term(monomial, coefficient);
   int parts = 0;
   for (const auto& [unknown, own] : of_unknowns) {
     const int degree = static_cast<int>(own.coefficients.size());
@@ -245,6 +320,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Sparse_system::add(const Power_polynomial& p
       m_degrees[unknown] = (std::max)(m_degrees[unknown], degree);
       ++parts;
     }
+  }
+  m_first_elementary_part.push_back(m_elementary_parts.size());
+  for (const Elementary_part& part : elementary_parts(constraint)) {
+    std::vector<int>& others = m_constraints_of[m_functions[part.function].unknown];
+    if (others.empty() || others.back() != constraint)
+      others.push_back(constraint);
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool is_upper = relation == Relation::LESS || relation == Relation::LESS_EQUAL;

@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SOLUTIONS_BY_PROPAGATION_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_SOLUTIONS_BY_PROPAGATION_H
 
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Common_part.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Elementary_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Explicit_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Propagation_search.h>
@@ -33,8 +35,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,9 +47,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+enum class Whereabouts
+{
+  OUTSIDE,
+  INSIDE,
+  OPEN
+};
+
 /*
 All solutions of polynomial constraints in a box: what the search finds; what it leaves open, multiple roots and roots
-on the boundary, is settled by the solver that has tensors, on boxes around it, where these are small enough.
+on the boundary, is settled by the solver that has tensors, on boxes around it, where these are small enough. With
+values of elementary functions it stays open, unless the root is rational by the laws of these.
 */
 class Solutions_by_propagation
 {
@@ -56,6 +68,7 @@ class Solutions_by_propagation
   const Solver_options& m_options;
   Run_control& m_control;
   Summary& m_summary;
+  const Elementary_values* m_values; // null: none
   std::vector<Solution> m_solutions;
   std::vector<Proved_root> m_roots; // of the solutions that are certified
   std::vector<Box_of_ranges> m_open;
@@ -63,15 +76,16 @@ class Solutions_by_propagation
 public:
   Solutions_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
-                           Run_control& control, Summary& summary)
-    : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary)
+                           Run_control& control, Summary& summary, const Elementary_values* values = nullptr)
+    : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary),
+      m_values(values != nullptr && !values->all().empty() ? values : nullptr)
   {}
 
   // In no order.
   std::vector<Solution> operator()()
   {
     try {
-      search();
+      m_values == nullptr ? search() : search_with_values();
       settle_open();
     } catch (const Run_stopped& stopped) {
       add_undecided(box_of_domain(), stopped.reason);
@@ -105,7 +119,11 @@ private:
 
   void search();
   void search(const Sparse_system& system, const Box_of_ranges& box, const Explicit_unknowns& explicit_unknowns);
+  void search_with_values();
+  void leave_rest(Propagation_search& search, const std::function<Box_of_ranges(Box_of_ranges)>& expanded);
   void add_root(const Proved_root& root, const Sparse_system& system, const Explicit_unknowns& explicit_unknowns);
+  void add_root(Proved_root root, Whereabouts place);
+  std::optional<Whereabouts> exact_place(const Box_of_ranges& enclosure) const;
   void settle_open();
   void settle(const Box_of_ranges& box);
   void add_settled(Solution solution);
@@ -113,21 +131,16 @@ private:
 
 // Throws where they do not fit each other.
 void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                       const std::vector<Polynomial_constraint>& constraints);
+                       const std::vector<Polynomial_constraint>& constraints,
+                       const Elementary_values& values = Elementary_values());
 
 // All of it: the answers, with the work.
 Solution_set_d<double> solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                                                    const std::vector<Polynomial_constraint>& constraints,
-                                                   const Solver_options& options);
+                                                   const Solver_options& options,
+                                                   const Elementary_values& values = Elementary_values());
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-enum class Whereabouts
-{
-  OUTSIDE,
-  INSIDE,
-  OPEN
-};
-
 // Where an enclosure lies beside the domain.
 inline Whereabouts place_in_domain(const Box_of_ranges& box, const std::vector<Constraint_system_d::Domain>& domain)
 {
@@ -161,27 +174,31 @@ inline Whereabouts place_in_inequalities(const Box_of_ranges& box, const Sparse_
 }
 
 /*
-Takes the unknown that stands for the common part away from a root: a region without it still has no other root where
-the values of the common part on it lie in the range that the unknown had. False when no such region is found.
+Takes the last unknowns, which the last constraints define, away from a root: a region without them still has no other
+root where their values on it lie in the ranges that the unknowns had. False when no such region is found.
 */
-inline bool forgets_common_part(Proved_root& root, const Sparse_system& system)
+inline bool forgets_defined_unknowns(Proved_root& root, const Sparse_system& system, int count)
 {
   constexpr int most_steps = 60;
-  const Interval range = root.region.back();
+  const Box_of_ranges ranges = root.region;
+  const int kept = system.dimension() - count;
   Box_of_ranges& region = root.region;
   bool is_found = false;
   for (int step = 0; step < most_steps && !is_found; ++step) {
-    region.back() = Interval(0);
-    const Interval value = system.value(system.constraints() - 1, region);
-    is_found = value.inf() >= range.inf() && value.sup() <= range.sup();
-    for (std::size_t j = 0; j + 1 < region.size() && !is_found; ++j) {
+    is_found = true;
+    for (int j = kept; j < system.dimension() && is_found; ++j) {
+      region[j] = Interval(0);
+      region[j] = system.value(system.definition(j), region);
+      is_found = region[j].inf() >= ranges[j].inf() && region[j].sup() <= ranges[j].sup();
+    }
+    for (int j = 0; j < kept && !is_found; ++j) {
       const Interval& enclosure = root.enclosure[j];
       region[j] = Interval((std::min)(0.5 * region[j].inf() + 0.5 * enclosure.inf(), enclosure.inf()),
                            (std::max)(0.5 * region[j].sup() + 0.5 * enclosure.sup(), enclosure.sup()));
     }
   }
-  region.pop_back();
-  root.enclosure.pop_back();
+  region.resize(kept);
+  root.enclosure.resize(kept);
   return is_found;
 }
 
@@ -216,12 +233,21 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Spars
   };
   Propagation_search search(system, m_options, m_control);
   search.run(box);
-  m_summary.nodes += search.nodes();
   for (Proved_root& root : search.roots())
-    if (system.dimension() == dimension || forgets_common_part(root, system))
+    if (const int common = system.dimension() - dimension;
+        common == 0 || forgets_defined_unknowns(root, system, common))
       add_root(root, system, explicit_unknowns);
     else
       m_open.push_back(expanded(root.enclosure));
+  leave_rest(search, expanded);
+}
+
+// What is open, and what a limit left.
+CGAL_SPLINE_CONSTRAINTS_INLINE void
+Solutions_by_propagation::leave_rest(Propagation_search& search,
+                                     const std::function<Box_of_ranges(Box_of_ranges)>& expanded)
+{
+  m_summary.nodes += search.nodes();
   for (const Box_of_ranges& open : search.undecided())
     m_open.push_back(expanded(open));
   if (!search.rest().empty()) {
@@ -232,33 +258,59 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Spars
   }
 }
 
-// The simplest rational point of an enclosure, if it is the root.
-inline std::vector<Exact_rational> rational_root(const Box_of_ranges& enclosure,
-                                                 const std::vector<Polynomial_constraint>& constraints)
+// Every value is defined in the regions of roots: the proofs ask for derivatives there.
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search_with_values()
+{
+  const auto check = [this] { m_control.check(); };
+  const Elementary_system elementary(dimension(), m_constraints, *m_values, check);
+  const Sparse_system system(elementary.dimension(), elementary.constraints(), check, elementary.terms(),
+                             elementary.defined());
+  Box_of_ranges box = box_of_domain();
+  if (!set_defined_unknowns(system, box))
+    return;
+  Propagation_search search(system, m_options, m_control);
+  search.run(box);
+  const auto shortened = [this](Box_of_ranges ranges) {
+    ranges.resize(dimension());
+    return ranges;
+  };
+  for (Proved_root& root : search.roots()) {
+    const Box_of_ranges enclosure = root.enclosure;
+    if (!forgets_defined_unknowns(root, system, system.defined())) {
+      m_open.push_back(root.enclosure);
+      continue;
+    }
+    const Whereabouts place = place_in_domain(root.enclosure, m_domain);
+    const Whereabouts other = place_in_inequalities(enclosure, system, elementary.constraints());
+    add_root(std::move(root), place == Whereabouts::OUTSIDE || other == Whereabouts::INSIDE ? place : other);
+  }
+  leave_rest(search, shortened);
+}
+
+// Where the simplest rational point of an enclosure lies beside the domain and the inequalities, if it is the root.
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Whereabouts>
+Solutions_by_propagation::exact_place(const Box_of_ranges& enclosure) const
 {
   std::vector<Exact_rational> point;
   for (const Interval& range : enclosure)
     point.push_back(simplest_rational_between(Exact_rational(range.inf()), Exact_rational(range.sup())));
-  const bool is_root =
-      std::all_of(constraints.begin(), constraints.end(), [&](const Polynomial_constraint& constraint) {
-        return constraint.second != Relation::EQUAL || constraint.first(point) == 0;
-      });
-  return is_root ? point : std::vector<Exact_rational>();
-}
-
-// Whether a point is in the domain and satisfies the inequalities.
-inline Whereabouts place_of_point(const std::vector<Exact_rational>& point,
-                                  const std::vector<Constraint_system_d::Domain>& domain,
-                                  const std::vector<Polynomial_constraint>& constraints)
-{
+  std::optional<std::vector<Exact_rational>> values;
+  if (m_values != nullptr && !(values = m_values->rational_values(point)))
+    return std::nullopt;
+  const auto sign_at_point = [&](const Power_polynomial& polynomial) {
+    return CGAL::sign(values ? m_values->rational_value(polynomial, point, *values) : polynomial(point));
+  };
+  Whereabouts result = Whereabouts::INSIDE;
+  for (const auto& [polynomial, relation] : m_constraints)
+    if (relation == Relation::EQUAL && sign_at_point(polynomial) != CGAL::ZERO)
+      return std::nullopt;
+  for (const auto& [polynomial, relation] : m_constraints)
+    if (!is_satisfied(relation, sign_at_point(polynomial)))
+      result = Whereabouts::OUTSIDE;
   for (std::size_t j = 0; j < point.size(); ++j)
-    if (point[j] < domain[j].first || domain[j].second < point[j])
-      return Whereabouts::OUTSIDE;
-  const bool satisfies =
-      std::all_of(constraints.begin(), constraints.end(), [&](const Polynomial_constraint& constraint) {
-        return is_satisfied(constraint.second, CGAL::sign(constraint.first(point)));
-      });
-  return satisfies ? Whereabouts::INSIDE : Whereabouts::OUTSIDE;
+    if (point[j] < m_domain[j].first || m_domain[j].second < point[j])
+      result = Whereabouts::OUTSIDE;
+  return result;
 }
 
 // With the values of explicit unknowns. In the region no other root has those that it has there, whichever they are.
@@ -280,10 +332,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(const Pro
     if (other != Whereabouts::INSIDE)
       place = other;
   }
+  add_root(std::move(root), place);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_root root, Whereabouts place)
+{
   if (place == Whereabouts::OPEN)
-    if (const auto point = rational_root(root.enclosure, m_constraints); !point.empty())
-      place = place_of_point(point, m_domain, m_constraints);
-  if (place == Whereabouts::OPEN)
+    place = exact_place(root.enclosure).value_or(Whereabouts::OPEN);
+  if (place == Whereabouts::OPEN && m_values != nullptr)
+    add_undecided(root.enclosure,
+                  place_in_domain(root.enclosure, m_domain) == Whereabouts::OPEN ? Undecided_reason::DOMAIN_BOUNDARY
+                                                                                 : Undecided_reason::INEQUALITY);
+  else if (place == Whereabouts::OPEN)
     m_open.push_back(root.enclosure);
   else if (place == Whereabouts::INSIDE) {
     m_solutions.emplace_back(Solution_kind::CERTIFIED, plain(root.enclosure), plain(root.region), "interval",
@@ -292,14 +352,16 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(const Pro
   }
 }
 
-// Boxes that touch are settled together.
+// Boxes that touch are settled together; with functions, whose bounds leave gaps in between, boxes that nearly do.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 {
   std::vector<Exact_ranges> boxes;
   for (const Box_of_ranges& open : m_open) {
     Exact_ranges& ranges = boxes.emplace_back();
-    for (const Interval& range : open)
-      ranges.emplace_back(Exact_rational(range.inf()), Exact_rational(range.sup()));
+    for (const Interval& range : open) {
+      const Exact_rational gap(m_values == nullptr ? 0 : 4 * m_options.tolerance * (std::max)(1.0, magnitude(range)));
+      ranges.emplace_back(Exact_rational(range.inf()) - gap, Exact_rational(range.sup()) + gap);
+    }
   }
   const std::vector<std::size_t> roots = roots_of_touching(boxes);
   std::map<std::size_t, Box_of_ranges> hulls;
@@ -313,7 +375,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle(const Box_of_ranges& box)
 {
   constexpr double most_coefficients = 0x1p18;
-  if (m_control.reason() != Undecided_reason::NONE || tensor_size(m_constraints) > most_coefficients) {
+  if (m_values != nullptr && exact_place(box) == Whereabouts::INSIDE) {
+    m_solutions.emplace_back(Solution_kind::CLUSTER, plain(box), Solution::Box(), "rational");
+    return;
+  }
+  if (m_control.reason() != Undecided_reason::NONE || m_values != nullptr ||
+      tensor_size(m_constraints) > most_coefficients) {
     add_undecided(box, m_control.reason() != Undecided_reason::NONE ? m_control.reason() : Undecided_reason::TOLERANCE);
     return;
   }
@@ -357,17 +424,27 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_settled(Soluti
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                                                      const std::vector<Polynomial_constraint>& constraints)
+                                                      const std::vector<Polynomial_constraint>& constraints,
+                                                      const Elementary_values& values)
 {
   const Constraint_system_d checked(domain); // throws when a range is empty
+  const auto check_unknowns = [&](const Power_polynomial& polynomial, std::size_t known_values) {
+    constexpr int first = Elementary_values::first_index;
+    for (const int unknown : polynomial.variables()) {
+      if (unknown < first ? unknown >= static_cast<int>(domain.size()) : values.all().empty())
+        throw Invalid_input("Propagation_solver_d: unknown " + std::to_string(unknown) +
+                            " of a polynomial has no range");
+      if (unknown >= first && unknown - first >= static_cast<int>(known_values))
+        throw Invalid_input("Propagation_solver_d: there is no value " + std::to_string(unknown - first));
+    }
+  };
   std::size_t equalities = 0;
   for (const auto& [polynomial, relation] : constraints) {
     equalities += relation == Relation::EQUAL;
-    if (const auto unknowns = polynomial.variables();
-        !unknowns.empty() && unknowns.back() >= static_cast<int>(domain.size()))
-      throw Invalid_input("Propagation_solver_d: unknown " + std::to_string(unknowns.back()) +
-                          " of a polynomial has no range");
+    check_unknowns(polynomial, values.all().size());
   }
+  for (std::size_t k = 0; k < values.all().size(); ++k)
+    check_unknowns(values.all()[k].argument, k);
   if (equalities != domain.size())
     throw Invalid_input("Propagation_solver_d: " + std::to_string(equalities) + " equalities for " +
                         std::to_string(domain.size()) +
@@ -377,14 +454,15 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constrai
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>
 solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
-                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options)
+                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
+                            const Elementary_values& values)
 {
-  check_polynomials(domain, constraints);
+  check_polynomials(domain, constraints, values);
   const Upward_rounding_guard guard;
   const Mpfr_precision_scope precision(options.precision);
   Run_control control(options);
   Summary summary;
-  auto solutions = Solutions_by_propagation(domain, constraints, options, control, summary)();
+  auto solutions = Solutions_by_propagation(domain, constraints, options, control, summary, &values)();
   return finished_set(std::move(solutions), summary, control);
 }
 #endif
