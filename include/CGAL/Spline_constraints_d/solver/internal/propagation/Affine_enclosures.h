@@ -299,8 +299,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::enclose_function(int func
   enclosure.rest = values - enclosure.value;
   if (!is_finite(derivative) || width(argument) == 0)
     return;
+  // The values alone have a sign that slopes lose.
+  constexpr double least_gain = 0.75;
   const auto use = [&](const Interval& slope, const Interval& rest) {
-    if (width(rest) < width(enclosure.rest)) {
+    if (width(rest) < least_gain * width(enclosure.rest)) {
       enclosure.slope = symbol.scale * slope;
       enclosure.rest = rest;
     }

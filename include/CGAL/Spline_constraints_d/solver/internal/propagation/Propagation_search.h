@@ -189,7 +189,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_search::examine(const Waiting& n
 // By the constraints that know of the split, then by combinations and the constraints in turns, while that gains much.
 CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_search::Verdict Propagation_search::narrow(const Waiting& node)
 {
-  constexpr int most_rounds = 12;
+  constexpr int most_rounds = 12, many_unknowns = 64;
   constexpr double least_gain = 0.1, of_all_for_proof = 0.5;
   if (node.split_unknown < 0)
     m_propagation.wake_all();
@@ -199,6 +199,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_search::Verdict Propagation_search::n
     return Verdict::EMPTY;
   if (!m_system.is_polynomial() && !is_bounded())
     return Verdict::OPEN;
+  // where functions are steep, the elimination leaves out much that the inverse knows together
+  if (!m_system.is_polynomial() && (node.split_unknown < 0 || m_system.dimension() > many_unknowns) &&
+      m_rows.invert(m_box) && !m_rows.narrow(m_box))
+    return Verdict::EMPTY;
   for (int round = 0; round < most_rounds; ++round) {
     if (!m_rows.eliminate(m_box))
       return Verdict::OPEN;
