@@ -50,10 +50,11 @@ under x - C f(x), by the mean value theorem, lies in its interior, the box has e
 class Krawczyk_test
 {
   Preconditioned_rows& m_rows;
+  bool m_has_functions;
   Box_of_ranges m_image;
 
 public:
-  explicit Krawczyk_test(Preconditioned_rows& rows) : m_rows(rows) {}
+  Krawczyk_test(Preconditioned_rows& rows, bool has_functions) : m_rows(rows), m_has_functions(has_functions) {}
 
   // The root of a box that is widened a little, when there is one: refined until nothing is gained. Where equalities
   // are hardly independent, rounding asks for more room.
@@ -80,7 +81,8 @@ private:
     return Interval((Interval(range.inf()) - Interval(by)).inf(), (Interval(range.sup()) + Interval(by)).sup());
   }
 
-  bool maps_into_itself(const Box_of_ranges& box)
+  // The image of a box, if it lies in the interior; or whatever it is, which has the root that the box has.
+  bool maps_into_itself(const Box_of_ranges& box, bool is_anywhere = false)
   {
     if (!m_rows.invert(box))
       return false;
@@ -96,13 +98,15 @@ private:
         image += slope * enclosures.offset(j);
         has_own = has_own || j == own;
       }
-      if (!has_own || !(image.inf() > box[i].inf() && image.sup() < box[i].sup()))
+      if (!has_own ||
+          (is_anywhere ? !(image.inf() <= image.sup()) : !(image.inf() > box[i].inf() && image.sup() < box[i].sup())))
         return false;
       m_image[i] = image;
     }
     return true;
   }
 
+  // With functions, whose bounds are some ulps wide, one unknown may be as well known as it can be long before others.
   void refine(Proved_root& root)
   {
     constexpr int most_steps = 30;
@@ -112,7 +116,7 @@ private:
       for (std::size_t j = 0; j < box.size(); ++j)
         box[j] = widened(root.enclosure[j],
                          margin * width(root.enclosure[j]) + rounding * magnitude(root.enclosure[j]) + 1e-300);
-      if (!maps_into_itself(box))
+      if (!maps_into_itself(box, m_has_functions))
         return;
       bool is_gain = false;
       for (std::size_t j = 0; j < box.size(); ++j) {

@@ -71,7 +71,8 @@ class Propagation_search
 public:
   Propagation_search(const Sparse_system& system, const Solver_options& options, Run_control& control)
     : m_system(system), m_options(options), m_control(control), m_check([this] { m_control.check(); }),
-      m_propagation(system), m_rows(system, m_check), m_krawczyk_test(m_rows), m_tolerance(options.tolerance)
+      m_propagation(system), m_rows(system, m_check), m_krawczyk_test(m_rows, !system.is_polynomial()),
+      m_tolerance(options.tolerance)
   {}
 
   // Looks at all of a box.

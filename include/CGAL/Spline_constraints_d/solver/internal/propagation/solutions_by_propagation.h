@@ -359,7 +359,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
   for (const Box_of_ranges& open : m_open) {
     Exact_ranges& ranges = boxes.emplace_back();
     for (const Interval& range : open) {
-      const Exact_rational gap(m_values == nullptr ? 0 : 4 * m_options.tolerance * (std::max)(1.0, magnitude(range)));
+      const Exact_rational gap(m_values == nullptr ? 0 : 1e3 * m_options.tolerance * (std::max)(1.0, magnitude(range)));
       ranges.emplace_back(Exact_rational(range.inf()) - gap, Exact_rational(range.sup()) + gap);
     }
   }
