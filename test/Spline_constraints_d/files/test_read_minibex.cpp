@@ -363,6 +363,79 @@ TEST(Read_minibex, absurd_input_is_refused_quickly)
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
+// With elementary functions: values of polynomials, which are made once.
+TEST(Read_minibex, elementary_functions)
+{
+  const auto read_all = [](const std::string& content) {
+    std::istringstream in(content);
+    return SC::read_minibex(in, "elementary", SC::Minibex_subset::ELEMENTARY);
+  };
+  const auto of = [&](const std::string& expression) {
+    const Minibex_system system = read_all(with_constraints(expression + " = 0;"));
+    return std::pair(system.constraints.at(0).function, system.values);
+  };
+  const auto text = [&](const std::string& expression) {
+    const auto [function, values] = of(expression);
+    const std::vector<std::string> names{"x", "y", "z(1)", "z(2)", "z(3)"};
+    return values.text(function, names);
+  };
+  EXPECT_EQ(text("exp(x) - 2*x*exp(x)"), "-2*x*exp(x) + exp(x)");
+  EXPECT_EQ(of("exp(x) - 2*x*exp(x)").second.all().size(), 1u);
+  EXPECT_EQ(text("log(x + y)"), text("ln(y + x)"));
+  EXPECT_EQ(text("sin(cos(x)^2)"), "sin(cos(x)^2)");
+  EXPECT_EQ(text("1/x^2"), text("x^-2"));
+  EXPECT_EQ(text("x/(y + 1)"), "x*(1/(1 + y))");
+  EXPECT_EQ(text("x^(1/3)"), "((x)^(1/3))");
+  EXPECT_EQ(text("x^0.5"), text("sqrt(x)"));
+  EXPECT_EQ(text("x^y"), text("exp(y*ln(x))"));
+  EXPECT_EQ(text("-x^-1"), text("0 - 1/x"));
+  EXPECT_EQ(text("2^0.5*sqrt(2) + x"), text("sqrt(2)^2 + x"));
+  EXPECT_EQ(text("exp(0) + ln(1) + sqrt(4) + cos(0)"), "4");
+  EXPECT_EQ(text("sqr(abs(x))"), "abs(x)^2");
+  for (const std::string name : {"asin", "acos", "atan", "sinh", "cosh", "tanh", "tan"})
+    EXPECT_EQ(text(name + "(x)"), name + "(x)");
+
+  // ends of domains are rounded outwards; values that served for nothing else are left out
+  const Minibex_system angle = read_all("Constants a = 2*pi; Variables x in [-a, pi]; Constraints x^2 = 1; end");
+  EXPECT_TRUE(angle.values.all().empty());
+  EXPECT_LT(angle.domains[0].first, Exact_rational(-0x1.921fb54442d18p+2));
+  EXPECT_GT(angle.domains[0].first, Exact_rational(-6.28318530717961));
+  EXPECT_GT(angle.domains[0].second, Exact_rational(0x1.921fb54442d18p+1));
+  EXPECT_LT(angle.domains[0].second, Exact_rational(3.14159265358981));
+  EXPECT_EQ(read_all("Constants a = pi; Variables x in [0, 1]; Constraints a*x = 1; end").values.all().size(), 1u);
+
+  const Minibex_system system = read_all("Variables x in [0,1]; y in [0,1]; Constraints exp(x)/y = 2^x; x*sin(y/3) < "
+                                         "y^(2/3) + atan(1); end");
+  std::ostringstream out;
+  SC::write_minibex(out, system);
+  const Minibex_system copy = read_all(out.str());
+  ASSERT_EQ(copy.constraints.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(copy.values.text(copy.constraints[i].function, copy.names),
+              system.values.text(system.constraints[i].function, system.names));
+
+  const auto expect_elementary_error = [&](const std::string& expression, int column, const std::string& part) {
+    try {
+      read_all(with_constraints(expression));
+      ADD_FAILURE() << "no error for " << expression;
+    } catch (const Parse_error& error) {
+      EXPECT_EQ(error.line(), 4);
+      EXPECT_EQ(error.column(), column) << expression;
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  expect_elementary_error("atan2(x, y) = 0;", 1, "'atan2' is not in the subset of Minibex");
+  expect_elementary_error("ln(-1) = x;", 1, "not defined");
+  expect_elementary_error("x/(y - y) = 0;", 2, "division by zero");
+  expect_elementary_error("(-2)^(1/3) = x;", 5, "not defined");
+  expect_elementary_error("sin x = 0;", 5, "expected '('");
+  expect_elementary_error("sin(x, y) = 0;", 6, "expected ')'");
+  expect_elementary_error("z(pi) = 0;", 3, "index");
+  expect_elementary_error("min(pi, 3) = x;", 1, "'min'");
+  expect_elementary_error("x^1000000000 = 0;", 3, "exponent");
+  expect_elementary_error("x^(1/3)^(1000000000) = 0;", 9, "exponent");
+}
+
 TEST(Read_minibex, files)
 {
   const std::string path = testing::TempDir() + "spline_constraints_read_minibex.bch";

@@ -44,8 +44,8 @@ struct Elementary_value
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-Values of elementary functions, as further unknowns of polynomials: `exp(x) - x - 2` is the polynomial
-`values.value(Elementary_function::EXPONENTIAL, x) - x - 2`, in the unknown `x` and the value. The index of the value
+Values of elementary functions, as further unknowns of polynomials: \f$e^x - x - 2\f$ is the polynomial
+`values.exp(x) - x - 2`, in the unknown `x` and the value. The index of the value
 \f$k\f$ is `first_index` \f$+ k\f$; equal ones are made once. A point where one of the values is not defined is no
 solution of constraints that are solved together with them, even where these have no longer need of it.
 
@@ -78,6 +78,19 @@ public:
       throw Invalid_input("Elementary_values: a power needs an exponent");
     return enter({function, Exact_rational(), argument});
   }
+
+  //! \name Some of these by their names
+  //! @{
+  Power_polynomial exp(const Power_polynomial& x) { return value(Elementary_function::EXPONENTIAL, x); }
+  Power_polynomial log(const Power_polynomial& x) { return value(Elementary_function::LOGARITHM, x); }
+  Power_polynomial sqrt(const Power_polynomial& x) { return value(Elementary_function::SQUARE_ROOT, x); }
+  Power_polynomial sin(const Power_polynomial& x) { return value(Elementary_function::SINE, x); }
+  Power_polynomial cos(const Power_polynomial& x) { return value(Elementary_function::COSINE, x); }
+  Power_polynomial tan(const Power_polynomial& x) { return value(Elementary_function::TANGENT, x); }
+  Power_polynomial atan(const Power_polynomial& x) { return value(Elementary_function::ARC_TANGENT, x); }
+  //! four times `atan(1)`.
+  Power_polynomial pi() { return 4 * atan(Power_polynomial(1)); }
+  //! @}
 
   /*!
   one divided by a polynomial; of products it is the product of the reciprocals.

@@ -16,6 +16,8 @@
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -32,12 +34,21 @@ in proportion to its terms. Of an elementary function, what is left for its valu
 */
 class Constraint_propagation
 {
+  // The product of a factor with an unknown, or with a function.
+  struct Summand
+  {
+    Interval value, factor;
+    int unknown; // or -1: none
+    const Sparse_system::Elementary_part* function;
+  };
+
   const Sparse_system& m_system;
   std::vector<char> m_is_awake;
   std::vector<int> m_queue;
   std::vector<Interval> m_values, m_term_values; // of the univariate parts, and of the terms, of the constraint in hand
   std::vector<Interval> m_elementary_values;     // of the elementary parts of the constraint in hand
   std::vector<Interval> m_arguments, m_function_values; // as they were last asked for
+  std::vector<Summand> m_summands;                      // of the constraint in hand, where something is not bounded
   Univariate_interval_polynomial m_polynomial;
 
   static constexpr double woken_by = 0.9;   // when so much of a width is left
@@ -109,6 +120,7 @@ private:
   bool narrow_by_elementary_parts(int constraint, Interval total, Box_of_ranges& box);
   bool narrow_unbounded(int constraint, Box_of_ranges& box);
   bool is_bounded(int constraint, const Box_of_ranges& box);
+  bool narrow_range(int unknown, const Interval& to, int constraint, Box_of_ranges& box);
   bool narrow_argument(const Sparse_system::Elementary_part& part, const Interval& values, int constraint,
                        Box_of_ranges& box);
 };
@@ -133,21 +145,26 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_argument(cons
                                                                             Box_of_ranges& box)
 {
   const Elementary_term& function = m_system.function(part.function);
-  Interval& range = box[function.unknown];
   Interval argument = function.argument(box);
   if (!elementary::narrow_argument(function.operation, values, argument))
     return false;
   const Interval solved = (argument - function.shift) / function.scale;
-  if (solved.inf() > range.sup() || solved.sup() < range.inf())
+  return narrow_range(function.unknown, solved, constraint, box);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_range(int unknown, const Interval& to,
+                                                                         int constraint, Box_of_ranges& box)
+{
+  Interval& range = box[unknown];
+  if (to.inf() > range.sup() || to.sup() < range.inf())
     return false;
-  const Interval narrowed = common_part(solved, range);
-  if (!(width(narrowed) < width(range) ||
-        (!is_finite(range) && (narrowed.inf() > range.inf() || narrowed.sup() < range.sup()))))
+  const Interval narrowed = common_part(to, range);
+  if (!(narrowed.inf() > range.inf() || narrowed.sup() < range.sup()))
     return true;
   const bool has_narrowed_much = !is_finite(range) || width(narrowed) < woken_by * width(range);
   range = narrowed;
   if (has_narrowed_much)
-    wake_others(function.unknown, constraint);
+    wake_others(unknown, constraint);
   return true;
 }
 
@@ -176,61 +193,70 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::is_bounded(int const
   return true;
 }
 
+// With infinite ends, and 0 times these is 0.
+inline Interval extended_product(const Interval& a, const Interval& b)
+{
+  const auto product = [](double x, double y) { return x == 0 || y == 0 ? 0 : x * y; };
+  const auto largest = [&](double x, double y) {
+    return (std::max)((std::max)(product(x, b.inf()), product(x, b.sup())),
+                      (std::max)(product(y, b.inf()), product(y, b.sup())));
+  };
+  return Interval(-largest(-a.inf(), -a.sup()), largest(a.inf(), a.sup()));
+}
+
 /*
-If one summand alone is not finite, the others say what it is: this bounds an unknown that it is linear in, with a
-factor that is not zero, or the argument of a function.
+Each summand is what the others leave: this bounds an unknown that it is linear in, with a factor that is not zero, or
+the argument of a function. Sums of lower ends, and of upper ones, are never differences of infinities.
 */
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_unbounded(int constraint, Box_of_ranges& box)
 {
-  Interval others = m_system.constant(constraint) + m_system.slack(constraint), factor(1);
-  const Sparse_system::Elementary_part* function = nullptr;
-  int unknown = -1, count = 0;
+  m_summands.clear();
   for (const auto& part : m_system.elementary_parts(constraint))
-    if (const Interval value = elementary_value(part, box); is_finite(value))
-      others += value;
-    else {
-      ++count;
-      function = &part;
-    }
-  for (const auto& part : m_system.parts(constraint))
-    if (is_finite(box[part.unknown]))
-      others += part_value(part, box);
-    else {
-      ++count;
-      unknown = part.degree == 1 ? part.unknown : -1;
-      factor = m_system.coefficients(part)[0];
-    }
+    m_summands.push_back({elementary_value(part, box), part.coefficient, -1, &part});
+  for (const auto& part : m_system.parts(constraint)) {
+    const Interval& range = box[part.unknown];
+    const Interval factor = m_system.coefficients(part)[0];
+    if (part.degree == 1)
+      m_summands.push_back({extended_product(factor, range), factor, part.unknown, nullptr});
+    else
+      m_summands.push_back({is_finite(range) ? part_value(part, box) : elementary::entire_line(), factor, -1, nullptr});
+  }
   for (const auto& term : m_system.terms(constraint)) {
-    Interval product = term.coefficient;
-    int unbounded = -1, factors = 0;
+    Summand summand{elementary::entire_line(), term.coefficient, -1, nullptr};
+    int unbounded = 0;
     for (std::size_t f = m_system.first_factor(term.monomial); f < m_system.last_factor(term.monomial); ++f)
       if (const auto [own, exponent] = m_system.factor(f); is_finite(box[own]))
-        product *= power(box[own], exponent);
+        summand.factor *= power(box[own], exponent);
       else {
-        unbounded = exponent == 1 ? own : -1;
-        ++factors;
+        summand.unknown = exponent == 1 ? own : -1;
+        ++unbounded;
       }
-    if (factors == 0)
-      others += product;
-    else {
-      ++count;
-      unknown = factors == 1 ? unbounded : -1;
-      factor = product;
-    }
+    if (unbounded == 0)
+      summand.value = summand.factor;
+    else if (unbounded > 1)
+      summand.unknown = -1;
+    else if (summand.unknown >= 0)
+      summand.value = extended_product(summand.factor, box[summand.unknown]);
+    m_summands.push_back(summand);
   }
-  for (const auto& part : m_system.elementary_parts(constraint))
-    if (!narrow_argument(part,
-                         count == 1 && function == &part && is_finite(others) ? -others / part.coefficient
-                                                                              : elementary::entire_line(),
-                         constraint, box))
+  for (Summand& summand : m_summands)
+    if (std::isnan(summand.value.inf()) || std::isnan(summand.value.sup()) || !is_finite(summand.factor)) {
+      summand.value = elementary::entire_line();
+      summand.unknown = -1;
+    }
+  for (const Summand& summand : m_summands) {
+    Interval others = m_system.constant(constraint) + m_system.slack(constraint);
+    for (const Summand& other : m_summands)
+      if (&other != &summand)
+        others += other.value;
+    if (const Interval total = others + summand.value; total.inf() > 0 || total.sup() < 0)
       return false;
-  if (count != 1 || unknown < 0 || !is_finite(others) || !is_finite(factor) || has_zero(factor))
-    return true;
-  const Interval solved = -others / factor;
-  if (solved.inf() > box[unknown].sup() || solved.sup() < box[unknown].inf())
-    return false;
-  box[unknown] = common_part(solved, box[unknown]);
-  wake_others(unknown, constraint);
+    if (summand.function != nullptr && !narrow_argument(*summand.function, -others / summand.factor, constraint, box))
+      return false;
+    if (summand.unknown >= 0 && !has_zero(summand.factor) &&
+        !narrow_range(summand.unknown, -others / summand.factor, constraint, box))
+      return false;
+  }
   return true;
 }
 

@@ -1,0 +1,404 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Systems with elementary functions: equations whose solutions are known in closed form; planted solutions, which all
+// are found, and as many others as change the sign of the function; postures of an arm against those that polynomials
+// give; where functions are not defined; roots on faces, multiple ones, inequalities; limits and bad input.
+
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
+#include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
+
+#include "solver_test_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace elementary_functions_test {
+
+namespace SC = CGAL::Spline_constraints;
+using namespace solver_test;
+using SC::Elementary_function;
+using SC::Elementary_values;
+using SC::Power_polynomial;
+using SC::Relation;
+using SC::Undecided_reason;
+using Constraints = std::vector<std::pair<Power_polynomial, Relation>>;
+using Domain = std::vector<SC::Constraint_system_d::Domain>;
+using Solutions = SC::Solution_set_d<double>;
+
+namespace {
+
+Power_polynomial unknown(int index) { return Power_polynomial::variable(index); }
+
+Solutions solve(const Domain& domain, const Constraints& constraints, const Elementary_values& values)
+{
+  Solutions result = SC::Propagation_solver_d()(domain, constraints, values);
+  expect_consistent_regions(result);
+  return result;
+}
+
+// All solutions of an equation in one unknown, which are regular.
+void expect_roots(const std::function<Power_polynomial(Elementary_values&)>& make, int lower, int upper,
+                  const std::vector<double>& roots)
+{
+  Elementary_values values;
+  const Power_polynomial function = make(values);
+  const Solutions solutions = solve({{lower, upper}}, {{function, Relation::EQUAL}}, values);
+  EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
+  ASSERT_EQ(solutions.count(Solution_kind::CERTIFIED), roots.size());
+  EXPECT_EQ(solutions.size(), roots.size());
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    EXPECT_LE(solutions[k][0].first, roots[k] + 1e-13 * std::abs(roots[k]));
+    EXPECT_GE(solutions[k][0].second, roots[k] - 1e-13 * std::abs(roots[k]));
+    EXPECT_LT(solutions[k][0].second - solutions[k][0].first, 1e-12);
+  }
+}
+
+} // namespace
+
+TEST(Elementary_functions, known_roots)
+{
+  constexpr double pi = std::numbers::pi;
+  const Power_polynomial x = unknown(0);
+  const Rational half(1, 2);
+  expect_roots([&](auto& v) -> Power_polynomial { return v.sin(x) - half; }, 0, 20,
+               {pi / 6, 5 * pi / 6, 13 * pi / 6, 17 * pi / 6, 25 * pi / 6, 29 * pi / 6, 37 * pi / 6});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.cos(3 * x + 1) + half; }, 0, 3,
+               {(2 * pi / 3 - 1) / 3, (4 * pi / 3 - 1) / 3, (8 * pi / 3 - 1) / 3});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.tan(x) - 1; }, -4, 4, {-3 * pi / 4, pi / 4, 5 * pi / 4});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.exp(x) - x - 2; }, -10, 10,
+               {-1.8414056604369606, 1.1461932206205825});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.cos(x) - x; }, -100, 100, {0.7390851332151607});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.exp(x * v.log(x)) - 2; }, 0, 10, {1.5596104694623694});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.log(x) - 3; }, -5, 100, {std::exp(3.0)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.sqrt(x + 1) - x; }, -10, 10, {std::numbers::phi});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.atan(x) - 1; }, -100, 100, {std::tan(1.0)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.power(x, Rational(1, 3)) - 2; }, -10, 10, {8.0});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.power(x, Rational(-3, 2)) - 8; }, -10, 10, {0.25});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.reciprocal(x) + x - 3; }, -10, 10,
+               {(3 - std::sqrt(5.0)) / 2, (3 + std::sqrt(5.0)) / 2});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::HYPERBOLIC_COSINE, x) - 2; }, -10,
+               10, {-std::acosh(2.0), std::acosh(2.0)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::HYPERBOLIC_SINE, x) - 2; }, -10,
+               10, {std::asinh(2.0)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::HYPERBOLIC_TANGENT, x) - half; },
+               -10, 10, {std::atanh(0.5)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::ABSOLUTE_VALUE, x - 1) - half; },
+               -10, 10, {0.5, 1.5});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::ARC_SINE, x) - half; }, -10, 10,
+               {std::sin(0.5)});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::ARC_COSINE, x) - 3; }, -10, 10,
+               {std::cos(3.0)});
+  expect_roots(
+      [&](auto& v) -> Power_polynomial { return v.sin(v.pi() * x) - v.sqrt(Power_polynomial(Rational(3, 4))); }, 0, 2,
+      {1.0 / 3, 2.0 / 3});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.exp(v.sin(x)) - v.exp(Power_polynomial(half)); }, 0, 4,
+               {pi / 6, 5 * pi / 6});
+}
+
+namespace {
+
+// A function for the test, and how doubles have it.
+struct Tested_function
+{
+  Elementary_function function;
+  double (*value)(double);
+};
+
+const std::vector<Tested_function>& functions()
+{
+  static const std::vector<Tested_function> result{
+      {Elementary_function::EXPONENTIAL, [](double x) { return std::exp(x); }},
+      {Elementary_function::SINE, [](double x) { return std::sin(x); }},
+      {Elementary_function::COSINE, [](double x) { return std::cos(x); }},
+      {Elementary_function::ARC_TANGENT, [](double x) { return std::atan(x); }},
+      {Elementary_function::HYPERBOLIC_SINE, [](double x) { return std::sinh(x); }},
+      {Elementary_function::HYPERBOLIC_COSINE, [](double x) { return std::cosh(x); }},
+      {Elementary_function::HYPERBOLIC_TANGENT, [](double x) { return std::tanh(x); }},
+      {Elementary_function::ABSOLUTE_VALUE, [](double x) { return std::abs(x); }}};
+  return result;
+}
+
+// Sums of functions of linear forms and of products of two, less their values at a rational point.
+class Planted_equation
+{
+  Power_polynomial m_function;
+  std::vector<std::function<double(const std::vector<double>&)>> m_terms;
+  double m_constant = 0;
+
+public:
+  Planted_equation(std::mt19937_64& random, const std::vector<Rational>& point, Elementary_values& values)
+  {
+    const auto integer = [&](int lower, int upper) { return std::uniform_int_distribution<int>(lower, upper)(random); };
+    const int n = static_cast<int>(point.size());
+    for (int term = 0; term < 3; ++term) {
+      Power_polynomial product(1), at_point(1);
+      std::vector<std::function<double(const std::vector<double>&)>> factors;
+      for (int factor = 0; factor < integer(1, 2); ++factor) {
+        const Tested_function f = functions()[integer(0, static_cast<int>(functions().size()) - 1)];
+        const int j = integer(0, n - 1), k = integer(0, n - 1), a = integer(1, 3), b = integer(-2, 2);
+        const bool has_product = integer(0, 3) == 0;
+        const Power_polynomial argument =
+            a * unknown(j) + b * (has_product ? unknown(j) * unknown(k) / 4 : unknown(k)) / 2;
+        product *= values.value(f.function, argument);
+        at_point *= values.value(f.function, Power_polynomial(argument(point)));
+        factors.push_back([=](const std::vector<double>& x) {
+          return f.value(a * x[j] + b * (has_product ? x[j] * x[k] / 4 : x[k]) / 2);
+        });
+      }
+      const int weight = integer(1, 4) * (integer(0, 1) == 0 ? 1 : -1);
+      m_function += weight * (product - at_point);
+      m_terms.push_back([=](const std::vector<double>& x) {
+        double result = weight;
+        for (const auto& factor : factors)
+          result *= factor(x);
+        return result;
+      });
+    }
+    std::vector<double> root;
+    for (const Rational& coordinate : point)
+      root.push_back(CGAL::to_double(coordinate));
+    m_constant = (*this)(root);
+  }
+
+  const Power_polynomial& function() const { return m_function; }
+
+  double operator()(const std::vector<double>& x) const
+  {
+    double result = -m_constant;
+    for (const auto& term : m_terms)
+      result += term(x);
+    return result;
+  }
+};
+
+std::vector<Rational> random_point(std::mt19937_64& random, int dimension)
+{
+  std::vector<Rational> result;
+  for (int j = 0; j < dimension; ++j)
+    result.emplace_back(std::uniform_int_distribution<int>(-190, 190)(random), 100);
+  return result;
+}
+
+std::size_t holders(const Solutions& solutions, const std::vector<Rational>& point)
+{
+  std::size_t result = 0;
+  for (const auto& solution : solutions) {
+    bool is_inside = true;
+    for (std::size_t j = 0; j < point.size(); ++j)
+      is_inside = is_inside && Rational(solution[j].first) <= point[j] && point[j] <= Rational(solution[j].second);
+    result += is_inside;
+  }
+  return result;
+}
+
+} // namespace
+
+// Between two points of a fine grid where the function has different signs there is an answer, and the function has
+// different signs at the ends of certified answers, or is as good as zero.
+TEST(Elementary_functions, planted_roots_of_one_equation)
+{
+  std::mt19937_64 random(20261201);
+  std::size_t certified = 0, changes = 0;
+  for (int k = 0; k < 120; ++k) {
+    SCOPED_TRACE(k);
+    Elementary_values values;
+    const std::vector<Rational> root = random_point(random, 1);
+    const Planted_equation equation(random, root, values);
+    if (equation.function().is_zero())
+      continue;
+    const Solutions solutions = solve({{-2, 2}}, {{equation.function(), Relation::EQUAL}}, values);
+    EXPECT_GE(holders(solutions, root), 1u);
+    constexpr int steps = 2000;
+    for (int i = 0; i < steps; ++i) {
+      const double lower = -2 + 4.0 * i / steps, upper = -2 + 4.0 * (i + 1) / steps;
+      if (equation({lower}) * equation({upper}) >= 0)
+        continue;
+      ++changes;
+      bool is_found = false;
+      for (const auto& solution : solutions)
+        is_found = is_found || (solution[0].second >= lower && solution[0].first <= upper);
+      EXPECT_TRUE(is_found) << lower;
+    }
+    for (const auto& solution : solutions)
+      if (solution.is_certified()) {
+        ++certified;
+        const double below = equation({solution[0].first - 1e-7}), above = equation({solution[0].second + 1e-7});
+        EXPECT_TRUE(below * above < 0 || std::abs(below) < 1e-10) << below << ' ' << above;
+      }
+  }
+  EXPECT_GT(certified, 150u);
+  EXPECT_GT(changes, 150u);
+}
+
+TEST(Elementary_functions, planted_roots_of_systems)
+{
+  std::mt19937_64 random(20261202);
+  std::size_t certified = 0, complete = 0;
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const int n = 2 + k % 2;
+    Elementary_values values;
+    const std::vector<Rational> root = random_point(random, n);
+    std::vector<Planted_equation> equations;
+    Constraints constraints;
+    for (int i = 0; i < n; ++i) {
+      equations.emplace_back(random, root, values);
+      constraints.emplace_back(equations.back().function(), Relation::EQUAL);
+    }
+    const SC::Solver_options options{.node_limit = 2000};
+    const Solutions solutions = SC::Propagation_solver_d(options)(Domain(n, {-2, 2}), constraints, values);
+    EXPECT_GE(holders(solutions, root), 1u);
+    complete += solutions.is_complete();
+    for (const auto& solution : solutions)
+      if (solution.is_certified()) {
+        ++certified;
+        for (const Planted_equation& equation : equations)
+          EXPECT_LT(std::abs(equation(solution.point())), 1e-8);
+      }
+  }
+  EXPECT_GT(complete, 40u);
+  EXPECT_GT(certified, 80u);
+}
+
+// Two links and three: the tip of the arm, and the direction of its last link. The same in cosines and sines as unknowns.
+TEST(Elementary_functions, postures_of_an_arm)
+{
+  const Rational x(17, 10), y(6, 10);
+  Elementary_values values;
+  const Power_polynomial a = unknown(0), b = unknown(1);
+  const Solutions angles = solve({{-3, 3}, {-3, 3}},
+                                 {{2 * values.cos(a) + values.cos(a + b) - x, Relation::EQUAL},
+                                  {2 * values.sin(a) + values.sin(a + b) - y, Relation::EQUAL}},
+                                 values);
+  ASSERT_TRUE(angles.is_complete());
+  const Power_polynomial c = unknown(0), s = unknown(1), d = unknown(2), t = unknown(3);
+  const Solutions cosines = SC::solve_polynomials(Domain(4, {-1, 1}),
+                                                  {{2 * c + d - x, Relation::EQUAL},
+                                                   {2 * s + t - y, Relation::EQUAL},
+                                                   {c * c + s * s - 1, Relation::EQUAL},
+                                                   {d * d + t * t - 1, Relation::EQUAL}});
+  ASSERT_TRUE(cosines.is_complete());
+  EXPECT_EQ(angles.count(Solution_kind::CERTIFIED), 2u);
+  ASSERT_EQ(cosines.count(Solution_kind::CERTIFIED), 2u);
+  for (const auto& angle : angles) {
+    std::size_t same = 0;
+    for (const auto& other : cosines)
+      same += std::abs(std::atan2(other.point()[1], other.point()[0]) - angle.point()[0]) < 1e-12;
+    EXPECT_EQ(same, 1u);
+  }
+}
+
+// h e^x in the middle of second differences (Bratu): two solutions; a hundred unknowns and as many functions.
+TEST(Elementary_functions, many_unknowns)
+{
+  for (const int n : {10, 70}) {
+    Elementary_values values;
+    Constraints constraints;
+    for (int i = 0; i < n; ++i) {
+      Power_polynomial f = values.exp(unknown(i)) / Rational((n + 1) * (n + 1)) - 2 * unknown(i);
+      if (i > 0)
+        f += unknown(i - 1);
+      if (i + 1 < n)
+        f += unknown(i + 1);
+      constraints.emplace_back(f, Relation::EQUAL);
+    }
+    const Solutions solutions = solve(Domain(n, {-100000000, 20}), constraints, values);
+    EXPECT_TRUE(solutions.is_complete());
+    EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 2u);
+  }
+}
+
+TEST(Elementary_functions, nothing_where_they_are_not_defined)
+{
+  const Power_polynomial x = unknown(0);
+  expect_roots([&](auto& v) -> Power_polynomial { return v.log(x) - v.log(-x); }, -5, 5, {});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.sqrt(x - 1) * x; }, -5, 0, {});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.value(Elementary_function::ARC_SINE, x) + 3 - x; }, -5, 5,
+               {});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.log(v.sin(Power_polynomial(4))) + x; }, -5, 5, {});
+  // a factor that is cancelled is still required
+  Elementary_values values;
+  const Power_polynomial logarithm = values.log(x);
+  const Solutions solutions = solve({{-5, 5}}, {{x * x - 4 + logarithm - logarithm, Relation::EQUAL}}, values);
+  EXPECT_TRUE(solutions.is_complete());
+  ASSERT_EQ(solutions.size(), 1u);
+  EXPECT_NEAR(solutions[0].point()[0], 2, 1e-12);
+}
+
+// Rational roots on faces and multiple ones are decided, others are left with their boxes and reasons.
+TEST(Elementary_functions, roots_that_need_exact_signs)
+{
+  const Power_polynomial x = unknown(0), y = unknown(1);
+  expect_roots([&](auto& v) -> Power_polynomial { return v.sin(x); }, 0, 4, {0.0, std::numbers::pi});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.exp(x) - 1; }, 0, 1, {0.0});
+
+  Elementary_values w;
+  const Solutions doubled = solve({{-1, 2}}, {{w.exp(x) - 1 - x, Relation::EQUAL}}, w);
+  EXPECT_TRUE(doubled.is_complete());
+  ASSERT_EQ(doubled.size(), 1u);
+  EXPECT_EQ(doubled[0].kind(), Solution_kind::CLUSTER);
+  EXPECT_LE(doubled[0][0].first, 0);
+  EXPECT_GE(doubled[0][0].second, 0);
+  EXPECT_LT(doubled[0][0].second - doubled[0][0].first, 1e-6);
+
+  Elementary_values s;
+  const Solutions irrational = solve({{1, 5}}, {{s.sin(x) - 1, Relation::EQUAL}}, s);
+  EXPECT_FALSE(irrational.is_complete());
+  ASSERT_EQ(irrational.size(), 1u);
+  EXPECT_EQ(irrational[0].reason(), Undecided_reason::TOLERANCE);
+  EXPECT_NEAR(irrational[0].point()[0], std::numbers::pi / 2, 1e-6);
+
+  for (const Relation relation : {Relation::LESS_EQUAL, Relation::GREATER, Relation::NOT_EQUAL}) {
+    Elementary_values e;
+    const Solutions on_boundary = solve({{-5, 5}}, {{e.exp(x) - 2, Relation::EQUAL}, {e.exp(2 * x) - 4, relation}}, e);
+    ASSERT_EQ(on_boundary.size(), 1u);
+    EXPECT_EQ(on_boundary[0].reason(), Undecided_reason::INEQUALITY);
+  }
+  for (const bool is_less : {true, false}) {
+    Elementary_values e;
+    const Solutions decided = solve({{-5, 5}, {-5, 5}},
+                                    {{e.exp(x) - 2, Relation::EQUAL},
+                                     {y - x, Relation::EQUAL},
+                                     {e.exp(y) - 3, is_less ? Relation::LESS : Relation::GREATER}},
+                                    e);
+    EXPECT_TRUE(decided.is_complete());
+    EXPECT_EQ(decided.count(Solution_kind::CERTIFIED), is_less ? 1u : 0u);
+  }
+}
+
+TEST(Elementary_functions, limits_and_bad_input)
+{
+  const Power_polynomial x = unknown(0);
+  Elementary_values v;
+  const Constraints constraints{{v.sin(50 * x) - x / 10, Relation::EQUAL}};
+  const Solutions limited = SC::Propagation_solver_d({.node_limit = 5})({{-9, 9}}, constraints, v);
+  EXPECT_FALSE(limited.is_complete());
+  EXPECT_EQ(limited.summary().why_not, Undecided_reason::NODES);
+
+  const SC::Propagation_solver_d solver;
+  EXPECT_THROW(solver({{-9, 9}}, constraints, Elementary_values()), SC::Invalid_input);
+  EXPECT_THROW(solver({{-9, 9}}, constraints), SC::Invalid_input);
+  EXPECT_THROW(solver({{-9, 9}, {0, 1}}, constraints, v), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_polynomials({{-9, 9}}, constraints), SC::Invalid_input);
+  Elementary_values other;
+  const Constraints of_other{{other.sin(unknown(1)) - x, Relation::EQUAL}};
+  EXPECT_THROW(solver({{-9, 9}}, of_other, other), SC::Invalid_input);
+
+  EXPECT_THROW(v.value(Elementary_function::POWER, x), SC::Invalid_input);
+  EXPECT_THROW(v.reciprocal(Power_polynomial()), SC::Invalid_input);
+  EXPECT_THROW(v.log(Power_polynomial(-1)), SC::Invalid_input);
+  EXPECT_THROW(v.sqrt(Power_polynomial(-1)), SC::Invalid_input);
+  EXPECT_THROW(v.power(Power_polynomial(0), Rational(-1, 3)), SC::Invalid_input);
+  EXPECT_THROW(v.power(x, Rational(1000000000)), SC::Invalid_input);
+  const std::vector<std::string> no_names;
+  EXPECT_THROW(v.text(x, no_names), SC::Invalid_input);
+}
+
+} // namespace elementary_functions_test
