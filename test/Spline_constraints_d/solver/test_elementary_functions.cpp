@@ -267,7 +267,7 @@ TEST(Elementary_functions, planted_roots_of_systems)
   EXPECT_GT(certified, 80u);
 }
 
-// Two links and three: the tip of the arm, and the direction of its last link. The same in cosines and sines as unknowns.
+// Where the tip of an arm of two links is to be. The same with cosines and sines as unknowns.
 TEST(Elementary_functions, postures_of_an_arm)
 {
   const Rational x(17, 10), y(6, 10);

@@ -204,6 +204,14 @@ inline Interval extended_product(const Interval& a, const Interval& b)
   return Interval(-largest(-a.inf(), -a.sup()), largest(a.inf(), a.sup()));
 }
 
+inline Interval extended_power(const Interval& x, int exponent)
+{
+  Interval result = x;
+  for (int e = 1; e < exponent; ++e)
+    result = extended_product(result, x);
+  return exponent % 2 == 0 ? Interval((std::max)(result.inf(), 0.0), result.sup()) : result;
+}
+
 /*
 Each summand is what the others leave: this bounds an unknown that it is linear in, with a factor that is not zero, or
 the argument of a function. Sums of lower ends, and of upper ones, are never differences of infinities.
@@ -214,29 +222,28 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::narrow_unbounded(int
   for (const auto& part : m_system.elementary_parts(constraint))
     m_summands.push_back({elementary_value(part, box), part.coefficient, -1, &part});
   for (const auto& part : m_system.parts(constraint)) {
-    const Interval& range = box[part.unknown];
-    const Interval factor = m_system.coefficients(part)[0];
-    if (part.degree == 1)
-      m_summands.push_back({extended_product(factor, range), factor, part.unknown, nullptr});
-    else
-      m_summands.push_back({is_finite(range) ? part_value(part, box) : elementary::entire_line(), factor, -1, nullptr});
+    const auto coefficients = m_system.coefficients(part);
+    Interval value(0);
+    for (int e = 1; e <= part.degree; ++e)
+      value += extended_product(coefficients[e - 1], extended_power(box[part.unknown], e));
+    m_summands.push_back({value, coefficients[0], part.degree == 1 ? part.unknown : -1, nullptr});
   }
   for (const auto& term : m_system.terms(constraint)) {
-    Summand summand{elementary::entire_line(), term.coefficient, -1, nullptr};
+    Summand summand{term.coefficient, term.coefficient, -1, nullptr};
     int unbounded = 0;
-    for (std::size_t f = m_system.first_factor(term.monomial); f < m_system.last_factor(term.monomial); ++f)
-      if (const auto [own, exponent] = m_system.factor(f); is_finite(box[own]))
-        summand.factor *= power(box[own], exponent);
+    for (std::size_t f = m_system.first_factor(term.monomial); f < m_system.last_factor(term.monomial); ++f) {
+      const auto [own, exponent] = m_system.factor(f);
+      const Interval factor = extended_power(box[own], exponent);
+      summand.value = extended_product(summand.value, factor);
+      if (is_finite(box[own]))
+        summand.factor = extended_product(summand.factor, factor);
       else {
         summand.unknown = exponent == 1 ? own : -1;
         ++unbounded;
       }
-    if (unbounded == 0)
-      summand.value = summand.factor;
-    else if (unbounded > 1)
+    }
+    if (unbounded != 1)
       summand.unknown = -1;
-    else if (summand.unknown >= 0)
-      summand.value = extended_product(summand.factor, box[summand.unknown]);
     m_summands.push_back(summand);
   }
   for (Summand& summand : m_summands)
