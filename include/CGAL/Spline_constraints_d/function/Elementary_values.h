@@ -79,14 +79,21 @@ public:
     return enter({function, Exact_rational(), argument});
   }
 
-  //! \name Some of these by their names
+  //! \name Some of these by their names, of a polynomial as `value()`
   //! @{
+  //! \f$e^x\f$. \param x what it is taken of.
   Power_polynomial exp(const Power_polynomial& x) { return value(Elementary_function::EXPONENTIAL, x); }
+  //! the logarithm to the base \f$e\f$. \param x what it is taken of.
   Power_polynomial log(const Power_polynomial& x) { return value(Elementary_function::LOGARITHM, x); }
+  //! the square root. \param x what it is taken of.
   Power_polynomial sqrt(const Power_polynomial& x) { return value(Elementary_function::SQUARE_ROOT, x); }
+  //! the sine. \param x what it is taken of.
   Power_polynomial sin(const Power_polynomial& x) { return value(Elementary_function::SINE, x); }
+  //! the cosine. \param x what it is taken of.
   Power_polynomial cos(const Power_polynomial& x) { return value(Elementary_function::COSINE, x); }
+  //! the tangent. \param x what it is taken of.
   Power_polynomial tan(const Power_polynomial& x) { return value(Elementary_function::TANGENT, x); }
+  //! the arc tangent. \param x what it is taken of.
   Power_polynomial atan(const Power_polynomial& x) { return value(Elementary_function::ARC_TANGENT, x); }
   //! four times `atan(1)`.
   Power_polynomial pi() { return 4 * atan(Power_polynomial(1)); }

@@ -353,8 +353,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
 }
 
 // Boxes that touch are settled together; with functions, whose bounds leave gaps in between, boxes that nearly do.
+// So many that they cover a continuum, or what a limit has left, are one box at once.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 {
+  constexpr std::size_t most_apart = 4096;
+  if (const bool is_stopped = m_control.reason() != Undecided_reason::NONE;
+      m_values != nullptr && !m_open.empty() && (is_stopped || m_open.size() > most_apart)) {
+    Box_of_ranges hull = m_open.front();
+    for (const Box_of_ranges& open : m_open)
+      extend(hull, open);
+    add_undecided(hull, is_stopped ? m_control.reason() : Undecided_reason::CONTINUUM);
+    return;
+  }
   std::vector<Exact_ranges> boxes;
   for (const Box_of_ranges& open : m_open) {
     Exact_ranges& ranges = boxes.emplace_back();
