@@ -11,6 +11,8 @@
 
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_state.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Undecided_part.h>
 
 #include <CGAL/Uncertain.h>
 
