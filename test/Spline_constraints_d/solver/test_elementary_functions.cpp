@@ -373,6 +373,17 @@ TEST(Elementary_functions, roots_that_need_exact_signs)
   }
 }
 
+// Where powers of values are no doubles any more.
+TEST(Elementary_functions, huge_values)
+{
+  const Power_polynomial x = unknown(0);
+  const double log_2 = std::log(2.0);
+  expect_roots([&](auto& v) -> Power_polynomial { return pow(v.exp(x), 3) - 8; }, -500, 500, {log_2});
+  expect_roots([&](auto& v) -> Power_polynomial { return v.exp(200 * x) - v.exp(Power_polynomial(300)); }, -9, 9,
+               {1.5});
+  expect_roots([&](auto& v) -> Power_polynomial { return pow(v.reciprocal(x), 5) - 32; }, -1, 1, {0.5});
+}
+
 TEST(Elementary_functions, limits_and_bad_input)
 {
   const Power_polynomial x = unknown(0);

@@ -193,25 +193,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Constraint_propagation::is_bounded(int const
   return true;
 }
 
-// With infinite ends, and 0 times these is 0.
-inline Interval extended_product(const Interval& a, const Interval& b)
-{
-  const auto product = [](double x, double y) { return x == 0 || y == 0 ? 0 : x * y; };
-  const auto largest = [&](double x, double y) {
-    return (std::max)((std::max)(product(x, b.inf()), product(x, b.sup())),
-                      (std::max)(product(y, b.inf()), product(y, b.sup())));
-  };
-  return Interval(-largest(-a.inf(), -a.sup()), largest(a.inf(), a.sup()));
-}
-
-inline Interval extended_power(const Interval& x, int exponent)
-{
-  Interval result = x;
-  for (int e = 1; e < exponent; ++e)
-    result = extended_product(result, x);
-  return exponent % 2 == 0 ? Interval((std::max)(result.inf(), 0.0), result.sup()) : result;
-}
-
 /*
 Each summand is what the others leave: this bounds an unknown that it is linear in, with a factor that is not zero, or
 the argument of a function. Sums of lower ends, and of upper ones, are never differences of infinities.

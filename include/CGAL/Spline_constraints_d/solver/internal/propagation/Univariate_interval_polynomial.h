@@ -69,6 +69,25 @@ inline Interval power(const Interval& x, int exponent)
   return Interval(power(Interval(x.inf()), exponent).inf(), power(Interval(x.sup()), exponent).sup());
 }
 
+// With infinite ends, and 0 times these is 0.
+inline Interval extended_product(const Interval& a, const Interval& b)
+{
+  const auto product = [](double x, double y) { return x == 0 || y == 0 ? 0 : x * y; };
+  const auto largest = [&](double x, double y) {
+    return (std::max)((std::max)(product(x, b.inf()), product(x, b.sup())),
+                      (std::max)(product(y, b.inf()), product(y, b.sup())));
+  };
+  return Interval(-largest(-a.inf(), -a.sup()), largest(a.inf(), a.sup()));
+}
+
+inline Interval extended_power(const Interval& x, int exponent)
+{
+  Interval result = x;
+  for (int e = 1; e < exponent; ++e)
+    result = extended_product(result, x);
+  return exponent % 2 == 0 ? Interval((std::max)(result.inf(), 0.0), result.sup()) : result;
+}
+
 /*
 A polynomial in one unknown with interval coefficients: its values, and where in a range it can be zero. The space that
 it needs is kept from one polynomial to the next.
@@ -160,6 +179,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Interval Univariate_interval_polynomial::range_of
       m_shifted[e] += m_shifted[e - 1];
     hull = Interval((std::min)(hull.inf(), m_shifted[k].inf()), (std::max)(hull.sup(), m_shifted[k].sup()));
   }
+  // the last one has all of them in it, also what is no number any more, which no comparison finds
+  if (is_finite(m_shifted[degree]))
+    return hull;
+  hull = Interval(0);
+  for (std::size_t e = 0; e <= degree; ++e)
+    hull += extended_product(coefficients[e], e == 0 ? Interval(1) : extended_power(x, static_cast<int>(e)));
   return hull;
 }
 
