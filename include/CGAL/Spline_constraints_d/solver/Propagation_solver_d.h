@@ -89,9 +89,9 @@ public:
   all solutions of constraints with values of elementary functions. A point where one of the values is not defined is no
   solution.
 
-  Exactness: functions and their derivatives are enclosed by MPFR with directed rounding, so solutions are certified as
-  those of polynomials are. There are no exact signs: multiple roots, roots on the boundary of the domain, of an
-  inequality, or of where a function is defined stay undecided, with a box and
+  Exactness: functions and their derivatives are enclosed, by series with bounds of their rests or by MPFR with directed
+  rounding, so solutions are certified as those of polynomials are. There are no exact signs: multiple roots, roots on
+  the boundary of the domain, of an inequality, or of where a function is defined stay undecided, with a box and
   `Undecided_reason::TOLERANCE`, unless they are rational and all values there are rational by the laws of the
   functions, as \f$e^0 = 1\f$.
   \param domain a range for each unknown.
