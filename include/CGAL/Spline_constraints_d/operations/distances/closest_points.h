@@ -10,7 +10,6 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_CLOSEST_POINTS_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number/Deferred_rational.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/common/Answer_list.h>
@@ -159,8 +158,8 @@ public:
 namespace internal {
 namespace Distances {
 
-template <SplineKernel Kernel, int d>
-std::vector<Point_pair<Kernel, d>> point_pairs(Scratch_vector<Located_distance<d>> found)
+template <SplineKernel Kernel, int d, class Located_distances>
+std::vector<Point_pair<Kernel, d>> point_pairs(Located_distances found)
 {
   std::vector<Point_pair<Kernel, d>> result;
   result.reserve(found.size());
