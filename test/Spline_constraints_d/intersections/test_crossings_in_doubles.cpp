@@ -46,7 +46,8 @@ Solutions crossings(const Points& first, const Points& second, std::size_t most_
     if (!Internal::Crossing_search::can_search(coordinates[k]))
       return std::nullopt;
   }
-  return Internal::Crossing_search(coordinates[0], coordinates[1])(most_nodes);
+  const auto found = Internal::Crossing_search(coordinates[0], coordinates[1])(most_nodes);
+  return found ? std::optional(std::vector(found->begin(), found->end())) : std::nullopt;
 }
 
 auto exact_intersections(const Points& first, const Points& second)
