@@ -34,6 +34,7 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number.h>
 #include <CGAL/Spline_constraints_d/solver.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Newton_iteration.h>

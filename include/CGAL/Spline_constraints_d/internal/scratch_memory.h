@@ -9,6 +9,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_INTERNAL_SCRATCH_MEMORY_H
 #define CGAL_SPLINE_CONSTRAINTS_D_INTERNAL_SCRATCH_MEMORY_H
 
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <list>
@@ -75,11 +77,17 @@ private:
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
-inline Scratch_memory& scratch_memory()
+// That of the calling thread. There is one, also where a program that hides its symbols links a shared library, which
+// makes lists that the program frees.
+Scratch_memory& scratch_memory();
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+CGAL_SPLINE_CONSTRAINTS_INLINE Scratch_memory& scratch_memory()
 {
   thread_local Scratch_memory memory;
   return memory;
 }
+#endif
 
 // Takes that memory.
 template <class T>

@@ -125,7 +125,8 @@ private:
     return result;
   }
 
-  // What is at the upper end of a seam and at its lower end is one normal, there once.
+  // What is at the upper end of a seam and at its lower end is one normal, there once: where both are at these ends by
+  // proof, and nothing else is between them.
   static bool is_again(const Solution_set_d<double>& solutions, const Solution_d<double>& solution, const Box& domain,
                        const std::array<bool, 4>& is_seam)
   {
@@ -133,11 +134,13 @@ private:
       return false;
     const Box box = solution.exact_box();
     for (std::size_t axis = 0; axis < 4; ++axis)
-      if (is_seam[axis] && domain[axis].second <= box[axis].second) {
+      if (is_seam[axis] && box[axis].first == domain[axis].second) {
         Box other = box;
         other[axis] = {domain[axis].first, domain[axis].first};
-        if (std::any_of(solutions.begin(), solutions.end(),
-                        [&](const Solution_d<double>& x) { return touch(x.exact_box(), other); }))
+        if (std::any_of(solutions.begin(), solutions.end(), [&](const Solution_d<double>& x) {
+              const Box own = x.exact_box();
+              return own[axis].second == domain[axis].first && touch(own, other);
+            }))
           return true;
       }
     return false;

@@ -44,26 +44,39 @@ inline Swept_volumes::Solid_boundary solid_of_pieces(const std::vector<Common::E
   return solid.cut_along(std::move(lines));
 }
 
+// What both operations begin with: checks of the input, and the search, which a function is called with.
+template <class Function>
+auto search_contacts_of_solids(const std::vector<Common::Exact_map<3>>& moving, const Rational_motion_3& motion,
+                               const std::vector<Common::Exact_map<3>>& fixed, const Solver_options& options,
+                               const std::string& name, const Function& function)
+{
+  Budgeted_solver solve(options);
+  Swept_volumes::has_positive_maps(motion, name); // or else it throws
+  const auto own = solid_of_pieces(moving, name + ", moving solid"),
+             other = solid_of_pieces(fixed, name + ", fixed solid");
+  const Moving_solids solids{own, motion, other, options.tolerance};
+  Solid_contact_search search(solids, solve);
+  return function(States_of_solids(solids, search, solve), search, solve);
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE First_contact_3 first_contact_of(const std::vector<Common::Exact_map<3>>& moving,
                                                                 const Rational_motion_3& motion,
                                                                 const std::vector<Common::Exact_map<3>>& fixed,
                                                                 const Solver_options& options)
 {
-  Budgeted_solver solve(options);
-  Swept_volumes::has_positive_maps(motion, "first contact"); // or else it throws
-  const auto own = solid_of_pieces(moving, "first contact, moving solid"),
-             other = solid_of_pieces(fixed, "first contact, fixed solid");
-  const Moving_solids solids{own, motion, other, options.tolerance};
-  Solid_contact_search search(solids, solve);
-  const Parameter_range begin(motion.domain().first, motion.domain().first);
-  switch (const Contact_state state = States_of_solids(solids, search, solve).at(begin.first, {})) {
-  case Contact_state::APART:
-    return earliest_contact<Contact_3, Solid_contact_search, Solid_candidate>(search, solve);
-  case Contact_state::OVERLAPPING:
-    return {state, begin, true, {}, {}, summary_of(solve, true)};
-  default:
-    return undecided_first_contact<Contact_3>(motion.domain(), solve, States_of_solids::not_decided);
-  }
+  const auto first = [&](States_of_solids states, Solid_contact_search& search,
+                         Budgeted_solver& solve) -> First_contact_3 {
+    const Parameter_range begin(motion.domain().first, motion.domain().first);
+    switch (const Contact_state state = states.at(begin.first, {})) {
+    case Contact_state::APART:
+      return earliest_contact<Contact_3, Solid_contact_search, Solid_candidate>(search, solve);
+    case Contact_state::OVERLAPPING:
+      return {state, begin, true, {}, {}, summary_of(solve, true)};
+    default:
+      return undecided_first_contact<Contact_3>(motion.domain(), solve, States_of_solids::not_decided);
+    }
+  };
+  return search_contacts_of_solids(moving, motion, fixed, options, "first contact", first);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Contact_events_3 contact_events_of(const std::vector<Common::Exact_map<3>>& moving,
@@ -71,16 +84,13 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Contact_events_3 contact_events_of(const std::vec
                                                                   const std::vector<Common::Exact_map<3>>& fixed,
                                                                   const Solver_options& options)
 {
-  Budgeted_solver solve(options);
-  Swept_volumes::has_positive_maps(motion, "contact events"); // or else it throws
-  const auto own = solid_of_pieces(moving, "contact events, moving solid"),
-             other = solid_of_pieces(fixed, "contact events, fixed solid");
-  const Moving_solids solids{own, motion, other, options.tolerance};
-  Solid_contact_search search(solids, solve);
-  const auto found = distinct_contacts(search, all_candidates<Solid_candidate>(search));
-  States_of_solids states(solids, search, solve);
-  return Contact_timeline<Contact_3, Solid_contact_search, Solid_candidate, States_of_solids>(states, search,
-                                                                                              solve)(found);
+  const auto events = [](States_of_solids states, Solid_contact_search& search,
+                         Budgeted_solver& solve) -> Contact_events_3 {
+    const auto found = distinct_contacts(search, all_candidates<Solid_candidate>(search));
+    return Contact_timeline<Contact_3, Solid_contact_search, Solid_candidate, States_of_solids>(states, search,
+                                                                                                solve)(found);
+  };
+  return search_contacts_of_solids(moving, motion, fixed, options, "contact events", events);
 }
 
 } // namespace First_contacts
