@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -41,8 +42,8 @@ class Cell_functions
 
 public:
   // By a function of the part of a patch that lies over a cell.
-  template <class Make>
-  Cell_functions(const Spline_patch<3>& patch, const Make& make) : m_breaks{patch.breaks(0), patch.breaks(1)}
+  Cell_functions(const Spline_patch<3>& patch, const std::function<Functions(const Spline_patch<3>&)>& make)
+    : m_breaks{patch.breaks(0), patch.breaks(1)}
   {
     for (std::size_t i = 0; i < size(0); ++i)
       for (std::size_t j = 0; j < size(1); ++j)

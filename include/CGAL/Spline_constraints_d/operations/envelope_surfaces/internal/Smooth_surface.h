@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -122,8 +123,7 @@ The parts of a surface on which normals are continuous. These are in the lowest 
 common on a cell is divided out, so that they do not vanish at poles and tips. Before each cell `check()` may end the
 work by an exception.
 */
-template <class Check>
-std::vector<Smooth_surface> smooth_surfaces(const Spline_patch<3>& patch, const Check& check)
+inline std::vector<Smooth_surface> smooth_surfaces(const Spline_patch<3>& patch, const std::function<void()>& check)
 {
   const auto normal = [&](const Spline_patch<3>& cell) {
     check();

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -42,8 +43,8 @@ struct Surface_with_tangents
 };
 
 // The parts of a surface, cut where a normal or the direction of a tangent jumps.
-template <class Check>
-std::vector<Surface_with_tangents> surfaces_with_tangents(const Spline_patch<3>& patch, const Check& check)
+inline std::vector<Surface_with_tangents> surfaces_with_tangents(const Spline_patch<3>& patch,
+                                                                 const std::function<void()>& check)
 {
   std::vector<Surface_with_tangents> result;
   for (const Oriented_patch& part : oriented_patches(patch, check))

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -66,8 +67,7 @@ inline std::array<Exact_function, 3> second_form(const Spline_patch<3>& cell)
 
 // The tangent planes of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
 // Before each cell `check()` may end the work by an exception.
-template <class Check>
-std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch, const Check& check)
+inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch, const std::function<void()>& check)
 {
   const auto checked_plane = [&](const Spline_patch<3>& cell) {
     check();
@@ -86,8 +86,8 @@ inline Vector_of_functions<3> tangent_direction(const Spline_patch<3>& cell, int
 }
 
 // The directions of the derivative of a surface by a parameter.
-template <class Check>
-std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis, const Check& check)
+inline std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis,
+                                                          const std::function<void()>& check)
 {
   const auto checked_direction = [&](const Spline_patch<3>& cell) {
     check();
@@ -108,8 +108,7 @@ struct Oriented_patch
 };
 
 // The parts of a surface, cut where a normal or tangent jumps.
-template <class Check>
-std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch, const Check& check)
+inline std::vector<Oriented_patch> oriented_patches(const Spline_patch<3>& patch, const std::function<void()>& check)
 {
   const std::vector<Continuous_part<4>> planes = tangent_planes(patch, check);
   const std::array<std::vector<Continuous_part<3>>, 2> tangents{tangent_directions(patch, 0, check),

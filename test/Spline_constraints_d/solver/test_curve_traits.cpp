@@ -15,10 +15,10 @@
 #include <cstddef>
 #include <type_traits>
 
+namespace curve_traits_test {
+
 using Rational = SC::Exact_rational;
 using SC::unknowns;
-
-namespace {
 
 // x^2 + y^2 + z^2 = 4 and (x - c)^2 + y^2 = 1.
 SC::Constraint_system_d sphere_and_cylinder(const Rational& c)
@@ -43,8 +43,6 @@ class Curve_solver_traits : public ::testing::Test
 using All_traits = ::testing::Types<SC::Fast_solver_traits, SC::Certified_solver_traits, SC::Interval_solver_traits,
                                     SC::Multiprecision_solver_traits, SC::Exact_solver_traits>;
 TYPED_TEST_SUITE(Curve_solver_traits, All_traits);
-
-} // namespace
 
 TYPED_TEST(Curve_solver_traits, sphere_and_cylinder)
 {
@@ -108,3 +106,5 @@ TEST(Curve_solver, is_stopped_by_a_visitor)
   EXPECT_FALSE(set.undecided().empty());
   EXPECT_TRUE(SC::Curve_solver_d<>()(system).is_complete());
 }
+
+} // namespace curve_traits_test

@@ -7,16 +7,16 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disk_reach.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Envelope_arc_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/site_graphs_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@
 #include <vector>
 
 using SC::Exact_rational;
-using SC::internal::Common::Exact_arc_2;
 using SC::internal::Exact_pair;
+using SC::internal::Common::Exact_arc_2;
 using SC::internal::Common::Fine_interval;
 using SC::internal::Common::Interval;
 using SC::internal::Common::Range;
@@ -52,10 +52,26 @@ public:
   double inf() const { return m_x.inf(); }
   double sup() const { return m_x.sup(); }
 
-  Least_number& operator+=(const Least_number& y) { m_x += y.m_x; return *this; }
-  Least_number& operator-=(const Least_number& y) { m_x -= y.m_x; return *this; }
-  Least_number& operator*=(const Least_number& y) { m_x *= y.m_x; return *this; }
-  Least_number& operator/=(const Least_number& y) { m_x /= y.m_x; return *this; }
+  Least_number& operator+=(const Least_number& y)
+  {
+    m_x += y.m_x;
+    return *this;
+  }
+  Least_number& operator-=(const Least_number& y)
+  {
+    m_x -= y.m_x;
+    return *this;
+  }
+  Least_number& operator*=(const Least_number& y)
+  {
+    m_x *= y.m_x;
+    return *this;
+  }
+  Least_number& operator/=(const Least_number& y)
+  {
+    m_x /= y.m_x;
+    return *this;
+  }
   friend Least_number operator-(const Least_number& x) { return {-x.m_x, 0}; }
   friend Least_number operator+(Least_number x, const Least_number& y) { return x += y; }
   friend Least_number operator-(Least_number x, const Least_number& y) { return x -= y; }
@@ -103,6 +119,8 @@ static_assert(SC::internal::Common::Enclosing_number<Least_number> &&
 template class SC::internal::Voronoi::Disk_curvature<Least_number>;
 template class SC::internal::Voronoi::Disk_reach<Least_number>;
 template class SC::internal::Voronoi::Nearest_sites<Least_number>;
+
+namespace fine_level_2_test {
 
 SC::internal::Common::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
 {
@@ -257,10 +275,7 @@ void expect_nothing_left_out(const Curves& curves)
 }
 
 // With several events that are closer to each other than parameters tell, next to an end.
-TEST(FineLevel, SweepsLeaveNothingOut)
-{
-  expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60));
-}
+TEST(FineLevel, SweepsLeaveNothingOut) { expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60)); }
 
 // Over random parts of the elements of cubics, disks that touch a segment or a circle, from both sides: their curvature
 // is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over
@@ -277,7 +292,7 @@ void expect_expansions_of_tangent_disks()
   const SC::internal::Voronoi::Disk_curvature<Interval> curvature(graph);
   const auto meet = [](const Interval& x, const Interval& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
   std::mt19937 random(1);
-  std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
+  std::array<std::size_t, 2> found{0, 0}; // on the segment, and on circles
   for (int i = 0; i < 2000; ++i) {
     const std::size_t f = random() % graph.elements().size(), arc = random() % graph.arcs().size();
     const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)),
@@ -423,7 +438,7 @@ void expect_bounds_of_two_maxima()
   EXPECT_LT(greatest.curvature.sup() - greatest.curvature.inf(), 1e-12);
   EXPECT_LT(greatest.range.begin, 1. / 3);
   EXPECT_GT(greatest.range.end, 2. / 3);
-  const auto lower = SC::internal::Voronoi::bounded_curvature<Interval>(at, {0, 1}, 1.5);   // than what is asked for
+  const auto lower = SC::internal::Voronoi::bounded_curvature<Interval>(at, {0, 1}, 1.5); // than what is asked for
   EXPECT_FALSE(lower.is_attained);
   EXPECT_LE(lower.curvature.inf(), 1);
   EXPECT_GE(lower.curvature.sup(), 1);
@@ -435,3 +450,5 @@ TEST(LargestCurvature, TwoMaxima)
   expect_bounds_of_two_maxima<SC::internal::Common::Interval>();
   expect_bounds_of_two_maxima<SC::internal::Common::Fine_interval>();
 }
+
+} // namespace fine_level_2_test
