@@ -110,6 +110,40 @@ TEST(Surface_singularities, nodes_of_a_cubic)
   EXPECT_EQ(places, (std::set<std::array<int, 3>>{{1, 0, 1}, {-1, 0, 1}, {0, 1, -1}, {0, -1, -1}}));
 }
 
+// Inequalities that hold around a singular point are further unknowns that depend on those in space there.
+TEST(Surface_singularities, inequalities_that_hold_there)
+{
+  std::mt19937 random(11);
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b, c] = rotated(random);
+    SC::Constraint_system_d cone = system(cube(2), {square(a) + number(2) * square(b) - square(c)});
+    cone.add(number(2) - square(x) - square(y) - square(z), SC::Relation::GREATER_EQUAL);
+    const SC::Surface_solution_set_d both = SC::solve_surfaces(cone);
+    EXPECT_EQ(disks_at_points(both), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(counts_of(both), (Counts{{1, 1}, {1, 1}}));
+    cone.add(c - number(1) - a * b, SC::Relation::LESS);
+    EXPECT_EQ(counts_of(SC::solve_surfaces(cone)), (Counts{{1, 1}, {1, 1}}));
+    cone.add(a + number(3) * c, SC::Relation::GREATER); // it is left out
+    EXPECT_TRUE(SC::solve_surfaces(cone).singular_points().empty());
+  }
+  // two of four nodes are allowed
+  SC::Constraint_system_d cubic =
+      system(cube(3), {square(x) + square(y) - square(x) * z + square(y) * z + square(z) - number(1)});
+  cubic.add(x - y, SC::Relation::GREATER_EQUAL);
+  cubic.add(square(x) + square(y) + square(z) - number(9), SC::Relation::LESS_EQUAL);
+  EXPECT_EQ(disks_at_points(SC::solve_surfaces(cubic)), std::vector<std::size_t>(2, 2));
+}
+
+// The same surface with an unknown for a part of its equality.
+TEST(Surface_singularities, unknowns_that_equalities_give)
+{
+  const Power_polynomial w = variable(3);
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(
+      system({{-1, 1}, {-1, 1}, {-1, 1}, {-2, 2}}, {square(x) + square(y) - square(z), w - x * y - z * square(z)}));
+  EXPECT_EQ(disks_at_points(set), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(counts_of(set), (Counts{{1, 1}, {1, 1}}));
+}
+
 TEST(Surface_singularities, isolated_points)
 {
   const SC::Surface_solution_set_d set = SC::solve_surfaces(

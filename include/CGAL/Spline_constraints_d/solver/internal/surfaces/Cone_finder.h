@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Gauss_newton_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Quadratic_cone_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Space_equation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Weighted_cone_test.h>
 
 #include <algorithm>
@@ -51,7 +52,8 @@ struct Known_cones
 
 /*
 Finds singular points of the surface of one equality in three unknowns, in one cell: rational ones, and others where
-the second derivative is regular. It knows which of them are proved to be cones or isolated.
+the second derivative is regular. It knows which of them are proved to be cones or isolated. Boxes are those of the
+whole system, points and regions are in space.
 */
 class Cone_finder
 {
@@ -59,7 +61,8 @@ class Cone_finder
   // where surfaces touch may be moderate: to tell the sheets apart costs many boxes for each smaller one.
   static constexpr double large = 0x1p-2, moderate = 0x1p-4, small = 0x1p-6;
 
-  const Constraint_system_d& m_system; // without breaks
+  std::optional<Space_equation> m_space; // none where there is no such equality
+  Exact_ranges m_domain;
   std::vector<double> m_lengths;
   std::optional<Power_polynomial> m_equation; // made when it is needed
   std::vector<Power_polynomial> m_conditions; // it and its derivatives
@@ -68,9 +71,13 @@ class Cone_finder
   Known_cones m_known;
 
 public:
-  explicit Cone_finder(const Constraint_system_d& system) : m_system(system)
+  // Without breaks.
+  explicit Cone_finder(const Constraint_system_d& system) : m_space(Space_equation::of(system))
   {
-    for (const auto& [lower, upper] : domain_of(m_system))
+    if (!m_space)
+      return;
+    m_domain = m_space->part_of(domain_of(system));
+    for (const auto& [lower, upper] : m_domain)
       m_lengths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
   }
 
@@ -78,19 +85,22 @@ public:
   void learn(const Known_cones& known) { m_known = known; }
   const Known_cones& known() const { return m_known; }
 
-  bool is_possible() const { return m_system.dimension() == 3 && m_system.equalities().size() == 1; }
+  // The equality in space, if there is one.
+  const std::optional<Space_equation>& space() const { return m_space; }
 
   // A point that is the only singular one in a box and lies inside, if the box is small and lies inside of the cell.
-  const Cone_point* operator()(const Exact_ranges& box)
+  // \pre there is an equality in space.
+  const Cone_point* operator()(const Exact_ranges& whole)
   {
+    const Exact_ranges box = m_space->part_of(whole);
     if (!is_smaller(box, large))
       return nullptr;
     ++m_known.calls;
     if (!known_in(box))
       search(box);
     const Cone_point* const result = known_in(box);
-    return result && is_inside(result->point, box) && is_inside(box, domain_of(m_system)) &&
-            is_smaller(box, result->is_quadratic() ? small : moderate)
+    return result && is_inside(result->point, box) && is_inside(box, m_domain) &&
+            is_smaller(box, result->is_quadratic() ? small : moderate) && m_space->is_graph_over(whole)
         ? result
         : nullptr;
   }
@@ -100,10 +110,10 @@ public:
   {
     constexpr double far = 0.2;
     return std::any_of(m_known.places.begin(), m_known.places.end(), [&](const Exact_point& place) {
-      for (std::size_t j = 0; j < 3; ++j)
-        if (place[j] < box[j].first || box[j].second < place[j])
-          return false;
-      return CGAL::to_double(Exact_rational(CGAL::abs(place[static_cast<std::size_t>(axis)] - value))) < far * width;
+      const Exact_ranges point = m_space->with_values(box_around(place, Exact_point(3, Exact_rational(0))));
+      const auto& [least, most] = point[static_cast<std::size_t>(axis)];
+      const Exact_rational beside = (std::max)(Exact_rational(least - value), Exact_rational(value - most));
+      return is_within(point, box) && CGAL::to_double(beside) < far * width;
     });
   }
 
@@ -165,7 +175,7 @@ private:
   {
     if (m_equation)
       return;
-    m_equation = *restricted(m_system.equalities().front(), Partial_point(3));
+    m_equation = m_space->polynomial();
     m_conditions = {*m_equation, m_equation->derivative(0), m_equation->derivative(1), m_equation->derivative(2)};
     for (const Power_polynomial& condition : m_conditions) {
       m_rounded.add(condition);

@@ -12,10 +12,12 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_point.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Space_equation.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -35,12 +37,16 @@ grad phi = a grad f + b n with b <= 0, on an edge only where grad phi = a grad f
 class Link_test
 {
   const Cone_point& m_point;
-  const Exact_ranges& m_box;
+  const Space_equation& m_space;
+  Exact_ranges m_box; // in space
 
   using Ends = std::array<std::array<double, 2>, 3>; // of a box, in the differences
 
 public:
-  Link_test(const Cone_point& point, const Exact_ranges& box) : m_point(point), m_box(box) {}
+  // A box over which the other unknowns are a graph.
+  Link_test(const Cone_point& point, const Space_equation& space, const Exact_ranges& box)
+    : m_point(point), m_space(space), m_box(space.part_of(box))
+  {}
 
   // `arcs`: all curves on the boundary.
   bool operator()(const Arc_store& store, const Arc_indices& arcs) const
@@ -65,19 +71,21 @@ private:
   {
     if (vertex.kind != Plane_point::REGULAR || vertex.is_singular)
       return false;
+    const Exact_ranges box = m_space.part_of(vertex.box);
     std::vector<std::size_t> faces, others;
-    for (std::size_t j = 0; j < 3; ++j)
-      (vertex.is_fixed[j] && side(j, vertex.box[j].first) != 0 ? faces : others).push_back(j);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool is_fixed = vertex.is_fixed[static_cast<std::size_t>(m_space.unknowns()[j])];
+      (is_fixed && side(j, box[j].first) != 0 ? faces : others).push_back(j);
+    }
     if (faces.size() != 2)
       return faces.size() == 1;
-    const Interval_box place = m_point.difference(vertex.box), own = m_point.equation(place).gradient,
+    const Interval_box place = m_point.difference(box), own = m_point.equation(place).gradient,
                        slope = m_point.slope(place);
     if (contains_zero(own[others[0]]))
       return false;
     const Interval factor = slope[others[0]] / own[others[0]];
-    return std::any_of(faces.begin(), faces.end(), [&](std::size_t j) {
-      return is_outward(slope[j] - factor * own[j], side(j, vertex.box[j].first));
-    });
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](std::size_t j) { return is_outward(slope[j] - factor * own[j], side(j, box[j].first)); });
   }
 
   static bool is_outward(const Interval& x, int side) { return side > 0 ? x.inf() > 0 : x.sup() < 0; }
@@ -85,8 +93,8 @@ private:
   bool is_good_arc(const Stored_arc& arc, const Arc_store& store) const
   {
     constexpr int most_parts = 1000;
-    const std::size_t face = static_cast<std::size_t>(arc.plane);
-    const int side_of_box = side(face, arc.box()[face].first);
+    const std::optional<std::size_t> face = m_space.place_of(arc.plane);
+    const int side_of_box = face ? side(*face, m_space.part_of(arc.box())[*face].first) : 0;
     if (side_of_box == 0)
       return false;
     std::vector<Ends> parts{ends_of(arc, store)};
@@ -95,8 +103,8 @@ private:
         return false;
       const Ends part = parts.back();
       parts.pop_back();
-      if (!is_good(part, face, side_of_box))
-        split(part, face, parts);
+      if (!is_good(part, *face, side_of_box))
+        split(part, *face, parts);
     }
     return true;
   }
@@ -104,13 +112,15 @@ private:
   // The box around an arc.
   Ends ends_of(const Stored_arc& arc, const Arc_store& store) const
   {
-    Exact_ranges box = arc.box();
+    Exact_ranges box = m_space.part_of(arc.box());
     for (std::size_t j = 0; j < 3; ++j)
       box[j] = {(std::max)(box[j].first, m_box[j].first), (std::min)(box[j].second, m_box[j].second)};
-    const std::size_t j = static_cast<std::size_t>(arc.parameter);
-    const auto &first = store.vertex(arc.ends[0]).box[j], &last = store.vertex(arc.ends[1]).box[j];
-    box[j] = {(std::max)(box[j].first, (std::min)(first.first, last.first)),
-              (std::min)(box[j].second, (std::max)(first.second, last.second))};
+    if (const std::optional<std::size_t> j = m_space.place_of(arc.parameter)) {
+      const std::size_t unknown = static_cast<std::size_t>(arc.parameter);
+      const auto &first = store.vertex(arc.ends[0]).box[unknown], &last = store.vertex(arc.ends[1]).box[unknown];
+      box[*j] = {(std::max)(box[*j].first, (std::min)(first.first, last.first)),
+                 (std::min)(box[*j].second, (std::max)(first.second, last.second))};
+    }
     const Interval_box differences = m_point.difference(box);
     Ends result;
     for (std::size_t k = 0; k < 3; ++k)

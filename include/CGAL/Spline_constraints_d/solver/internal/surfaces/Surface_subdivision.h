@@ -186,15 +186,15 @@ private:
   // loop.
   bool is_cone(const Exact_ranges& box, const Arc_indices& arcs)
   {
-    if (!m_cones.is_possible() || !may_gradient_vanish() || touches_open_part(box))
+    if (!m_cones.space() || !may_gradient_vanish() || touches_open_part(box))
       return false;
     const Cone_point* const point = m_cones(box);
-    if (!point || !Link_test(*point, box)(*m_store, arcs))
+    if (!point || !Link_test(*point, *m_cones.space(), box)(*m_store, arcs))
       return false;
     std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(*m_store, arcs);
     if (!loops)
       return false;
-    const std::size_t apex = m_store->add_vertex(Plane_point::singular(point->point));
+    const std::size_t apex = m_store->add_vertex(Plane_point::singular(m_cones.space()->with_values(point->point)));
     if (loops->empty())
       m_found->points.push_back(apex);
     for (Arc_loop& loop : *loops)
@@ -202,12 +202,14 @@ private:
     return true;
   }
 
+  // Of the equality in space.
   bool may_gradient_vanish()
   {
-    for (int j = 0; j < m_layout.dimension; ++j)
-      if (m_analysis.view.derivative_lower(0)[j] > 0 || m_analysis.view.derivative_upper(0)[j] < 0)
-        return false;
-    return true;
+    const int equality = static_cast<int>(m_cones.space()->index());
+    const double* const lower = m_analysis.view.derivative_lower(equality);
+    const double* const upper = m_analysis.view.derivative_upper(equality);
+    const auto& unknowns = m_cones.space()->unknowns();
+    return std::none_of(unknowns.begin(), unknowns.end(), [&](int j) { return lower[j] > 0 || upper[j] < 0; });
   }
 
   // A plane where a part of the box is seen to be empty, or that surfaces cross; there are many through a small box
