@@ -127,6 +127,37 @@ TEST(Surface_solver, domain_touches_surfaces)
   EXPECT_EQ(corner.vertices()[corner.points()[0]].point(), (std::vector<double>{1, 1, 1}));
 }
 
+// Tangent planes and spheres as inequalities, at rational points, under rotations; faces in four unknowns.
+TEST(Surface_solver, inequalities_touch_surfaces)
+{
+  std::mt19937 random(5);
+  for (int k = 0; k < 4; ++k) {
+    const auto [a, b, c] = rotated(random);
+    const auto solved = [&](const Power_polynomial& positive, const Rational& half_size) {
+      SC::Constraint_system_d result = system(cube(half_size), {sphere});
+      result.add(positive, Relation::GREATER_EQUAL);
+      return SC::solve_surfaces(result);
+    };
+    for (const Power_polynomial& holds : {number(1) - a, square(a - number(2)) + square(b) + square(c) - number(1)}) {
+      const SC::Surface_solution_set_d all = solved(holds, 2), point = solved(-holds, 2);
+      EXPECT_TRUE(all.is_complete() && point.is_complete());
+      EXPECT_EQ(counts_of(all), (Counts{{2, 0}}));
+      EXPECT_TRUE(all.points().empty() && point.surfaces().empty());
+      ASSERT_EQ(point.points().size(), 1u);
+      const auto& box = point.vertices()[point.points()[0]].box;
+      std::vector<Rational> place;
+      for (const auto& [lower, upper] : box) {
+        EXPECT_EQ(lower, upper);
+        place.push_back(lower);
+      }
+      EXPECT_EQ(a(place), 1);
+    }
+    EXPECT_EQ(counts_of(solved(number(Rational(1) / 2) - a - b, 1)),
+              (Counts{{1, 1}})); // all faces of the cube are touched
+  }
+  EXPECT_EQ(counts(system({{-2, 2}, {-2, 2}, {-2, 2}, {-1, 1}}, {sphere, w - x})), (Counts{{2, 0}}));
+}
+
 TEST(Surface_solver, inequalities_cut_surfaces)
 {
   SC::Constraint_system_d ring = system(cube(2), {torus(x, y, z)});
