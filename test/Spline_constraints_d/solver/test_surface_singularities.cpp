@@ -55,8 +55,10 @@ std::vector<std::size_t> disks_at_points(const SC::Surface_solution_set_d& set)
       continue;
     ++disks.at(*patch.apex);
     for (std::size_t j = 0; j < 3; ++j) {
-      EXPECT_LT(patch.box[j].first, set.vertices()[*patch.apex].box[j].first);
-      EXPECT_GT(patch.box[j].second, set.vertices()[*patch.apex].box[j].second);
+      const auto& [least, most] = set.vertices()[*patch.apex].box[j];
+      const auto& [lower, upper] = set.system().domain(static_cast<int>(j));
+      EXPECT_TRUE(patch.box[j].first < least || (least == lower && most == lower));
+      EXPECT_TRUE(most < patch.box[j].second || (least == upper && most == upper));
     }
     for (const SC::Surface_patch::Side& side : patch.boundary) {
       const SC::Surface_arc& arc = set.arcs()[side.arc];
@@ -142,6 +144,35 @@ TEST(Surface_singularities, unknowns_that_equalities_give)
       system({{-1, 1}, {-1, 1}, {-1, 1}, {-2, 2}}, {square(x) + square(y) - square(z), w - x * y - z * square(z)}));
   EXPECT_EQ(disks_at_points(set), (std::vector<std::size_t>{2}));
   EXPECT_EQ(counts_of(set), (Counts{{1, 1}, {1, 1}}));
+}
+
+// The apex is on a face of the domain, or of an inequality, which has no other solution near it.
+TEST(Surface_singularities, apex_on_a_face)
+{
+  const auto one_point = [](const SC::Surface_solution_set_d& set) {
+    return set.is_complete() && set.surfaces().empty() && set.points().size() == 1;
+  };
+  const Power_polynomial cone = square(x) + square(y) - square(z), cusp = square(x) + square(y) - z * square(z);
+  for (const Power_polynomial& f : {cone, cusp}) {
+    const SC::Surface_solution_set_d half = SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {0, 1}}, {f}));
+    EXPECT_EQ(disks_at_points(half), (std::vector<std::size_t>{1}));
+    EXPECT_EQ(counts_of(half), (Counts{{1, 1}}));
+  }
+  EXPECT_TRUE(one_point(SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-1, 0}}, {cusp}))));
+  for (int k = 0; k < 3; ++k) {
+    const Power_polynomial p = x - ratio(k, 3), q = y + ratio(1, 7), r = z - ratio(k, 5);
+    const auto solved = [&](const Power_polynomial& positive) {
+      SC::Constraint_system_d result = system(cube(2), {square(p) + number(2) * square(q) - square(r)});
+      result.add(positive, SC::Relation::GREATER_EQUAL);
+      return SC::solve_surfaces(result);
+    };
+    const SC::Surface_solution_set_d half = solved(number(3) * r - p - square(q));
+    EXPECT_EQ(disks_at_points(half), (std::vector<std::size_t>{1}));
+    EXPECT_EQ(counts_of(half), (Counts{{1, 1}}));
+    const SC::Surface_solution_set_d apex = solved(square(r) - number(4) * (square(p) + square(q)));
+    ASSERT_TRUE(one_point(apex));
+    EXPECT_EQ(apex.vertices()[apex.points()[0]].box[2].first, Rational(k) / 5);
+  }
 }
 
 TEST(Surface_singularities, isolated_points)
@@ -233,15 +264,18 @@ static void expect_open_region(const SC::Surface_solution_set_d& set, std::size_
   }
 }
 
-// Whitney's umbrella, whose handle is a line; half of a cone, with the apex on a face.
+// Whitney's umbrella, whose handle is a line; a cone with a plane through two of its lines, and one along a line.
 TEST(Surface_singularities, singular_curves_are_undecided)
 {
   expect_open_region(SC::solve_surfaces(system(cube(1), {square(x) - square(y) * z})), 2);
-  const SC::Surface_solution_set_d on_face =
-      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {0, 1}}, {square(x) + square(y) - square(z)}));
-  EXPECT_FALSE(on_face.is_complete());
-  check_complex(on_face);
-  EXPECT_FALSE(on_face.undecided_regions().empty());
+  for (const Power_polynomial& plane : {x, x + z}) {
+    SC::Constraint_system_d part = system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)});
+    part.add(plane, SC::Relation::GREATER_EQUAL);
+    const SC::Surface_solution_set_d set = SC::solve_surfaces(part);
+    EXPECT_FALSE(set.is_complete());
+    check_complex(set);
+    EXPECT_FALSE(set.undecided_regions().empty());
+  }
 }
 
 } // namespace surface_singularities_test

@@ -62,7 +62,7 @@ class Cone_finder
   static constexpr double large = 0x1p-2, moderate = 0x1p-4, small = 0x1p-6;
 
   std::optional<Space_equation> m_space; // none where there is no such equality
-  Exact_ranges m_domain;
+  Exact_ranges m_cell;
   std::vector<double> m_lengths;
   std::optional<Power_polynomial> m_equation; // made when it is needed
   std::vector<Power_polynomial> m_conditions; // it and its derivatives
@@ -76,8 +76,8 @@ public:
   {
     if (!m_space)
       return;
-    m_domain = m_space->part_of(domain_of(system));
-    for (const auto& [lower, upper] : m_domain)
+    m_cell = domain_of(system);
+    for (const auto& [lower, upper] : m_space->part_of(m_cell))
       m_lengths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
   }
 
@@ -88,9 +88,10 @@ public:
   // The equality in space, if there is one.
   const std::optional<Space_equation>& space() const { return m_space; }
 
-  // A point that is the only singular one in a box and lies inside, if the box is small and lies inside of the cell.
+  // A point that is the only singular one in a box, if the box is small, and nothing cuts off solutions in it but
+  // faces of the domain that hold no other solution there.
   // \pre there is an equality in space.
-  const Cone_point* operator()(const Exact_ranges& whole)
+  const Cone_point* operator()(const Exact_ranges& whole, const Exact_ranges& domain)
   {
     const Exact_ranges box = m_space->part_of(whole);
     if (!is_smaller(box, large))
@@ -99,8 +100,8 @@ public:
     if (!known_in(box))
       search(box);
     const Cone_point* const result = known_in(box);
-    return result && is_inside(result->point, box) && is_inside(box, m_domain) &&
-            is_smaller(box, result->is_quadratic() ? small : moderate) && m_space->is_graph_over(whole)
+    return result && is_smaller(box, result->is_quadratic() ? small : moderate) &&
+            m_space->is_free_but_for(result->point, whole, m_cell, domain)
         ? result
         : nullptr;
   }
@@ -122,14 +123,6 @@ private:
   {
     for (std::size_t j = 0; j < box.size(); ++j)
       if (CGAL::to_double(Exact_rational(box[j].second - box[j].first)) > share * m_lengths[j])
-        return false;
-    return true;
-  }
-
-  static bool is_inside(const Exact_ranges& inner, const Exact_ranges& outer)
-  {
-    for (std::size_t j = 0; j < inner.size(); ++j)
-      if (inner[j].first <= outer[j].first || outer[j].second <= inner[j].second)
         return false;
     return true;
   }

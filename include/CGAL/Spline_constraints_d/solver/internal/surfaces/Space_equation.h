@@ -33,19 +33,20 @@ values of these lie inside of their ranges, the surface is a graph over that of 
 */
 class Space_equation
 {
-  // An unknown that an equality gives, with its coefficient there.
+  // An unknown that an equality gives, with its coefficient there, and its value as a polynomial of those in space.
   struct Given
   {
     int unknown;
     std::size_t equality;
     Exact_rational coefficient;
+    Power_polynomial value = {};
   };
 
   const Constraint_system_d* m_system;
   std::array<int, 3> m_unknowns{};
   std::size_t m_equality = 0;
   std::vector<Given> m_given;
-  std::vector<Interval_polynomial> m_values; // of what is given, in this order
+  std::vector<Interval_polynomial> m_values; // of what is given, in this order, for bounds
 
   explicit Space_equation(const Constraint_system_d& system) : m_system(&system) {}
 
@@ -72,9 +73,10 @@ public:
     for (std::size_t j = 0, k = 0; j < n; ++j)
       if (!is_given[j])
         result.m_unknowns[k++] = static_cast<int>(j);
-    for (const Given& given : result.m_given)
-      result.m_values.emplace_back(result.in_space(given.equality) *
-                                   Power_polynomial(Exact_rational(-1 / given.coefficient)));
+    for (Given& given : result.m_given) {
+      given.value = result.in_space(given.equality) * Power_polynomial(Exact_rational(-1 / given.coefficient));
+      result.m_values.emplace_back(given.value);
+    }
     return result;
   }
 
@@ -102,30 +104,54 @@ public:
                                      : std::optional(static_cast<std::size_t>(found - m_unknowns.begin()));
   }
 
-  // Whether what is given has values inside of its ranges all over a box.
-  bool is_graph_over(const Exact_ranges& box) const
+  /*
+  Whether the solutions in a box are those of the equality in space over it, but for what faces of the domain cut off
+  that have only a point p: each side of the box lies inside of its cell, and beyond all values of what is given there;
+  or it is one of the domain, and p lies before it, or on it.
+  */
+  bool is_free_but_for(const Exact_ranges& p, const Exact_ranges& box, const Exact_ranges& cell,
+                       const Exact_ranges& domain) const
   {
-    const Exact_ranges whole = with_values(part_of(box));
-    return std::all_of(m_given.begin(), m_given.end(), [&](const Given& given) {
-      const auto &value = whole[static_cast<std::size_t>(given.unknown)],
-                 &range = box[static_cast<std::size_t>(given.unknown)];
-      return range.first < value.first && value.second < range.second;
-    });
+    const Exact_ranges values = with_values(part_of(box)), point = with_values(p);
+    for (std::size_t j = 0; j < box.size(); ++j) {
+      const auto& [lower, upper] = box[j];
+      const auto& [least, most] = point[j];
+      const bool is_given = !place_of(static_cast<int>(j));
+      const bool is_lower_free = is_given ? lower < values[j].first : cell[j].first < lower && lower < least,
+                 is_upper_free = is_given ? values[j].second < upper : upper < cell[j].second && most < upper;
+      const auto is_on = [&](const Exact_rational& end) { return least == end && most == end; };
+      if (!is_lower_free && !(lower == domain[j].first && (lower < least || is_on(lower))))
+        return false;
+      if (!is_upper_free && !(upper == domain[j].second && (most < upper || is_on(upper))))
+        return false;
+    }
+    return true;
   }
 
-  // A box in space, and bounds of what is given there.
+  // A box in space, and bounds of what is given there; those of a rational point are exact.
   Exact_ranges with_values(const Exact_ranges& box_in_space) const
   {
     Exact_ranges result(m_given.size() + 3);
-    for (std::size_t k = 0; k < 3; ++k)
-      result[static_cast<std::size_t>(m_unknowns[k])] = box_in_space[k];
+    Exact_point point;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& [lower, upper] = box_in_space[k];
+      result[static_cast<std::size_t>(m_unknowns[k])] = {lower, upper};
+      if (lower == upper)
+        point.push_back(lower);
+    }
     const Upward_rounding_guard guard;
     Interval_box box;
     for (std::size_t k = 0; k < 3; ++k)
       box[k] = Interval(interval_of(box_in_space[k].first).inf(), interval_of(box_in_space[k].second).sup());
     for (std::size_t i = 0; i < m_given.size(); ++i) {
-      const Interval value = m_values[i](box).value;
-      result[static_cast<std::size_t>(m_given[i].unknown)] = {Exact_rational(value.inf()), Exact_rational(value.sup())};
+      auto& range = result[static_cast<std::size_t>(m_given[i].unknown)];
+      if (point.size() == 3) {
+        const Exact_rational value = m_given[i].value(point);
+        range = {value, value};
+      } else {
+        const Interval value = m_values[i](box).value;
+        range = {Exact_rational(value.inf()), Exact_rational(value.sup())};
+      }
     }
     return result;
   }

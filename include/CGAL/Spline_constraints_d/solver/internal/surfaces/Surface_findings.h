@@ -57,10 +57,19 @@ struct Task_findings
   Summary summary = {};
 };
 
+// Whether a point on a face of the domain is the singular point of the surface that a box holds, which is exact where
+// the singular point is on a face.
+inline bool is_at(const Plane_point& on_face, const Exact_ranges& singular)
+{
+  return is_within(on_face.box, singular) || (on_face.is_singular && is_within(singular, on_face.box));
+}
+
 // What tasks know to begin with.
 struct Task_environment
 {
+  const Exact_ranges& domain;                  // of the whole system
   const std::vector<Exact_ranges>& open_parts; // of planes: what was not decided there
+  const std::vector<Plane_point>& touching;    // on faces of cells where no curve on the face ends
   const Known_cones& cones;                    // in the cell
   std::size_t undecided;                       // boxes
   std::size_t number;                          // of the task
@@ -71,6 +80,7 @@ struct Surface_findings
 {
   Arc_store arcs = {};
   std::vector<Exact_ranges> open_parts = {}; // of planes: what was not decided there
+  std::vector<Plane_point> touching = {};    // on faces of cells where no curve on the face ends
   std::vector<Surface_patch> patches = {};
   std::vector<std::size_t> points = {}; // vertices that are all of a surface in the domain
   std::vector<Undecided_surface_box> undecided = {};

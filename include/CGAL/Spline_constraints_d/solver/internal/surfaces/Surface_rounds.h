@@ -34,6 +34,7 @@ template <class Traits, class Concurrency_tag>
 class Surface_rounds
 {
   const Constraint_system_d& m_system;
+  Exact_ranges m_domain;
   const std::vector<Exact_ranges>& m_cells;
   const std::vector<double>& m_widths;
   const Solver_options& m_options;
@@ -59,8 +60,8 @@ public:
   Surface_rounds(const Constraint_system_d& system, const std::vector<Exact_ranges>& cells,
                  const std::vector<double>& widths, const Solver_options& options, Run_control& control,
                  Surface_findings& found)
-    : m_system(system), m_cells(cells), m_widths(widths), m_options(options), m_control(control), m_found(found),
-      m_cones(cells.size()), m_slots(slots_of<Concurrency_tag>())
+    : m_system(system), m_domain(domain_of(system)), m_cells(cells), m_widths(widths), m_options(options),
+      m_control(control), m_found(found), m_cones(cells.size()), m_slots(slots_of<Concurrency_tag>())
   {}
 
   void operator()(std::vector<Surface_task> tasks)
@@ -106,7 +107,8 @@ private:
       [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
       found[i] = std::make_unique<Task_findings>(Arc_part(m_found.arcs, tasks[i].arcs));
       subdivision(tasks[i].cell, slot)
-          .run(tasks[i], budget, {m_found.open_parts, before[tasks[i].cell], undecided, i}, *found[i]);
+          .run(tasks[i], budget, {m_domain, m_found.open_parts, m_found.touching, before[tasks[i].cell], undecided, i},
+               *found[i]);
     });
     std::vector<Surface_task> again;
     for (std::size_t i = 0; i < tasks.size(); ++i)

@@ -183,13 +183,14 @@ private:
   }
 
   // Finishes a box where the solutions are the cone over its arcs, with a singular point as the apex: a disk for each
-  // loop.
+  // loop. Faces of the domain that the box reaches have no solutions there, but the apex may be on them.
   bool is_cone(const Exact_ranges& box, const Arc_indices& arcs)
   {
     if (!m_cones.space() || !may_gradient_vanish() || touches_open_part(box))
       return false;
-    const Cone_point* const point = m_cones(box);
-    if (!point || !Link_test(*point, *m_cones.space(), box)(*m_store, arcs))
+    const Cone_point* const point = m_cones(box, m_environment->domain);
+    if (!point || is_reached(box, arcs, m_cones.space()->with_values(point->point)) ||
+        !Link_test(*point, *m_cones.space(), box)(*m_store, arcs))
       return false;
     std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(*m_store, arcs);
     if (!loops)
@@ -200,6 +201,20 @@ private:
     for (Arc_loop& loop : *loops)
       m_found->patches.push_back({box, {-1, -1}, 0, std::move(loop), 0, apex});
     return true;
+  }
+
+  // Whether solutions in a box, but for a point, lie on faces of the domain.
+  bool is_reached(const Exact_ranges& box, const Arc_indices& arcs, const Exact_ranges& point) const
+  {
+    return std::any_of(arcs.begin(), arcs.end(),
+                       [&](std::size_t a) {
+                         const Stored_arc& arc = m_store->arcs()[a];
+                         const auto& [lower, upper] = m_environment->domain[arc.plane];
+                         const Exact_rational& value = arc.box()[arc.plane].first;
+                         return value == lower || value == upper;
+                       }) ||
+        std::any_of(m_environment->touching.begin(), m_environment->touching.end(),
+                    [&](const Plane_point& other) { return touch(other.box, box) && !is_at(other, point); });
   }
 
   // Of the equality in space.

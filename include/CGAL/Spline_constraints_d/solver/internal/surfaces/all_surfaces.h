@@ -192,19 +192,30 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i)
       if (points[i].kind == Plane_point::UNKNOWN)
         m_found.open_parts.push_back(points[i].region);
-      else if (!has_piece[i])
-        m_touching.push_back({points[i], vertices[i], axis});
+      else if (!has_piece[i]) {
+        m_touching.push_back({points[i], vertices[i]});
+        m_found.touching.push_back(points[i]);
+      }
     face.arcs = m_found.arcs.add_arcs(found.pieces, vertices, axis, value);
   }
 
-  // Points on faces where curves on these do not end. Some are ends of arcs on other faces.
+  // Points on faces where curves on these do not end. Some are ends of arcs on other faces, or singular points.
   void place_touching_points()
   {
     std::set<std::size_t> known;
     for (const Stored_arc& arc : m_found.arcs.arcs())
       known.insert(arc.ends.begin(), arc.ends.end());
+    std::vector<Exact_ranges> singular;
+    for (const Surface_patch& patch : m_found.patches)
+      if (patch.apex)
+        singular.push_back(m_found.arcs.vertex(*patch.apex).box);
+    for (const std::size_t i : m_found.points)
+      singular.push_back(m_found.arcs.vertex(i).box);
+    const auto is_found = [&](const Plane_point& point) {
+      return std::any_of(singular.begin(), singular.end(), [&](const Exact_ranges& own) { return is_at(point, own); });
+    };
     for (const Touching_point& point : m_touching)
-      if (known.insert(point.index).second)
+      if (known.insert(point.index).second && !is_found(point.vertex))
         switch (position_of(point, m_system)) {
         case Touching_position::INSIDE:
           break;

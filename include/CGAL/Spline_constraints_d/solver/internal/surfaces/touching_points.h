@@ -32,7 +32,6 @@ struct Touching_point
 {
   Plane_point vertex;
   std::size_t index; // of the vertex
-  int axis;          // of the face
 };
 
 enum class Touching_position
