@@ -6,6 +6,7 @@
 #include "../../../examples/Spline_constraints_d/rounded_cuboid.h"
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/accessible_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/connected_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/trimmed_surface_meshes.h>
@@ -72,9 +73,8 @@ Surface random_field(std::mt19937& random)
 }
 
 // The label of the face with a point, by the chords of its loops; none near a chord.
-std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, double v)
+std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, double v, double least_distance = 4e-3)
 {
-  constexpr double least_distance = 4e-3;
   for (const auto& face : surface.faces()) {
     bool is_inside = false;
     for (const auto& loop : face.loops)
@@ -92,6 +92,47 @@ std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, doub
       return face.label;
   }
   return std::nullopt;
+}
+
+using Exact_surface = SC::Bspline_surface_3<Exact>;
+
+Exact_surface hill_on_a_plane()
+{
+  std::vector<Exact::Point_3> points;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      points.emplace_back(i - 2, j - 2, i == 2 && j == 2 ? SC::Exact_rational(5) / 2 : SC::Exact_rational(0));
+  return Exact_surface({2, 2}, {0, 0, 0, 1, 2, 3, 3, 3}, {0, 0, 0, 1, 2, 3, 3, 3}, points);
+}
+
+// Labels are those of the common points of rays and surfaces, which are found with proofs and not by cells.
+template <class Direction>
+void expect_labels_of_rays(const SC::Trimmed_surface_3& regions, const Exact_surface& surface,
+                           const std::vector<Exact_surface>& obstacles, const Direction& direction, int least)
+{
+  std::mt19937 random(5);
+  int free_count = 0, obstructed_count = 0;
+  for (int i = 0; i < 150; ++i) {
+    std::array<SC::Exact_rational, 2> p;
+    for (const int axis : {0, 1}) {
+      const auto [begin, end] = surface.domain(axis);
+      p[static_cast<std::size_t>(axis)] = begin + (end - begin) * std::uniform_int_distribution(1, 1023)(random) / 1024;
+    }
+    const auto label = label_at(regions, CGAL::to_double(p[0]), CGAL::to_double(p[1]), 1e-3);
+    if (!label)
+      continue;
+    const Exact::Point_3 source = surface(p[0], p[1]);
+    bool is_hit = false;
+    for (const Exact_surface& obstacle : obstacles)
+      for (const auto& answer : SC::intersections(Exact::Ray_3(source, direction(p)), obstacle)) {
+        ASSERT_NE(answer.kind(), SC::Intersection_kind::UNDECIDED);
+        is_hit = is_hit || CGAL::squared_distance(answer.point(), source) > 1e-12;
+      }
+    EXPECT_EQ(label, is_hit ? obstructed : free_label) << p[0] << ' ' << p[1];
+    ++(is_hit ? obstructed_count : free_count);
+  }
+  EXPECT_GT(free_count, least);
+  EXPECT_GT(obstructed_count, least);
 }
 
 bool is_obstructed(const Spheres& spheres, const Point& p, const Vector& direction)
@@ -372,13 +413,74 @@ TEST(VisibleRegions, TubeHidesPartsOfItself)
   EXPECT_GT(obstructed_count, 200);
 }
 
-TEST(VisibleRegions, SurfacesWithUnknownShadowsAreUndecided)
+// A hill on a plane, with a closed rim: what is behind it is in its shadow, which begins at two points of the rim.
+TEST(VisibleRegions, HillHidesAPartOfItself)
+{
+  const Exact_surface hill = hill_on_a_plane();
+  const Exact::Vector_3 direction(8, 1, 4);
+  const auto regions = SC::visible_regions(hill, direction);
+  EXPECT_TRUE(regions.is_complete());
+  EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+  expect_labels_of_rays(
+      regions, hill, {hill}, [&](const auto&) { return direction; }, 15);
+}
+
+// Of a height field nothing is hidden from above.
+TEST(VisibleRegions, HeightFieldIsSeenFromAbove)
 {
   std::mt19937 random(3);
   const auto regions = SC::visible_regions(random_surface(random), Vector(0, 0, 1));
-  EXPECT_FALSE(regions.is_complete());
-  EXPECT_TRUE(regions.faces().empty());
-  EXPECT_EQ(regions.undecided().size(), 4u);
+  EXPECT_TRUE(regions.is_complete());
+  EXPECT_EQ(regions.number_of_regions(free_label), 1u);
+  EXPECT_EQ(regions.number_of_regions(obstructed), 0u);
+}
+
+TEST(VisibleRegions, BallsBesideACurvedSurface)
+{
+  std::mt19937 random(4);
+  const Surface surface = random_surface(random);
+  const auto past_ball = SC::visible_regions(surface, Vector(0, 0, 1), {Sphere(Point(8, 0, 4), 0.25)});
+  EXPECT_TRUE(past_ball.is_complete());
+  EXPECT_EQ(past_ball.number_of_regions(free_label), 1u);
+  EXPECT_FALSE(SC::visible_regions(surface, Vector(0, 0, 1), {Sphere(Point(0, 0, 4), 0.5)}).is_complete());
+  EXPECT_FALSE(SC::visible_regions(surface, Point(0, 0, 4), {Sphere(Point(0, 0, 4), 0.25)}).is_complete());
+}
+
+// The shadows of a patch over a floor, a square, and of a ball that is given as a surface; and of both in a field of
+// directions.
+TEST(AccessibleRegions, PastCurvedSurfaces)
+{
+  using Number = SC::Exact_rational;
+  const Number a(2);
+  const Exact_surface floor({1, 1}, {-a, -a, a, a}, {-a, -a, a, a}, {{-a, -a, 0}, {-a, a, 0}, {a, -a, 0}, {a, a, 0}});
+  std::vector<Exact::Point_3> points;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      points.emplace_back(i - Number(3) / 2, j - Number(3) / 2, i % 3 != 0 && j % 3 != 0 ? 5 : 2);
+  const Exact_surface patch({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
+  const Number part = Number(1) / 15;
+  const Exact_surface ball =
+      SC::sphere_surface<Exact>({Number(1) / 4, 0, 3}, {Number(1) / 4 + 2 * part, 10 * part, 3 + 11 * part});
+  const auto below_patch = SC::accessible_regions(floor, SC::Tool_obstacles_3<Exact>{.surfaces = {patch}});
+  EXPECT_TRUE(below_patch.is_complete());
+  EXPECT_EQ(below_patch.number_of_regions(free_label), 1u);
+  EXPECT_EQ(below_patch.number_of_regions(obstructed), 1u);
+  EXPECT_NEAR(area(below_patch, obstructed), 9, 0.01);
+  const auto below_ball = SC::accessible_regions(floor, SC::Tool_obstacles_3<Exact>{.surfaces = {ball}});
+  EXPECT_TRUE(below_ball.is_complete());
+  EXPECT_NEAR(area(below_ball, obstructed), pi, 0.01);
+  EXPECT_NEAR(area(below_ball, free_label), 16 - pi, 0.01);
+  std::vector<Exact::Point_3> directions;
+  for (int i = 0; i < 4; ++i)
+    directions.emplace_back(Number(i / 2 - 1) / 8, Number(i % 2) / 8, 1);
+  const Exact_surface field({1, 1}, {-a, -a, a, a}, {-a, -a, a, a}, directions);
+  const auto in_field =
+      SC::accessible_regions(floor, SC::Tool_obstacles_3<Exact>{.surfaces = {patch, ball}}, {.field = field});
+  EXPECT_TRUE(in_field.is_complete());
+  expect_labels_of_rays(
+      in_field, floor, {patch, ball}, [&](const auto& p) { return field(p[0], p[1]) - Exact::Point_3(0, 0, 0); }, 15);
+  EXPECT_FALSE(
+      SC::accessible_regions(floor, SC::Tool_obstacles_3<Exact>{.surfaces = {patch}}, {.radius = 1}).is_complete());
 }
 
 } // namespace accessible_regions_test

@@ -40,6 +40,7 @@ struct Tool_obstacles_3
 {
   std::vector<CGAL::Sphere_3<Kernel>> balls{};       ///< balls
   std::vector<CGAL::Triangle_3<Kernel>> triangles{}; ///< triangles, as the faces of a polyhedron
+  std::vector<Bspline_surface_3<Kernel>> surfaces{}; ///< surfaces
 };
 
 /*!
@@ -90,14 +91,21 @@ its end do, the outer one has a radius that is greater by 1/256, so that they cr
 within \f$r\f$ of the ray, and what is not has something within \f$r\,(1 + 1/128)\f$. A thin tool has the exact
 regions.
 
-A curved check surface is given by triangles next to it: if they are within \f$\varepsilon\f$, a tool with the radius
-\f$r + \varepsilon\f$ tells what is certainly reached.
+Surfaces are in the way of a thin tool, which is a line, in all directions. Then the regions are bounded by contours of
+the surfaces along the axis, by their edges, and by curves where they meet the source. Cells of the domain are cut until
+rays meet a surface from all of a cell or from none of it, or the number of points where a ray meets them only grows
+along a direction, so that there is one arc; no curve is solved for. Where a contour ends at an edge, where a
+contour meets a pole, and where surfaces touch, a small cell is undecided. With a radius, a surface is given by triangles
+next to it: if they are within \f$\varepsilon\f$, a tool with the radius \f$r + \varepsilon\f$ tells what is
+certainly reached.
 
 \param surface,axis,options as above.
-\param obstacles the balls and triangles, which need not fit together.
+\param obstacles the balls, triangles and surfaces, which need not fit together. Surfaces come without a radius of the
+tool, a hemisphere, triangles, or balls with an irrational radius; otherwise all is undecided.
 \throws Invalid_input also when a triangle is degenerate.
 
-Complexity: as above, with two curves for each vertex and edge, and one for each plane.
+Complexity: as above, with two curves for each vertex and edge, and one for each plane; past surfaces, cells in
+proportion to the length of boundaries, in each of which points are located by bisection.
 */
 template <internal::Surface_curves::Surface_operand Surface>
 Trimmed_surface_3
@@ -109,7 +117,8 @@ accessible_regions(const Surface& surface,
   using namespace internal::Surface_regions;
   const std::string operation = "accessible_regions";
   return ray_regions(internal::Common::Intersection_operand<Surface>::map(surface),
-                     {exact_spheres(obstacles.balls, operation), exact_triangles(obstacles.triangles, operation)},
+                     {exact_spheres(obstacles.balls, operation), exact_triangles(obstacles.triangles, operation),
+                      exact_surfaces(obstacles.surfaces)},
                      {internal::Surface_curves::exact_tool_axis(axis), {}, false}, options);
 }
 

@@ -10,11 +10,15 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_REGIONS_INTERNAL_RAY_REGIONS_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Operation_budget.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Monotone_parts.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Own_shadow.h>
+#include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Surface_shadows.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Thick_rays.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/access_regions.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/surface_cells.h>
@@ -42,6 +46,7 @@ class Ray_regions
   const Spline_patch<3> m_surface;
   std::vector<Exact_sphere> m_spheres;
   std::optional<Thick_rays> m_triangles;
+  std::vector<Spline_patch<3>> m_surfaces;
   Sight m_sight;
   Operation_budget m_budget;
   std::vector<Surface_cell_3> m_cells;
@@ -55,6 +60,8 @@ public:
       m_directions(m_cells.size())
   {
     const auto& axis = m_sight.axis;
+    for (const Exact_map<3>& map : obstacles.surfaces)
+      m_surfaces.emplace_back(map);
     if (!obstacles.triangles.empty())
       m_triangles.emplace(obstacles.triangles, axis.radius, axis.direction);
     if (!axis.field)
@@ -75,10 +82,8 @@ public:
     } catch (const Run_stopped& stop) {
       return undecided(in_words(stop.reason));
     }
-    if (m_shadow && !m_shadow->is_supported())
-      return undecided(
-          "a surface that is on no plane or quadric, or has an edge that is in no plane, may hide parts of "
-          "itself");
+    if ((m_shadow && !m_shadow->is_supported()) || !m_surfaces.empty())
+      return regions_past_surfaces();
     Trimming trimming{m_cells, {m_surface.is_closed(0), m_surface.is_closed(1)}, {}, {}};
     trimming.zeros = [this](std::size_t cell) { return zeros(cell); };
     trimming.label = [this](std::size_t cell, const Parameters& p) {
@@ -89,6 +94,65 @@ public:
   }
 
 private:
+  // Past surfaces, of which no polynomials in the two parameters are known whose zeros bound the regions.
+  Trimmed_surface_3 regions_past_surfaces()
+  {
+    const Exact_tool_axis& axis = m_sight.axis;
+    std::vector<Spline_patch<3>> checks = m_surfaces;
+    bool is_supported = axis.radius == 0 && !axis.hemisphere && !m_triangles;
+    for (const Exact_sphere& sphere : m_spheres) {
+      const auto radius = rational_square_root(sphere.squared_radius);
+      is_supported = is_supported && radius && !has_eye_in(sphere);
+      if (is_supported)
+        checks.push_back(ball_as_surface(sphere.center, *radius));
+    }
+    if (!is_supported)
+      return undecided("beside surfaces in the way, which a surface that is on no plane or quadric may be itself, only "
+                       "balls with rational radii and without the eye are supported");
+    const Upward_rounding_guard guard;
+    Surface_shadows shadows(m_sight.eye);
+    try {
+      for (const Spline_patch<3>& check : checks)
+        shadows.add_surface(check, false);
+      if (m_sight.is_own_shadow_seen)
+        shadows.add_surface(m_surface, true);
+      for (const Surface_cell_3& cell : m_cells) {
+        m_budget.check();
+        shadows.add_source(cell, direction_in(cell));
+      }
+    } catch (const Run_stopped& stop) {
+      return undecided(in_words(stop.reason));
+    }
+    Trimming trimming{m_cells, {m_surface.is_closed(0), m_surface.is_closed(1)}, {}, {}};
+    trimming.parts = [&](std::size_t cell) {
+      const Monotone_parts::Oracle oracle = [&](const Parameter_rectangle& box, bool is_kept) {
+        return shadows(cell, box, is_kept);
+      };
+      return Monotone_parts(oracle, {static_cast<int>(Access::FREE), static_cast<int>(Access::OBSTRUCTED)},
+                            "more than one boundary of a region, or an end of one, may be there", m_budget)
+          .parts(0x1p-10);
+    };
+    return trimmed_by_zeros(trimming, m_budget);
+  }
+
+  bool has_eye_in(const Exact_sphere& sphere) const
+  {
+    if (!m_sight.eye)
+      return false;
+    const Exact_triple from_center = difference(*m_sight.eye, sphere.center);
+    return dot(from_center, from_center) <= sphere.squared_radius;
+  }
+
+  // With poles where no symmetrical scene has silhouettes: of a ray that starts outside of a ball or ends there, the
+  // ball has a point if and only if its boundary has.
+  static Spline_patch<3> ball_as_surface(const Exact_triple& center, const Exact_rational& radius)
+  {
+    const Exact_rational part(radius / 15);
+    return Spline_patch<3>(sphere_surface<Exact_kernel>(
+        {center[0], center[1], center[2]},
+        Exact_kernel::Point_3(center[0] + 2 * part, center[1] + 10 * part, center[2] + 11 * part)));
+  }
+
   Trimmed_surface_3 undecided(const std::string& reason) const
   {
     std::vector<Undecided_part> parts;

@@ -42,6 +42,7 @@ struct Exact_obstacles
 {
   std::vector<Exact_sphere> spheres;
   std::vector<Exact_triangle> triangles = {};
+  std::vector<Exact_map<3>> surfaces = {};
 };
 
 // Rays from the points of a surface: along the axis of a tool, or towards an eye, where they end.
@@ -78,6 +79,15 @@ std::vector<Exact_triangle> exact_triangles(const Triangles& triangles, const st
     if (dot(normal, normal) == 0)
       throw Invalid_input(operation + ": triangle " + std::to_string(result.size() - 1) + " is degenerate");
   }
+  return result;
+}
+
+template <class Surfaces>
+std::vector<Exact_map<3>> exact_surfaces(const Surfaces& surfaces)
+{
+  std::vector<Exact_map<3>> result;
+  for (const auto& surface : surfaces)
+    result.push_back(exact_map<3>(surface));
   return result;
 }
 

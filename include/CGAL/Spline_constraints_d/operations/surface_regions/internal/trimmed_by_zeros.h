@@ -63,7 +63,10 @@ public:
     for (std::size_t whole = 0; whole < m_trimming.cells.size(); ++whole)
       try {
         m_budget.check();
-        add_part(whole, m_trimming.cells[whole], m_trimming.zeros(whole), 0);
+        if (m_trimming.parts)
+          add_labelled_parts(whole);
+        else
+          add_part(whole, m_trimming.cells[whole], m_trimming.zeros(whole), 0);
       } catch (const Run_stopped& stop) {
         add_without_faces(m_trimming.cells[whole], {m_trimming.cells[whole].domain}, in_words(stop.reason));
       }
@@ -98,6 +101,28 @@ private:
     m_borders.emplace_back();
     for (const std::array<Range, 2>& box : boxes)
       add_undecided(box, reason);
+  }
+
+  void add_labelled_parts(std::size_t whole)
+  {
+    const Surface_cell_3& cell = m_trimming.cells[whole];
+    for (Labelled_part& part : m_trimming.parts(whole)) {
+      const Surface_cell_3 own = part_of(cell, part.box);
+      if (part.faces.undecided.empty())
+        add_faces(whole, own, std::move(part.faces));
+      else
+        add_without_faces(own, {own.domain}, part.faces.undecided.front().reason);
+    }
+  }
+
+  static Surface_cell_3 part_of(const Surface_cell_3& cell, const std::array<Range, 2>& box)
+  {
+    Surface_cell_3 result{{Range(cell.parameter(0, box[0].first), cell.parameter(0, box[0].second)),
+                           Range(cell.parameter(1, box[1].first), cell.parameter(1, box[1].second))},
+                          cell.coordinates};
+    for (Cell_polynomial& f : result.coordinates)
+      f = f.restricted_to_box(box);
+    return result;
   }
 
   // The faces of a part of a cell. Where they are not found, it is split, so that the rest is small.
@@ -153,15 +178,10 @@ private:
     for (const Range& u : halves)
       for (const Range& v : halves) {
         const std::vector<Range> box{u, v};
-        Surface_cell_3 quarter{{Range(part.parameter(0, u.first), part.parameter(0, u.second)),
-                                Range(part.parameter(1, v.first), part.parameter(1, v.second))},
-                               part.coordinates};
-        for (Cell_polynomial& f : quarter.coordinates)
-          f = f.restricted_to_box(box);
         std::vector<Cell_polynomial> own = curves;
         for (Cell_polynomial& f : own)
           f = f.restricted_to_box(box);
-        add_part(whole, quarter, own, depth + 1);
+        add_part(whole, part_of(part, {u, v}), own, depth + 1);
       }
   }
 
@@ -171,9 +191,11 @@ private:
     const std::size_t first = m_faces.size();
     std::vector<Surface_face_3> faces;
     for (Surface_face_3& face : found.faces) {
-      m_budget.check();
+      if (!face.label)
+        m_budget.check();
       faces.push_back(moved(part, first, std::move(face)));
-      faces.back().label = m_trimming.label(whole, faces.back().sample);
+      if (!faces.back().label)
+        faces.back().label = m_trimming.label(whole, faces.back().sample);
     }
     for (Surface_face_3& face : faces) {
       if (!face.label)
@@ -293,6 +315,8 @@ private:
   // Whether the polynomials of two cells are the same on their common border, but for constant factors.
   bool have_same_zeros_on_border(std::size_t a, std::size_t b, int axis) const
   {
+    if (m_trimming.parts)
+      return false;
     const Range common = common_border(a, b, axis);
     const auto on_border = [&](std::size_t cell, int side) {
       return product_of(m_zeros[cell])

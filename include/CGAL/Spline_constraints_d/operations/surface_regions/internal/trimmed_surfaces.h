@@ -45,6 +45,13 @@ struct Cell_faces
 Cell_faces faces_of_product(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
 Cell_faces faces_of_arcs(const std::vector<Cell_polynomial>& zeros, double error, Operation_budget& budget);
 
+// A part of a cell, in local parameters, with its faces and their labels.
+struct Labelled_part
+{
+  std::array<Surface_cell_3::Range, 2> box;
+  Cell_faces faces; // in parameters of the part
+};
+
 // What a surface is cut by and into.
 struct Trimming
 {
@@ -55,6 +62,9 @@ struct Trimming
   // Run_stopped. Where the faces of a cell are not found, it is split; these are asked with the index of the whole.
   std::function<std::vector<Cell_polynomial>(std::size_t)> zeros;
   std::function<std::optional<int>(std::size_t, const Parameters&)> label;
+
+  // Instead of these: the parts of a cell, which cover it.
+  std::function<std::vector<Labelled_part>(std::size_t)> parts = {};
 };
 
 // Defined in trimmed_by_zeros.h.
