@@ -93,11 +93,10 @@ regions.
 
 Surfaces are in the way of a thin tool, which is a line, in all directions. Then the regions are bounded by contours of
 the surfaces along the axis, by their edges, and by curves where they meet the source. Cells of the domain are cut until
-rays meet a surface from all of a cell or from none of it, or the number of points where a ray meets them only grows
-along a direction, so that there is one arc; no curve is solved for. Where a contour ends at an edge, where a
-contour meets a pole, and where surfaces touch, a small cell is undecided. With a radius, a surface is given by triangles
-next to it: if they are within \f$\varepsilon\f$, a tool with the radius \f$r + \varepsilon\f$ tells what is
-certainly reached.
+rays meet a surface from all of a cell or from none of it, or can only come to meet one along a direction, so that there
+is one arc; no curve is solved for. Where a contour ends at an edge or passes a pole, and where surfaces touch, a small
+cell is undecided. With a radius, a surface is given by triangles next to it: if they are within
+\f$\varepsilon\f$, a tool with the radius \f$r + \varepsilon\f$ tells what is certainly reached.
 
 \param surface,axis,options as above.
 \param obstacles the balls, triangles and surfaces, which need not fit together. Surfaces come without a radius of the

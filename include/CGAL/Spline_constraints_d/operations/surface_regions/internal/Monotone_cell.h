@@ -38,7 +38,7 @@ The faces of a rectangle in which a label only changes from false to true along 
 
 Lines along d enter the rectangle through one part of its boundary and leave it through the other one. From each point
 that is false a line leads back through points that are false to the boundary, from each one that is true it leads on to
-the boundary. So if the label changes on the boundary twice, there is one face of either kind, and if it does not change,
+the boundary. So if the label changes on the boundary twice, there is one face of either kind; if it does not change,
 there is one face. What separates two faces is a graph over the lines, since the same holds for directions near d.
 */
 class Monotone_cell

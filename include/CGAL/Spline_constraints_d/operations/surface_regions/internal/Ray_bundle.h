@@ -123,8 +123,8 @@ struct Ray_bundle
 };
 
 /*
-The function F = (K - S) x O of the parameters of rays and those of another surface, zero where a ray meets it: its value
-in the middle, and ranges of derivatives by the four parameters.
+The function F = (K - S) x O of the parameters of rays and those of another surface, zero where a ray meets it: its
+value in the middle, and ranges of derivatives by the four parameters.
 */
 struct Meeting_function
 {

@@ -30,8 +30,8 @@ What a surface hides of itself next to its silhouettes, where points on a ray ar
 Rays are seen as points by the projection P along them, from the eye or in parallel, to two coordinates f and g. Where
 g_y is not zero, the points with the g of a point p are a graph over x, along which f has the derivative psi =
 f_x - f_y g_x / g_y; with m the mean of psi between p and another such point q, both are on one ray if and only if m is
-zero. Let q be ahead for greater x, by the sign of the derivative of the depth along the graph. If m is positive for q at
-the end of a neighbourhood, a ray from p meets it if and only if the least m from p on is not positive; and if m
+zero. Let q be ahead for greater x, by the sign of the derivative of the depth along the graph. If m is positive for q
+at the end of a neighbourhood, a ray from p meets it if and only if the least m from p on is not positive; and if m
 decreases for all q while p moves in a direction, with the difference of x the same, so does the least one. The same
 holds with other signs. At a fold psi is zero, at a cusp its derivative along the graph is, too; neither is an
 exception.
@@ -90,8 +90,8 @@ public:
     });
   }
 
-  // Whether rays from all p meet the surface in its parts `near`, if psi has the sign that it has at one of the points p
-  // at all of them, and all of the neighbourhood is near a fold: along the graph psi increases, or decreases.
+  // Whether rays from all p meet the surface in its parts `near`, if psi has the sign that it has at one of the points
+  // p at all of them, and all of the neighbourhood is near a fold: along the graph psi increases, or decreases.
   std::optional<bool> label_beside_fold(const Interval_jet& one_of_them,
                                         const std::vector<Parameter_rectangle>& near) const
   {
