@@ -114,6 +114,19 @@ TEST(CommonNormals, RandomSurfaces)
   EXPECT_GT(count, 3u);
 }
 
+// What a motion moves along both surfaces is recognized: without a limit of time there is an answer soon. Spheres about
+// one axis have normals along it only, which are found unless they go through poles.
+TEST(CommonNormals, CoaxialSurfaces)
+{
+  const auto sphere = [](const Point& center, const Rational& radius) { return SC::sphere_surface<K>(center, radius); };
+  EXPECT_TRUE(SC::common_normals(sphere(Point(0, 0, 0), 1), sphere(Point(3, 1, 2), 1)).is_complete());
+  const auto coaxial = SC::common_normals(sphere(Point(0, 0, 0), 1), sphere(Point(0, 0, 5), 1));
+  EXPECT_FALSE(coaxial.is_complete());
+  ASSERT_FALSE(coaxial.undecided().empty());
+  EXPECT_EQ(coaxial.undecided().front().reason, "continuum suspected");
+  EXPECT_LT(coaxial.summary().nodes, 2000u);
+}
+
 // Of coaxial surfaces infinitely many normals are on a circle: not complete, and in time.
 TEST(CommonNormals, BadInputAndLimits)
 {

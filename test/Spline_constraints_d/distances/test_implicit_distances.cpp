@@ -206,6 +206,14 @@ TEST(Implicit_distances, curves_in_space)
   expect_distance(node.distance_range(), std::sqrt(2.));
   const SC::Implicit_surface_3 far(SC::Power_polynomial::variable(0), {{{5, 6}, {5, 6}, {5, 6}}});
   EXPECT_TRUE(SC::implicit_feet(K::Point_3(1, 2, 1), saddle, far).feet().empty());
+  // bad input, also where nothing has to be found; and a limit
+  EXPECT_THROW(SC::implicit_feet(K::Point_3(1, 2, 1), saddle, floor, {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::implicit_feet(K::Point_3(1, 2, 1), saddle, far, {.time_limit = -1}), SC::Invalid_input);
+  using Double_point = CGAL::Simple_cartesian<double>::Point_3;
+  EXPECT_THROW(SC::implicit_feet(Double_point(std::nan(""), 0, 0), saddle, floor), SC::Invalid_input);
+  const auto stopped = SC::implicit_feet(K::Point_3(1, 2, Rational(1, 3)), sphere, tube, {.node_limit = 1});
+  EXPECT_FALSE(stopped.is_complete());
+  EXPECT_FALSE(stopped.undecided().empty());
 }
 
 } // namespace implicit_distances_test

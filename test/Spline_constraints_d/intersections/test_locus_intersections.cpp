@@ -205,6 +205,11 @@ TEST(Locus_intersections, FourImplicitSurfaces)
   EXPECT_TRUE(origin.is_complete());
   ASSERT_EQ(origin.size(), 1);
   EXPECT_NEAR(origin[0].coordinate(0).value(), 0, 1e-12);
+  EXPECT_THROW(SC::intersections(paraboloid, saddle, cubic, plane, {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_THROW(SC::intersections(paraboloid, saddle, cubic, plane, {.time_limit = -1}), SC::Invalid_input);
+  const auto cut_off = SC::intersections(first, second, sphere, cylinder, {.node_limit = 1});
+  EXPECT_FALSE(cut_off.is_complete());
+  EXPECT_GT(cut_off.count(Kind::UNDECIDED), 0u);
 }
 
 // The curve in which two spline surfaces meet, and a third one.

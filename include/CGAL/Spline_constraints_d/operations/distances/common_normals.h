@@ -54,8 +54,10 @@ surface or not. These are the critical pairs of the distance between the surface
 
 Where the surfaces touch, there is one of length zero; where they cross, there is none. The surface whose normal has the
 lower degrees is taken as \f$A\f$. At a crease the normals of both sides count. A normal at a seam is found once. Where
-infinitely many pairs belong together, as of coaxial surfaces, they are one answer, a `CONTINUUM`, if this is proved, or
-undecided. From a pole of a surface, an edge that is one point, the same normal has a whole range of parameters.
+infinitely many pairs belong together, they are one answer, a `CONTINUUM`, if this is proved, or undecided. From a pole
+of a surface, an edge that is one point, the same normal has a whole range of parameters. Where one rotation,
+translation or helical motion moves both surfaces along themselves, as of coaxial ones, only normals along its axis are
+single: unless all are, which takes few nodes, the rest is undecided, a suspected continuum, without further search.
 
 \tparam A,B models of `ParametricSurface_3` with the same kernel, or objects of CGAL that are converted to one.
 \param a the first surface.

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/double_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/distances/internal/Common_motions.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Critical_distance.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Found_common_normals.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -59,9 +61,10 @@ public:
       const auto check = [this] { m_solver.budget().check(); };
       const std::array<std::vector<Oriented_patch>, 2> parts{oriented_patches(m_surfaces[0], check),
                                                              oriented_patches(m_surfaces[1], check)};
+      const bool are_moved = have_common_motion(parts, check);
       for (const Oriented_patch& a : parts[0])
         for (const Oriented_patch& b : parts[1])
-          add_normals_of(a, b);
+          add_normals_of(a, b, are_moved);
     } catch (const Run_stopped& stop) {
       add_undecided(
           {m_surfaces[0].domain(0), m_surfaces[0].domain(1), m_surfaces[1].domain(0), m_surfaces[1].domain(1)},
@@ -80,7 +83,32 @@ private:
     return {a.patch.domain(0), a.patch.domain(1), b.patch.domain(0), b.patch.domain(1)};
   }
 
-  void add_normals_of(const Oriented_patch& a, const Oriented_patch& b)
+  static bool have_common_motion(const std::array<std::vector<Oriented_patch>, 2>& parts,
+                                 const std::function<void()>& check)
+  {
+    Common_motions motions;
+    for (const std::vector<Oriented_patch>& of_one : parts)
+      for (const Oriented_patch& part : of_one)
+        if (!part.is_degenerate)
+          motions.add(part, check);
+    return !motions.are_none();
+  }
+
+  // If a motion moves both surfaces along themselves, it moves common normals, too: there are infinitely many, unless
+  // all are along its axis. The latter takes few nodes; otherwise, no time would suffice.
+  Solution_set_d<double> solutions(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns,
+                                   bool are_moved)
+  {
+    if (!are_moved)
+      return m_solver(constraints, unknowns);
+    constexpr std::size_t most_nodes = 1000;
+    Budgeted_solver few = m_solver.limited(most_nodes);
+    Solution_set_d<double> result = few(constraints, unknowns);
+    m_solver.add_work_of(few);
+    return result;
+  }
+
+  void add_normals_of(const Oriented_patch& a, const Oriented_patch& b, bool are_moved)
   {
     const Box domain = domain_of(a, b);
     if (a.is_degenerate || b.is_degenerate) {
@@ -88,13 +116,14 @@ private:
       return;
     }
     const std::vector<Unknown> u = unknowns_in(domain);
-    const Solution_set_d<double> solutions = m_solver(equations(a, b, u), u);
+    const Solution_set_d<double> solutions = this->solutions(equations(a, b, u), u, are_moved);
     const std::array<bool, 4> is_seam{a.is_seam[0], a.is_seam[1], b.is_seam[0], b.is_seam[1]};
     for (const Solution_d<double>& solution : solutions) {
       if (is_again(solutions, solution, domain, is_seam))
         continue;
       if (solution.kind() == Solution_kind::UNDECIDED)
-        add_undecided(solution.exact_box(), solution.reason());
+        add_undecided(solution.exact_box(),
+                      are_moved && !m_solver.has_ended() ? Undecided_reason::CONTINUUM : solution.reason());
       else
         add(solution, domain);
     }
