@@ -28,8 +28,8 @@ namespace Distances {
 /*
 Whether some rotation, translation or helical motion moves surfaces along themselves, as it does with coaxial surfaces
 of revolution: with the velocities b + a x p of its points p, it does where <N, b> + <p x N, a> = 0 for all points p
-with their normals N. These are linear equations for a and b; as polynomials in two parameters, they hold everywhere if they
-do on a grid with more values of each parameter than its degree.
+with their normals N. These are linear equations for a and b; as polynomials in two parameters, they hold everywhere if
+they do on a grid with more values of each parameter than its degree.
 */
 class Common_motions
 {

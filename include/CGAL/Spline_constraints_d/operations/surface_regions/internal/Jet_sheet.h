@@ -46,6 +46,7 @@ public:
     std::array<std::array<Joint_of_pieces, 2>, 2> sides; // by axis and end; DERIVATIVE inside of a piece
     std::size_t piece;
     int depth;
+    bool has_second = false;
     std::array<std::array<const Node*, 2>, 2> halves{}; // along an axis
 
     bool has_edge(std::size_t axis, std::size_t end) const { return sides[axis][end] == Joint_of_pieces::EDGE; }
@@ -80,7 +81,7 @@ public:
       for (std::size_t j = 0; j + 1 < m_breaks[1].size(); ++j) {
         const std::size_t piece = m_roots.size();
         const Parameter_rectangle box{{{m_breaks[0][i], m_breaks[0][i + 1]}, {m_breaks[1][j], m_breaks[1][j + 1]}}};
-        m_nodes.push_back({m_pieces[piece].jet(box, true),
+        m_nodes.push_back({m_pieces[piece].jet(box, false),
                            {{{m_joints[0][i], m_joints[0][i + 1]}, {m_joints[1][j], m_joints[1][j + 1]}}},
                            piece,
                            0});
@@ -95,6 +96,16 @@ public:
     return m_is_closed[axis] ? m_breaks[axis].back() - m_breaks[axis].front() : 0;
   }
 
+  // The jet of a node with second derivatives.
+  const Interval_jet& full_jet(const Node& of)
+  {
+    Node& node = const_cast<Node&>(of); // one of ours
+    if (!node.has_second)
+      node.jet = m_pieces[node.piece].jet(node.jet.box, true);
+    node.has_second = true;
+    return node.jet;
+  }
+
   // The halves of a node along an axis.
   const std::array<const Node*, 2>& halves(const Node& of, std::size_t axis)
   {
@@ -106,7 +117,7 @@ public:
       Parameter_rectangle box = node.jet.box;
       (half == 0 ? box[axis].second : box[axis].first) = middle_of(node.jet.box[axis]);
       part.sides[axis][1 - half] = Joint_of_pieces::DERIVATIVE;
-      part.jet = m_pieces[node.piece].jet(box, true);
+      part.jet = m_pieces[node.piece].jet(box, false);
       m_nodes.push_back(part);
       node.halves[axis][half] = &m_nodes.back();
     }

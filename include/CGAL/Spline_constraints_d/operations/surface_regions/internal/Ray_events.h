@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Jet_sheet.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_bundle.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -196,7 +197,7 @@ that meets K
 - has K in its beginning where l = 0: l changes by -<n,V>/<n,O>;
 - passes an edge where s or t is constant: s changes by <V, K_t x O>/<n,O>, and t by <V, O x K_s>/<n,O>.
 */
-inline Direction_set directions_into(const Ray_bundle& rays, const Jet_sheet::Node& node,
+inline Direction_set directions_into(const Ray_bundle& rays, Jet_sheet& sheet, const Jet_sheet::Node& node,
                                      const std::array<double, 2>& widths)
 {
   const Interval_jet& k = node.jet;
@@ -216,6 +217,7 @@ inline Direction_set directions_into(const Ray_bundle& rays, const Jet_sheet::No
   if (has_zero(slope)) {
     if (!is_ahead || node.has_edge())
       return Direction_set();
+    sheet.full_jet(node);
     const Interval a = dot(cross(o, k.first[1]), n), b = dot(cross(k.first[0], o), n);
     restrict_to(a * a * dot(n, k.second[0]) + Interval(2) * a * b * dot(n, k.second[1]) + b * b * dot(n, k.second[2]),
                 n);

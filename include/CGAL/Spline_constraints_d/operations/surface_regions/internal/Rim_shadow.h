@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Jet_sheet.h>
 #include <CGAL/Spline_constraints_d/operations/surface_regions/internal/Ray_bundle.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -314,7 +314,7 @@ private:
     const auto directions_outside = [&](const std::optional<Parameter_rectangle>& rim, Direction_set result) {
       for (const Candidate& c : candidates)
         if (!result.is_empty() && !(rim && is_own(c) && contains(*rim, turned_towards(*rim, c.node->jet.box))))
-          result.restrict_to(Surface_regions::directions_into(rays, *c.node, widths));
+          result.restrict_to(Surface_regions::directions_into(rays, *m_sheets[c.sheet], *c.node, widths));
       return result;
     };
     std::vector<Parameter_rectangle> near; // not known to be behind or ahead
