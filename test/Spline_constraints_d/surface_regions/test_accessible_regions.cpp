@@ -425,6 +425,24 @@ TEST(VisibleRegions, HillHidesAPartOfItself)
       regions, hill, {hill}, [&](const auto&) { return direction; }, 15);
 }
 
+// What is found by then is kept; the rest is undecided.
+TEST(VisibleRegions, LimitsPastCurvedSurfaces)
+{
+  const auto limited = SC::visible_regions(hill_on_a_plane(), Exact::Vector_3(8, 1, 4), {}, {.time_limit = 0.1});
+  EXPECT_FALSE(limited.is_complete());
+  EXPECT_FALSE(limited.undecided().empty());
+  EXPECT_FALSE(limited.faces().empty());
+  EXPECT_LT(limited.summary().seconds, 5);
+  const auto few = SC::visible_regions(hill_on_a_plane(), Exact::Vector_3(8, 1, 4), {}, {.node_limit = 50});
+  EXPECT_FALSE(few.is_complete());
+  EXPECT_LE(few.summary().nodes, 500u);
+  const Surface ground = square(1),
+                roof({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 1}, {0, 1, 1}, {1, 0, 1}, {1, 1, 2}});
+  const K::Triangle_3 triangle(Point(0, 0, 1), Point(1, 0, 1), Point(0, 1, 1));
+  EXPECT_FALSE(SC::accessible_regions(ground, SC::Tool_obstacles_3<K>{.triangles = {triangle}, .surfaces = {roof}})
+                   .is_complete());
+}
+
 // Of a height field nothing is hidden from above.
 TEST(VisibleRegions, HeightFieldIsSeenFromAbove)
 {
