@@ -5,14 +5,19 @@
 // distances from many points of the surface.
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/trimmed_bisectors_3.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -58,6 +63,16 @@ std::size_t check_labels(const SC::Trimmed_bisector_3& bisector, const Surface& 
       double least = own;
       for (const Point& q : points)
         least = std::min(least, CGAL::squared_distance(p, q));
+      // next to the foot, too
+      for (const double size : {0.03, 0.003, 0.0003})
+        for (int i = -10; i <= 10; ++i)
+          for (int j = -10; j <= 10; ++j) {
+            const auto at = [&](std::size_t axis, int k) {
+              const auto [begin, end] = surface.domain(static_cast<int>(axis));
+              return std::clamp(CGAL::to_double(face.sample[axis]) + 0.1 * k * size * (end - begin), begin, end);
+            };
+            least = std::min(least, CGAL::squared_distance(p, surface(at(0, i), at(1, j))));
+          }
       if (face.label == SC::NEAREST)
         EXPECT_GE(least, own * (1 - 1e-12));
       else
@@ -103,6 +118,120 @@ TEST(Trimmed_bisectors_3, outside_of_a_cylinder)
   EXPECT_TRUE(bisector.is_complete());
   EXPECT_EQ(bisector.number_of_regions(SC::NEAREST), 1u);
   check_labels(bisector, cylinder);
+}
+
+// The points of the border of what is kept: of edges of faces with another label beyond.
+std::vector<std::array<double, 2>> border_of_what_is_kept(const SC::Trimmed_bisector_3& bisector)
+{
+  std::vector<std::array<double, 2>> result;
+  for (const SC::Trimmed_surface_3& part : bisector.surfaces())
+    for (const SC::Surface_face_3& face : part.faces())
+      for (const auto& loop : face.loops)
+        for (const SC::Surface_face_edge_3& edge : loop)
+          if (face.label == SC::NEAREST && edge.neighbour && part.faces()[*edge.neighbour].label == SC::NOT_NEAREST)
+            result.push_back({CGAL::to_double(edge.source.x()), CGAL::to_double(edge.source.y())});
+  return result;
+}
+
+// A ball that touches a sphere from within is within it.
+TEST(Trimmed_bisectors_3, all_is_kept_inside_of_a_sphere)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 1);
+  const auto bisector = SC::trimmed_point_surface_bisector(Point(0.25, -0.25, 0.5), sphere, ball(Point(0, 0, 0), 8));
+  EXPECT_TRUE(bisector.is_complete());
+  EXPECT_EQ(bisector.number_of_regions(SC::NEAREST), 1u);
+  EXPECT_EQ(bisector.number_of_regions(SC::NOT_NEAREST), 0u);
+  check_labels(bisector, sphere);
+}
+
+// Inside of a cylinder of radius 1 a ball is kept up to this radius: then its center is on the axis, at a distance of 1
+// from the point, so that z = 2 - sqrt(15)/4 or z = 2 + sqrt(15)/4 on all of the border.
+TEST(Trimmed_bisectors_3, a_bisector_that_meets_itself_inside_of_a_cylinder)
+{
+  const Surface cylinder = SC::cylinder_surface<K>(Point(0, 0, 0), 1, 4);
+  const auto bisector = SC::trimmed_point_surface_bisector(Point(0.25, 0, 2), cylinder, ball(Point(0, 0, 0), 20));
+  EXPECT_TRUE(bisector.is_complete());
+  EXPECT_EQ(bisector.number_of_regions(SC::NEAREST), 1u);
+  EXPECT_EQ(bisector.number_of_regions(SC::NOT_NEAREST), 2u);
+  check_labels(bisector, cylinder);
+  const auto border = border_of_what_is_kept(bisector);
+  EXPECT_GE(border.size(), 16u);
+  for (const auto& [u, v] : border) {
+    const Point foot = cylinder(u, v);
+    EXPECT_NEAR(std::abs(foot.z() - 2), std::sqrt(15.) / 4, 1e-6);
+  }
+}
+
+// The oracle: a point on the axis of a surface of revolution has the bisector of a point and the profile, revolved. Of
+// that, the part is kept where no point of the profile is nearer, on the side of the axis where the profile is.
+TEST(Trimmed_bisectors_3, revolved_profiles)
+{
+  using Curve = SC::Bspline_curve_2<K>;
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> random(-1, 1);
+  std::size_t kept = 0, not_kept = 0;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<K::Point_2> profile;
+    std::vector<Point> in_space;
+    for (int i = 0; i < 4; ++i) {
+      profile.emplace_back(1.5 + 0.5 * random(generator), i - 1.5);
+      in_space.emplace_back(profile.back().x(), 0, profile.back().y());
+    }
+    const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
+    const double height = random(generator);
+    const Surface surface =
+        SC::surface_of_revolution<K>(SC::Bspline_curve_3<K>(3, knots, in_space), Point(0, 0, 0), Vector(0, 0, 1));
+    const auto bisector = SC::trimmed_point_surface_bisector(Point(0, 0, height), surface, ball(Point(0, 0, 0), 6));
+    const auto planar = SC::trimmed_bisector(Curve(3, knots, profile), K::Point_2(0, height));
+    ASSERT_TRUE(planar.is_complete());
+    check_labels(bisector, surface);
+    // where the foot of the planar one is on the curve
+    std::vector<std::array<double, 2>> ranges;
+    for (const auto& chain : planar.chains())
+      for (const auto& polyline : planar.polylines(chain, 1e-4, 100))
+        for (std::size_t i = 1; i < polyline.size(); ++i)
+          if (const auto& a = polyline[i - 1], &b = polyline[i];
+              a.point.x() > 0 && b.point.x() > 0 && a.parameters[0] && b.parameters[0])
+            ranges.push_back(
+                {std::min(*a.parameters[0], *b.parameters[0]), std::max(*a.parameters[0], *b.parameters[0])});
+    for (const SC::Trimmed_surface_3& part : bisector.surfaces())
+      for (const SC::Surface_face_3& face : part.faces()) {
+        if (face.label != SC::NEAREST && face.label != SC::NOT_NEAREST)
+          continue;
+        const double v = CGAL::to_double(face.sample[1]);
+        const bool is_kept = std::ranges::any_of(ranges, [&](const auto& r) { return r[0] <= v && v <= r[1]; });
+        EXPECT_EQ(face.label == SC::NEAREST, is_kept);
+        ++(is_kept ? kept : not_kept);
+      }
+  }
+  EXPECT_GE(kept, 3u);
+  EXPECT_GE(not_kept, 3u);
+}
+
+// Turned, and made larger by the squared length of a quaternion, so that doubles are exact.
+TEST(Trimmed_bisectors_3, turned_surfaces)
+{
+  const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
+  const double heights[4][4] = {
+      {0, 0.25, -0.375, 0}, {0.25, -0.75, 0.75, 0}, {0, 1, -0.75, 0}, {0.125, 0, 0.125, 0.25}};
+  for (const auto& [a, b, c, d] : {std::array{1, 0, 0, 0}, {1, 2, -1, 3}, {2, 1, 1, -1}, {3, -2, 1, 1}}) {
+    const auto turned = [&](double x, double y, double z) {
+      return Point((a * a + b * b - c * c - d * d) * x + 2 * (b * c - a * d) * y + 2 * (b * d + a * c) * z,
+                   2 * (b * c + a * d) * x + (a * a - b * b + c * c - d * d) * y + 2 * (c * d - a * b) * z,
+                   2 * (b * d - a * c) * x + 2 * (c * d + a * b) * y + (a * a - b * b - c * c + d * d) * z);
+    };
+    std::vector<Point> points;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        points.push_back(turned(i - 1.5, j - 1.5, 0.125 * heights[i][j]));
+    const Surface surface({3, 3}, knots, knots, points);
+    const auto bisector = SC::trimmed_point_surface_bisector(turned(0, 0, 2), surface,
+                                                             ball(Point(0, 0, 0), 8 * (a * a + b * b + c * c + d * d)));
+    EXPECT_TRUE(bisector.is_complete());
+    EXPECT_EQ(bisector.number_of_regions(SC::NEAREST), 1u);
+    EXPECT_EQ(bisector.number_of_regions(SC::NOT_NEAREST), 0u);
+    check_labels(bisector, surface);
+  }
 }
 
 // In a trough the bisector meets itself above the middle: what is beside that is labelled, cell by cell.

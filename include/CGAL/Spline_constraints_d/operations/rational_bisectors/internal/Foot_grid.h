@@ -8,13 +8,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_FOOT_GRID_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_FOOT_GRID_H
 
-#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
-#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/homogeneous_polynomials.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/unit_normal_of_piece.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_piece.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Interval_net.h>
-#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisector_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -30,110 +26,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
-
-using Tensor = Bernstein_tensor<Exact_rational>;
-
-// Of the lowest common degrees.
-inline std::vector<Tensor> tensors_of(const std::vector<Power_polynomial>& polynomials)
-{
-  std::vector<int> degrees(2, 0);
-  for (const Power_polynomial& f : polynomials)
-    for (const int axis : {0, 1})
-      degrees[axis] = (std::max)(degrees[axis], f.degree(axis));
-  std::vector<Tensor> result;
-  for (const Power_polynomial& f : polynomials)
-    result.push_back(tensor_of(f, degrees));
-  return result;
-}
-
-// The factor by which the values on one side of the unit box differ from those of others on another side, all along it,
-// if there is one.
-inline std::optional<Exact_rational> ratio_of_sides(const std::vector<Tensor>& a, int side_of_a,
-                                                    const std::vector<Tensor>& b, int side_of_b, int axis)
-{
-  std::optional<Exact_rational> result;
-  for (std::size_t f = 0; f < a.size(); ++f) {
-    const int degree = (std::max)(a[f].degree(1 - axis), b[f].degree(1 - axis));
-    const std::vector<Exact_rational> x = a[f].face(axis, side_of_a).elevated({degree}).coefficients(),
-                                      y = b[f].face(axis, side_of_b).elevated({degree}).coefficients();
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (x[i] == 0 && y[i] == 0)
-        continue;
-      if (x[i] == 0 || y[i] == 0 || (result && x[i] != *result * y[i]))
-        return std::nullopt;
-      result = Exact_rational(x[i] / y[i]);
-    }
-  }
-  return result;
-}
-
-/*
-Numerators and weight of a piece of a surface X / w, its normal n in the lowest degree, and polynomials of its
-curvatures with respect to n. With a = w X_u - w_u X and b = w X_v - w_v X, the first form is that of a and b divided by
-w^4, and the second one is
-
-  (w <X_uu,n> - w_uu <X,n>) / (w^2 |n|) and so on;
-
-b1 / (|n| b0) is the sum and b2 / (|n|^2 b0) the product of the principal curvatures. What polynomials have in
-common, as at poles of spheres, is divided out, in the end also from numerators and denominators of the square of the
-sum and of the product, which are constant for spheres and cylinders.
-*/
-struct Foot_piece
-{
-  std::vector<Tensor> coordinates, normal;
-  // numerator and denominator of the square of the sum of both curvatures, and of their product; or of the sum and the
-  // product times |n| and |n|^2, and the latter
-  std::vector<Tensor> squared_sum, product;
-  std::vector<Tensor> sign_of_sum; // two factors
-  std::vector<Tensor> orientation; // of the cross product of the derivatives, with respect to the normal
-
-  static std::optional<Foot_piece> of(const Homogeneous_polynomials& surface)
-  {
-    const std::vector<Power_polynomial> cross_product = normal_of(surface);
-    if (cross_product[0].is_zero() && cross_product[1].is_zero() && cross_product[2].is_zero())
-      return std::nullopt;
-    const std::vector<Power_polynomial> normal = oriented_normal(cross_product);
-    const Polynomial_vector x{surface[0], surface[1], surface[2]}, n{normal[0], normal[1], normal[2]};
-    const Power_polynomial& w = surface[3];
-    const auto derivative = [](const Polynomial_vector& f, int axis) {
-      return Polynomial_vector{f[0].derivative(axis), f[1].derivative(axis), f[2].derivative(axis)};
-    };
-    const auto tangent = [&](int axis) { return w * derivative(x, axis) - w.derivative(axis) * x; };
-    const auto second = [&](int first, int other) {
-      return w * dot(derivative(derivative(x, first), other), n) - w.derivative(first).derivative(other) * dot(x, n);
-    };
-    const Polynomial_vector a = tangent(0), b = tangent(1);
-    const Power_polynomial e = dot(a, a), f = dot(a, b), g = dot(b, b), l = second(0, 0), m = second(0, 1),
-                           k = second(1, 1), ww = w * w;
-    const std::vector<Power_polynomial> forms = without_common_factors(
-        {e * g - f * f, ww * (e * k + g * l - Power_polynomial(2) * f * m), ww * ww * (l * k - m * m)});
-    return Foot_piece{tensors_of(surface),
-                      tensors_of(normal),
-                      quotients({forms[1], forms[0]}, 2, normal),
-                      quotients({forms[2], forms[0]}, 1, normal),
-                      {tensors_of({forms[1]}).front(), tensors_of({forms[0]}).front()},
-                      tensors_of({dot({cross_product[0], cross_product[1], cross_product[2]}, n)})};
-  }
-
-private:
-  // A power of p / q divided by |n|^2, in the lowest degree; p, q and |n|^2 if that is high.
-  static std::vector<Tensor> quotients(const std::vector<Power_polynomial>& quotient, int power,
-                                       const std::vector<Power_polynomial>& normal)
-  {
-    constexpr int greatest_degree = 12;
-    const std::vector<Power_polynomial> simple = without_common_factors(quotient);
-    const Power_polynomial length = squared_length(normal);
-    if (power * simple[1].total_degree() + length.total_degree() <= 2 * greatest_degree) {
-      const std::vector<Power_polynomial> all =
-          without_common_factors({pow(simple[0], power), pow(simple[1], power) * length});
-      if (all[0].total_degree() <= greatest_degree && all[1].total_degree() <= greatest_degree)
-        return tensors_of(all);
-    }
-    std::vector<Tensor> result = tensors_of(simple);
-    result.push_back(tensors_of({length}).front());
-    return result;
-  }
-};
 
 /*
 A surface as a grid of n times n cells on each of its pieces, with bounds of points, normals and curvatures. Where a
@@ -159,10 +51,24 @@ public:
   struct Bounds
   {
     Box point;
-    Vector center, first, second;       // center + s first + t second with s and t in [-1,1]
-    double distance;                    // from there
-    double radius;                      // the greatest distance from the center
-    bool is_regular = false;            // else nothing else is known
+    Vector center, first, second; // center + s first + t second with s and t in [-1,1]
+    double distance;              // from there
+    double radius;                // the greatest distance from the center
+
+    // Of homogeneous coordinates.
+    static Bounds of(const std::vector<Interval_net>& nets)
+    {
+      Bounds result;
+      result.point = hull_of_quotients(nets);
+      add_parallelogram(result, nets);
+      return result;
+    }
+  };
+
+  // How a part of the surface is bent.
+  struct Shape
+  {
+    bool is_regular = false;            // else nothing is known
     Box normal;                         // of length one
     std::array<Interval, 2> curvatures; // the principal ones with respect to it
   };
@@ -180,20 +86,24 @@ private:
   std::array<std::size_t, 2> m_shape{};
   std::vector<Foot_piece> m_pieces;
   std::vector<std::array<std::array<Border, 2>, 2>> m_borders; // of a piece: axis, side
-  std::vector<std::vector<Interval_net>> m_nets;               // of a piece: coordinates, normal, curvatures
-  std::vector<std::vector<Interval_net>> m_columns;            // the same, over a column of cells
+  std::vector<std::vector<Interval_net>> m_nets;               // of a piece: coordinates
+  std::vector<std::vector<Interval_net>> m_shape_nets;         // of a piece: normal, curvatures
+  std::vector<std::vector<Interval_net>> m_columns;            // of coordinates, over a column of cells
+  std::vector<std::vector<Interval_net>> m_shape_columns;
   std::vector<std::optional<Bounds>> m_bounds;
+  std::vector<std::optional<Shape>> m_shapes;
 
 public:
   // \pre rounding is upwards, here and below; the pieces are those of a grid of this shape, in row-major order.
   Foot_grid(std::vector<Foot_piece> pieces, const std::array<std::size_t, 2>& shape, int size)
     : m_size(size), m_shape(shape), m_pieces(std::move(pieces)), m_columns(m_pieces.size() * columns()),
-      m_bounds(m_pieces.size() * columns() * columns())
+      m_shape_columns(m_columns.size()), m_bounds(m_pieces.size() * columns() * columns()), m_shapes(m_bounds.size())
   {
     for (std::size_t p = 0; p < m_pieces.size(); ++p) {
-      auto& nets = m_nets.emplace_back();
-      for (const auto* list : {&m_pieces[p].coordinates, &m_pieces[p].normal, &m_pieces[p].squared_sum,
-                               &m_pieces[p].product, &m_pieces[p].sign_of_sum, &m_pieces[p].orientation})
+      m_nets.emplace_back(m_pieces[p].coordinates.begin(), m_pieces[p].coordinates.end());
+      auto& nets = m_shape_nets.emplace_back();
+      for (const auto* list : {&m_pieces[p].normal, &m_pieces[p].squared_sum, &m_pieces[p].product,
+                               &m_pieces[p].sign_of_sum, &m_pieces[p].orientation})
         for (const Tensor& f : *list)
           nets.emplace_back(f);
       auto& borders = m_borders.emplace_back();
@@ -204,6 +114,7 @@ public:
   }
 
   int size() const { return m_size; }
+  const std::array<std::size_t, 2>& shape_of_pieces() const { return m_shape; }
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   std::size_t number_of_cells() const { return m_bounds.size(); }
   bool is_inside(const Cell& cell) const { return is_inside(cell.at[0]) && is_inside(cell.at[1]); }
@@ -218,9 +129,29 @@ public:
   {
     std::optional<Bounds>& result = m_bounds[index(cell)];
     if (!result)
-      result = bounds_of(cell);
+      result = Bounds::of(nets_of(cell, m_nets, m_columns));
     return *result;
   }
+
+  const Shape& shape(const Cell& cell)
+  {
+    std::optional<Shape>& result = m_shapes[index(cell)];
+    if (!result)
+      result = shape_of(m_pieces[cell.piece], nets_of(cell, m_shape_nets, m_shape_columns));
+    return *result;
+  }
+
+  // The parameters of a cell.
+  std::array<Range, 2> box(const Cell& cell) const
+  {
+    const auto range = [&](std::size_t axis) {
+      return Range{static_cast<double>(cell.at[axis]) / m_size, static_cast<double>(cell.at[axis] + 1) / m_size};
+    };
+    return {range(0), range(1)};
+  }
+
+  // Homogeneous coordinates over a cell.
+  std::vector<Interval_net> nets_of(const Cell& cell) { return nets_of(cell, m_nets, m_columns); }
 
   // The cells behind a side of a cell: one, or at a pole all those around it; none where the surface is not known to be
   // smooth, or the margin ends.
@@ -349,35 +280,31 @@ private:
     return result;
   }
 
-  Bounds bounds_of(const Cell& cell)
+  std::vector<Interval_net> nets_of(const Cell& cell, const std::vector<std::vector<Interval_net>>& pieces,
+                                    std::vector<std::vector<Interval_net>>& columns_of_pieces) const
   {
-    const auto range = [&](std::size_t axis) {
-      return Range{static_cast<double>(cell.at[axis]) / m_size, static_cast<double>(cell.at[axis] + 1) / m_size};
-    };
+    const std::array<Range, 2> ranges = box(cell);
     std::vector<Interval_net>& column =
-        m_columns[cell.piece * columns() + static_cast<std::size_t>(cell.at[0] + margin)];
+        columns_of_pieces[cell.piece * columns() + static_cast<std::size_t>(cell.at[0] + margin)];
     if (column.empty())
-      for (const Interval_net& net : m_nets[cell.piece])
-        column.push_back(net.restricted(0, range(0)[0], range(0)[1]));
-    std::vector<Interval_net> nets;
+      for (const Interval_net& net : pieces[cell.piece])
+        column.push_back(net.restricted(0, ranges[0][0], ranges[0][1]));
+    std::vector<Interval_net> result;
     for (const Interval_net& net : column)
-      nets.push_back(net.restricted(1, range(1)[0], range(1)[1]));
-    return bounds_of(m_pieces[cell.piece], nets);
+      result.push_back(net.restricted(1, ranges[1][0], ranges[1][1]));
+    return result;
   }
 
-  static Bounds bounds_of(const Foot_piece& piece, const std::vector<Interval_net>& nets)
+  static Shape shape_of(const Foot_piece& piece, const std::vector<Interval_net>& nets)
   {
-    Bounds result;
-    result.point = hull_of_quotients(nets);
-    add_parallelogram(result, nets);
-    const Box n{nets[4].bounds(), nets[5].bounds(), nets[6].bounds()};
+    Shape result;
+    const Box n{nets[0].bounds(), nets[1].bounds(), nets[2].bounds()};
     const Interval squared_length = CGAL::square(n[0]) + CGAL::square(n[1]) + CGAL::square(n[2]);
-    const std::size_t first = 7, second = first + piece.squared_sum.size();
+    const std::size_t first = 3, second = first + piece.squared_sum.size();
     const std::optional<Interval> squared_sum = quotient(nets, first, piece.squared_sum.size(), 2),
                                   product = quotient(nets, second, piece.product.size(), 1);
     // Where the parametrisation folds, the cross product of the derivatives turns to the other side of the normal.
-    result.is_regular = squared_length.inf() > 0 && squared_sum && product && std::isfinite(result.distance) &&
-        nets.back().bounds().inf() >= 0;
+    result.is_regular = squared_length.inf() > 0 && squared_sum && product && nets.back().bounds().inf() >= 0;
     if (result.is_regular) {
       const Interval length = square_root(squared_length);
       for (std::size_t c = 0; c < 3; ++c)
@@ -448,12 +375,8 @@ private:
 public:
   static double norm(const Vector& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-  // Nets of a piece, and the bounds of a part of it that these are restricted to.
+  // Those of the homogeneous coordinates of a piece.
   const std::vector<Interval_net>& nets(std::size_t piece) const { return m_nets[piece]; }
-  Bounds bounds(std::size_t piece, const std::vector<Interval_net>& part) const
-  {
-    return bounds_of(m_pieces[piece], part);
-  }
 
   // Bounds of the points of homogeneous coordinates: those of the control points, if all weights have one sign.
   static Box hull_of_quotients(const std::vector<Interval_net>& nets)

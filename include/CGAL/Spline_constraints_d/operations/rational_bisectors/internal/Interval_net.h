@@ -57,6 +57,21 @@ public:
 
   const std::vector<Interval>& values() const { return m_values; }
 
+  // Adds a multiple of another polynomial of the same degrees.
+  void add(const Interval& factor, const Interval_net& other)
+  {
+    for (std::size_t k = 0; k < m_values.size(); ++k)
+      m_values[k] += factor * other.m_values[k];
+  }
+
+  // An upper bound of the least value over the unit box: that in one of its corners.
+  double least_corner() const
+  {
+    const std::size_t columns = static_cast<std::size_t>(m_degrees[1]) + 1, size = m_values.size();
+    return (std::min)(
+        {m_values[0].sup(), m_values[columns - 1].sup(), m_values[size - columns].sup(), m_values[size - 1].sup()});
+  }
+
   // Bounds of a quotient of polynomials of the same degrees, the second one without zeros in its coefficients.
   static Interval quotients(const Interval_net& f, const Interval_net& g)
   {

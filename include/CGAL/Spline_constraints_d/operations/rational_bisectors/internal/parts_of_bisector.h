@@ -44,53 +44,47 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-// A block of a piece of a bisector, by its place among n times n equal ones.
+// A box of parameters of a piece, in its unit box.
+struct Box_of_block
+{
+  std::array<std::array<double, 2>, 2> ranges{{{0, 1}, {0, 1}}};
+  bool is_within = false; // reach, certainly
+
+  bool is_whole() const { return ranges == std::array<std::array<double, 2>, 2>{{{0, 1}, {0, 1}}}; }
+};
+
+// A block of a piece of a bisector.
 struct Bisector_block
 {
   Surface_cell_3 cell;
   std::size_t piece; // of the continuous part
-  std::array<int, 2> at{};
-  int n = 1;
+  std::size_t own = 0; // the piece of the bisector
+  Box_of_block box = {};
 
-  std::vector<Surface_cell_3::Range> box() const
+  std::vector<Surface_cell_3::Range> range() const
   {
     std::vector<Surface_cell_3::Range> result;
-    for (const int i : at)
-      result.emplace_back(Exact_rational(i) / n, Exact_rational(i + 1) / n);
+    for (const std::array<double, 2>& side : box.ranges)
+      result.emplace_back(Exact_rational(side[0]), Exact_rational(side[1]));
+    return result;
+  }
+
+  // A part of the whole piece.
+  Bisector_block part(const Box_of_block& of_part) const
+  {
+    Bisector_block result(*this);
+    result.box = of_part;
+    if (result.box.is_whole())
+      return result;
+    const std::vector<Surface_cell_3::Range> ranges = result.range();
+    for (const std::size_t axis : {0, 1})
+      result.cell.domain[axis] = {cell.parameter(static_cast<int>(axis), ranges[axis].first),
+                                  cell.parameter(static_cast<int>(axis), ranges[axis].second)};
+    for (auto& f : result.cell.coordinates)
+      f = f.restricted_to_box(ranges);
     return result;
   }
 };
-
-inline std::array<Surface_cell_3, 2> halves(const Surface_cell_3& cell, int axis)
-{
-  std::array<Surface_cell_3, 2> result{cell, cell};
-  const std::size_t own = static_cast<std::size_t>(axis);
-  result[0].domain[own].second = result[1].domain[own].first = cell.parameter(axis, inverse_power_of_two(1));
-  for (std::size_t c = 0; c < 4; ++c)
-    std::tie(result[0].coordinates[c], result[1].coordinates[c]) = cell.coordinates[c].split(axis);
-  return result;
-}
-
-// Adds a block, or its quarters, theirs and so on, as long as `must_be_cut(place, n)`.
-template <class Must_be_cut>
-void add_blocks(std::vector<Bisector_block>& result, Bisector_block block, const Must_be_cut& must_be_cut,
-                const Operation_budget& budget)
-{
-  if (!must_be_cut(block.at, block.n)) {
-    result.push_back(std::move(block));
-    return;
-  }
-  budget.check();
-  const std::array<Surface_cell_3, 2> columns = halves(block.cell, 0);
-  for (const int a : {0, 1}) {
-    const std::array<Surface_cell_3, 2> cells = halves(columns[static_cast<std::size_t>(a)], 1);
-    for (const int b : {0, 1})
-      add_blocks(
-          result,
-          {cells[static_cast<std::size_t>(b)], block.piece, {2 * block.at[0] + a, 2 * block.at[1] + b}, 2 * block.n},
-          must_be_cut, budget);
-  }
-}
 
 // The pieces of a continuous part, whose weights have no jumps, as blocks.
 inline std::vector<Bisector_block> pieces_of(const Cell_functions<4>& part)
@@ -117,21 +111,26 @@ class Bisector_trimming
   std::vector<std::optional<Cell_polynomial>> m_powers_of_pieces, m_powers; // of the blocks: positive out of reach
 
 public:
-  // `must_be_cut(piece of the bisector, place, n)` of blocks.
-  template <class Must_be_cut>
+  // `blocks_of(piece of the bisector)` are the boxes that it is cut into.
+  template <class Blocks_of_piece>
   Bisector_trimming(const Rational_bisector_3& bisector, const Cell_functions<4>& part,
-                    const std::optional<Reach>& reach, const Must_be_cut& must_be_cut, const Operation_budget& budget)
+                    const std::optional<Reach>& reach, const Blocks_of_piece& blocks_of, const Operation_budget& budget)
     : m_pieces(pieces_of(part)), m_reach(reach), m_powers_of_pieces(m_pieces.size())
   {
-    for (const Bisector_block& piece : m_pieces) {
+    for (Bisector_block& piece : m_pieces) {
       const auto is_same = [&](const Rational_bisector_piece_3& other) { return other.domain() == piece.cell.domain; };
-      const std::size_t own =
+      piece.own =
           static_cast<std::size_t>(std::ranges::find_if(bisector.pieces(), is_same) - bisector.pieces().begin());
-      add_blocks(
-          m_blocks, piece, [&](const std::array<int, 2>& at, int n) { return must_be_cut(own, at, n); }, budget);
+      for (const Box_of_block& box : blocks_of(piece.own)) {
+        if (!box.is_whole())
+          budget.check();
+        m_blocks.push_back(piece.part(box));
+      }
     }
     m_powers.resize(m_blocks.size());
   }
+
+  const Bisector_block& block(std::size_t cell) const { return m_blocks[cell]; }
 
   std::vector<Surface_cell_3> cells() const
   {
@@ -164,9 +163,9 @@ private:
     const Bisector_block& block = m_blocks[index];
     std::optional<Cell_polynomial>& result = m_powers[index];
     if (!result)
-      result = is_certainly_within(block.cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
-          : block.n == 1                       ? power_of_piece(block.piece)
-                                               : power_of_piece(block.piece).restricted_to_box(block.box());
+      result = block.box.is_within || is_certainly_within(block.cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
+          : block.box.is_whole()                                      ? power_of_piece(block.piece)
+                                 : power_of_piece(block.piece).restricted_to_box(block.range());
     return *result;
   }
 
@@ -201,22 +200,24 @@ private:
   }
 };
 
-// The regions of all continuous parts, whose pieces are cut into blocks.
-template <class Label_within, class Must_be_cut>
+// The regions of all continuous parts, whose pieces are cut into blocks; `faces_of(block)` are faces that other curves
+// bound, or none.
+template <class Label_within, class Blocks_of_piece, class Faces_of_block>
 std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach,
                                                  const Label_within& label_within, Operation_budget& budget,
-                                                 const Must_be_cut& must_be_cut)
+                                                 const Blocks_of_piece& blocks_of, const Faces_of_block& faces_of)
 {
   if (!bisector.is_complete())
     throw Invalid_input("bisector_parts: pieces of the bisector were not computed");
   const Cell_functions<4> all = coordinates_on_bisector(bisector);
   std::vector<Trimmed_surface_3> result;
   for (const Continuous_part<4>& part : continuous_parts(all, false)) {
-    Bisector_trimming cut(bisector, part.functions, reach, must_be_cut, budget);
+    Bisector_trimming cut(bisector, part.functions, reach, blocks_of, budget);
     Trimming trimming{cut.cells(),
                       {},
                       [&](std::size_t cell) { return cut.zeros(cell); },
-                      [&](std::size_t cell, const Parameters& at) { return cut.label(cell, at, label_within); }};
+                      [&](std::size_t cell, const Parameters& at) { return cut.label(cell, at, label_within); },
+                      [&](std::size_t cell) { return faces_of(cut.block(cell)); }};
     for (const int axis : {0, 1})
       if (part.functions.domain(axis) == all.domain(axis)) {
         const auto ratio = part.functions.ratio(axis, part.functions.size(axis) - 1, 0);
@@ -227,8 +228,6 @@ std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bise
   return result;
 }
 
-inline bool is_never_cut(std::size_t, const std::array<int, 2>&, int) { return false; }
-
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Trimmed_surface_3>
 parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach>& reach, const Solver_options& options)
 {
@@ -236,7 +235,9 @@ parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach
   const auto label = [](const Surface_cell_3&, const Parameters&, bool is_positive) -> std::optional<int> {
     return is_positive ? WITH_POSITIVE_WEIGHT : WITH_NEGATIVE_WEIGHT;
   };
-  return parts_of_bisector(bisector, reach, label, budget, is_never_cut);
+  const auto whole = [](std::size_t) { return std::vector<Box_of_block>(1); };
+  const auto no_faces = [](const Bisector_block&) { return std::nullopt; };
+  return parts_of_bisector(bisector, reach, label, budget, whole, no_faces);
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Bisector_mesh_3 mesh_of_bisector(const Rational_bisector_3& bisector,

@@ -82,11 +82,7 @@ public:
   {
     if (!m_is_proved)
       return std::nullopt;
-    Cell_faces result;
-    result.faces.resize(m_faces.size());
-    for (auto face = m_arrangement.faces_begin(); face != m_arrangement.faces_end(); ++face)
-      if (!face->is_unbounded())
-        result.faces[index_of(face)].loops = loops_of(face);
+    Cell_faces result = faces_without_samples();
     std::vector<bool> has_sample(result.faces.size(), false);
     add_samples_on_border(result, has_sample);
     if (point_on_piece)
@@ -100,7 +96,39 @@ public:
     return result;
   }
 
+  // The faces of curves for which points beside each piece are known, to its left and to its right; none if one is not
+  // proved.
+  std::optional<Cell_faces> faces(const std::vector<std::array<Parameters, 2>>& beside_pieces)
+  {
+    if (!m_is_proved)
+      return std::nullopt;
+    Cell_faces result = faces_without_samples();
+    std::vector<bool> has_sample(result.faces.size(), false);
+    for (std::size_t k = 0; k < beside_pieces.size(); ++k) {
+      const Halfedge along = m_halfedges.at({k, 0});
+      for (const std::size_t side : {0, 1}) {
+        const std::size_t face = index_of(side == 0 ? along->face() : along->twin()->face());
+        result.faces[face].sample = beside_pieces[k][side];
+        has_sample[face] = true;
+      }
+    }
+    if (std::find(has_sample.begin(), has_sample.end(), false) != has_sample.end())
+      return std::nullopt;
+    result.borders = std::move(m_border);
+    return result;
+  }
+
 private:
+  Cell_faces faces_without_samples() const
+  {
+    Cell_faces result;
+    result.faces.resize(m_faces.size());
+    for (auto face = m_arrangement.faces_begin(); face != m_arrangement.faces_end(); ++face)
+      if (!face->is_unbounded())
+        result.faces[index_of(face)].loops = loops_of(face);
+    return result;
+  }
+
   // The side between its corners and the vertices on it.
   void add_side(int axis, int side)
   {

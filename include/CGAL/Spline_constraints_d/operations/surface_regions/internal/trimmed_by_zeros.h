@@ -65,6 +65,8 @@ public:
         m_budget.check();
         if (m_trimming.parts)
           add_labelled_parts(whole);
+        else if (std::optional<Cell_faces> known = m_trimming.faces ? m_trimming.faces(whole) : std::nullopt)
+          add_faces(whole, m_trimming.cells[whole], *std::move(known));
         else
           add_part(whole, m_trimming.cells[whole], m_trimming.zeros(whole), 0);
       } catch (const Run_stopped& stop) {
