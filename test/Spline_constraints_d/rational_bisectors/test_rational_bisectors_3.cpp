@@ -305,6 +305,17 @@ TEST(Rational_bisectors_3, polynomial_surfaces)
   const auto of_bicubic = SC::point_surface_bisector(Point(5, -7, 300), bezier_surface(3, 3, points));
   EXPECT_EQ(degrees(of_bicubic), Degrees(11, 11));
   check_centers(of_bicubic);
+
+  // Turned, it is the same one, turned.
+  std::uniform_int_distribution<int> small(-3, 3);
+  const Number u(1, 3), v(2, 7);
+  for (int k = 0; k < 20; ++k) {
+    const K::Aff_transformation_3 motion = rotation(1 + k, small(random), small(random), small(random));
+    const auto turned = SC::point_surface_bisector(motion.transform(Point(5, -7, 300)),
+                                                   bezier_surface(3, 3, points).transformed(motion));
+    EXPECT_EQ(degrees(turned), Degrees(11, 11));
+    EXPECT_EQ(turned.point(u, v), motion.transform(of_bicubic.point(u, v)));
+  }
 }
 
 TEST(Rational_bisectors_3, the_kernel_of_doubles_and_several_pieces)

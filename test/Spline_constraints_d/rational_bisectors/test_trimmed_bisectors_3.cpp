@@ -64,12 +64,12 @@ std::size_t check_labels(const SC::Trimmed_bisector_3& bisector, const Surface& 
       for (const Point& q : points)
         least = std::min(least, CGAL::squared_distance(p, q));
       // next to the foot, too
-      for (const double size : {0.03, 0.003, 0.0003})
-        for (int i = -10; i <= 10; ++i)
-          for (int j = -10; j <= 10; ++j) {
+      for (const double size : {0.03, 0.002})
+        for (int i = -6; i <= 6; ++i)
+          for (int j = -6; j <= 6; ++j) {
             const auto at = [&](std::size_t axis, int k) {
               const auto [begin, end] = surface.domain(static_cast<int>(axis));
-              return std::clamp(CGAL::to_double(face.sample[axis]) + 0.1 * k * size * (end - begin), begin, end);
+              return std::clamp(CGAL::to_double(face.sample[axis]) + 0.15 * k * size * (end - begin), begin, end);
             };
             least = std::min(least, CGAL::squared_distance(p, surface(at(0, i), at(1, j))));
           }
@@ -173,36 +173,49 @@ TEST(Trimmed_bisectors_3, revolved_profiles)
   for (int k = 0; k < 3; ++k) {
     std::vector<K::Point_2> profile;
     std::vector<Point> in_space;
-    for (int i = 0; i < 4; ++i) {
-      profile.emplace_back(1.5 + 0.5 * random(generator), i - 1.5);
+    for (int i = 0; i < 3; ++i) {
+      profile.emplace_back(1.5 + 0.5 * random(generator), 1.5 * i - 1.5);
       in_space.emplace_back(profile.back().x(), 0, profile.back().y());
     }
-    const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
+    const std::vector<double> knots{0, 0, 0, 1, 1, 1};
     const double height = random(generator);
     const Surface surface =
-        SC::surface_of_revolution<K>(SC::Bspline_curve_3<K>(3, knots, in_space), Point(0, 0, 0), Vector(0, 0, 1));
+        SC::surface_of_revolution<K>(SC::Bspline_curve_3<K>(2, knots, in_space), Point(0, 0, 0), Vector(0, 0, 1));
     const auto bisector = SC::trimmed_point_surface_bisector(Point(0, 0, height), surface, ball(Point(0, 0, 0), 6));
-    const auto planar = SC::trimmed_bisector(Curve(3, knots, profile), K::Point_2(0, height));
+    const auto planar = SC::trimmed_bisector(Curve(2, knots, profile), K::Point_2(0, height));
+    EXPECT_TRUE(bisector.is_complete());
     ASSERT_TRUE(planar.is_complete());
     check_labels(bisector, surface);
     // where the foot of the planar one is on the curve
     std::vector<std::array<double, 2>> ranges;
     for (const auto& chain : planar.chains())
       for (const auto& polyline : planar.polylines(chain, 1e-4, 100))
-        for (std::size_t i = 1; i < polyline.size(); ++i)
-          if (const auto& a = polyline[i - 1], &b = polyline[i];
-              a.point.x() > 0 && b.point.x() > 0 && a.parameters[0] && b.parameters[0])
-            ranges.push_back(
-                {std::min(*a.parameters[0], *b.parameters[0]), std::max(*a.parameters[0], *b.parameters[0])});
+        for (std::size_t i = 1; i < polyline.size(); ++i) {
+          const auto &a = polyline[i - 1], &b = polyline[i];
+          if (!a.parameters[0] || !b.parameters[0] || (a.point.x() <= 0 && b.point.x() <= 0))
+            continue;
+          // up to the axis
+          double from = *a.parameters[0], to = *b.parameters[0];
+          const double at = std::lerp(from, to, a.point.x() / (a.point.x() - b.point.x()));
+          if (a.point.x() < 0)
+            from = at;
+          else if (b.point.x() < 0)
+            to = at;
+          ranges.push_back({std::min(from, to), std::max(from, to)});
+        }
+    const auto is_kept = [&](double v) {
+      return std::ranges::any_of(ranges, [&](const auto& r) { return r[0] <= v && v <= r[1]; });
+    };
     for (const SC::Trimmed_surface_3& part : bisector.surfaces())
       for (const SC::Surface_face_3& face : part.faces()) {
         if (face.label != SC::NEAREST && face.label != SC::NOT_NEAREST)
           continue;
         const double v = CGAL::to_double(face.sample[1]);
-        const bool is_kept = std::ranges::any_of(ranges, [&](const auto& r) { return r[0] <= v && v <= r[1]; });
-        EXPECT_EQ(face.label == SC::NEAREST, is_kept);
-        ++(is_kept ? kept : not_kept);
+        EXPECT_EQ(face.label == SC::NEAREST, is_kept(v));
+        ++(is_kept(v) ? kept : not_kept);
       }
+    for (const auto& [u, v] : border_of_what_is_kept(bisector))
+      EXPECT_NE(is_kept(v - 1e-3), is_kept(v + 1e-3));
   }
   EXPECT_GE(kept, 3u);
   EXPECT_GE(not_kept, 3u);
@@ -223,7 +236,7 @@ TEST(Trimmed_bisectors_3, turned_surfaces)
     std::vector<Point> points;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        points.push_back(turned(i - 1.5, j - 1.5, 0.125 * heights[i][j]));
+        points.push_back(turned(i - 1.5, j - 1.5, 0.0625 * heights[i][j]));
     const Surface surface({3, 3}, knots, knots, points);
     const auto bisector = SC::trimmed_point_surface_bisector(turned(0, 0, 2), surface,
                                                              ball(Point(0, 0, 0), 8 * (a * a + b * b + c * c + d * d)));
@@ -279,7 +292,7 @@ TEST(Trimmed_bisectors_3, spheres_in_the_hole_of_a_torus)
   const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 2, 1).restricted(0, 0, 1);
   const auto bisector = [&](double radius) {
     return SC::trimmed_sphere_surface_bisector(Point(0, 0, 0), radius, torus, ball(Point(0, 0, 0), 6),
-                                               {.tolerance = 1e-8, .time_limit = 4});
+                                               {.tolerance = 1e-8, .time_limit = radius == -1 ? 1. : 20.});
   };
   check_labels(bisector(-0.5), torus);
   const SC::Trimmed_bisector_3 touching = bisector(-1);
@@ -293,8 +306,8 @@ TEST(Trimmed_bisectors_3, random_bicubic_surfaces)
   std::uniform_real_distribution<double> random(-1, 1);
   const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
   std::size_t labelled = 0;
-  for (int k = 0; k < 4; ++k) {
-    const double size = k < 3 ? 0.1 : 0.5;
+  for (int k = 0; k < 3; ++k) {
+    const double size = k < 2 ? 0.1 : 0.5;
     std::vector<Point> points;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
@@ -306,7 +319,7 @@ TEST(Trimmed_bisectors_3, random_bicubic_surfaces)
                                                         ball(Point(0, 0, 0), 6), {.tolerance = 1e-8, .time_limit = 20}),
                      surface, false);
   }
-  EXPECT_GE(labelled, 4u);
+  EXPECT_GE(labelled, 3u);
 }
 
 TEST(Trimmed_bisectors_3, limits)

@@ -111,8 +111,8 @@ public:
     return *m_nodes[node].quarters;
   }
 
-  // The sign of the least power of points of a part with respect to one ball, zero if it is not known. Upper bounds of it,
-  // times squared weights, make `least` less.
+  // The sign of the least power of points of a part with respect to one ball, zero if it is not known. Upper bounds of
+  // it, times squared weights, make `least` less.
   int sign_of_power(const Part_of_piece& part, const Touching_ball& ball, double& least) const
   {
     constexpr std::size_t most_parts = 2000;

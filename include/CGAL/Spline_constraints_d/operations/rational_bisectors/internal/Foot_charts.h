@@ -30,10 +30,10 @@ namespace Rational_bisectors {
 /*
 Whether feet F on a surface S are nearer to the centers of balls that touch S there than all other points of some cells.
 
-These cells are seen in a chart: S is projected along a direction d onto a plane, where they are within a disk. Cells are
-added until all that reach into the disk have their neighbours. On them <n,d> > 0 and S does not fold, so the projection
-keeps orientations, and it is one-to-one over the whole disk if the boundary winds around it once. Along a straight line
-in the disk the second derivative of half the squared distance from the center P of a ball is
+These cells are seen in a chart: S is projected along a direction d onto a plane, where they are within a disk. Cells
+are added until all that reach into the disk have their neighbours. On them <n,d> > 0 and S does not fold, so the
+projection keeps orientations, and it is one-to-one over the whole disk if the boundary winds around it once. Along a
+straight line in the disk the second derivative of half the squared distance from the center P of a ball is
 
   1 + c k,  c = <S-P,d> / <n,d>,
 
@@ -122,16 +122,18 @@ private:
     };
     result.direction = cross(intervals(result.axes[0]), intervals(result.axes[1]));
     for (const std::size_t axis : {0, 1})
-      result.center[axis] = Foot_grid::midpoint(projected(balls.foot.point, result, axis));
+      result.center[axis] = Foot_grid::midpoint(projected(balls.foot, result, axis));
     for (const Cell& cell : near)
       result.radius = (std::max)(result.radius, farthest(cell, result));
     return std::isfinite(result.radius) ? std::optional(result) : std::nullopt;
   }
 
-  static Interval projected(const Box& box, const Chart& chart, std::size_t axis)
+  static Interval projected(const Bounds& bounds, const Chart& chart, std::size_t axis)
   {
+    if (!std::isfinite(bounds.distance))
+      return Interval::largest();
     const std::array<double, 3>& e = chart.axes[axis];
-    return box[0] * Interval(e[0]) + box[1] * Interval(e[1]) + box[2] * Interval(e[2]);
+    return Ball_powers::height(bounds, {Interval(e[0]), Interval(e[1]), Interval(e[2])});
   }
 
   // Squared distances of the points of a cell from the center of the disk, in the chart.
@@ -139,7 +141,7 @@ private:
   {
     Interval result(0);
     for (const std::size_t axis : {0, 1})
-      result += CGAL::square(projected(m_grid.bounds(cell).point, chart, axis) - Interval(chart.center[axis]));
+      result += CGAL::square(projected(m_grid.bounds(cell), chart, axis) - Interval(chart.center[axis]));
     return result;
   }
 

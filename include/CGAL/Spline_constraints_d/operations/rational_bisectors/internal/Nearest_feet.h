@@ -114,8 +114,8 @@ public:
     return by_lines.is_known() ? by_lines : verdict_by_chart(balls, *near);
   }
 
-  // The sign of the least power of what decides a label, for one ball, and a number that is near to it; zero if it is too
-  // near to zero.
+  // The sign of the least power of what decides a label, for one ball, and a number that is near to it; zero if it is
+  // too near to zero.
   std::pair<int, double> least_power(const Touching_balls& ball, const Competitors& competitors) const
   {
     double least = std::numeric_limits<double>::infinity();

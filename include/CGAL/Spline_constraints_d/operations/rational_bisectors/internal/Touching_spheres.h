@@ -25,9 +25,9 @@ namespace internal {
 namespace Rational_bisectors {
 
 /*
-Spheres that touch a piece X / w of a surface along a whole line where one parameter is constant, as in cylinders, cones,
-tori and other canal surfaces, and surfaces of revolution. With the two ends of a line and the normal N at the first one,
-the center is on N, as far from one as from the other: with e the difference of both times both weights v, w,
+Spheres that touch a piece X / w of a surface along a whole line where one parameter is constant, as in cylinders,
+cones, tori and other canal surfaces, and surfaces of revolution. With the two ends of a line and the normal N at the
+first one, the center is on N, as far from one as from the other: with e the difference of both times both weights v, w,
 
   C = X / w + |e|^2 N / (2 v w <N,e>).
 
