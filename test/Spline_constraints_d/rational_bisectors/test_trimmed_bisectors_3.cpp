@@ -38,7 +38,7 @@ K::Sphere_3 ball(const Point& center, double radius) { return {center, radius * 
 // At samples of all faces: whether a point of the surface is nearer than the foot. The number of faces with a label.
 std::size_t check_labels(const SC::Trimmed_bisector_3& bisector, const Surface& surface, bool has_labels = true)
 {
-  constexpr int steps = 60;
+  constexpr int steps = 40;
   std::vector<Point> points;
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= steps; ++j) {
@@ -306,8 +306,8 @@ TEST(Trimmed_bisectors_3, random_bicubic_surfaces)
   std::uniform_real_distribution<double> random(-1, 1);
   const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
   std::size_t labelled = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double size = k < 2 ? 0.1 : 0.5;
+  for (int k = 0; k < 2; ++k) {
+    const double size = k < 1 ? 0.1 : 0.5;
     std::vector<Point> points;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
@@ -319,7 +319,7 @@ TEST(Trimmed_bisectors_3, random_bicubic_surfaces)
                                                         ball(Point(0, 0, 0), 6), {.tolerance = 1e-8, .time_limit = 20}),
                      surface, false);
   }
-  EXPECT_GE(labelled, 3u);
+  EXPECT_GE(labelled, 2u);
 }
 
 TEST(Trimmed_bisectors_3, limits)

@@ -48,8 +48,7 @@ public:
   //! whether all regions have a label, by proof.
   bool is_complete() const { return m_summary.is_complete; }
 
-  //! the regions without a label, with boxes of parameters: where another point of the surface is as near as the foot,
-  //! and beside it, as a rule.
+  //! the regions without a label, with boxes of parameters: beside places where two feet come together, as a rule.
   std::vector<Undecided_part> undecided() const;
 
   //! the work.

@@ -51,11 +51,13 @@ the bisector of a point and a surface, trimmed: of `point_surface_bisector()`, w
 point of the surface is nearer than the foot. They are on the boundary of the convex set of all points that are not
 nearer to the surface than to the point.
 
-Poles and the sphere cut the domain into faces. A face is labelled if on all cells of a grid that cover it either some
-point of the surface is certainly nearer than the foot, or none: the latter since cells are farther away, but for a
-neighbourhood of the foot where the squared distance is strictly convex in a chart of the surface. Where regions that
-are kept and others meet within a face, as where the bisector meets itself, or beside the edges of the surface, the face
-is undecided.
+Poles, the sphere, and arcs where other points of the surface are as near as the foot cut the domain into faces. In
+boxes of feet either some point of the surface is certainly nearer than the foot, or none: the latter since cells of the
+surface are farther away, but for a neighbourhood of the foot where the squared distance is strictly convex in a chart,
+or where spheres touch the surface along lines; or the least difference of squared distances increases with a parameter,
+so that there is one arc at most. Small boxes for which nothing of this is proved are undecided: those where two feet
+come together, as at the ends of curves where the bisector meets itself, where a point as near is on an edge close to a
+center of curvature, or where arcs leave the sphere.
 
 \tparam S a model of `ParametricSurface_3`.
 \param point the point.
@@ -65,8 +67,8 @@ is undecided.
 \throws Invalid_input as `point_surface_bisector()` and `bisector_parts()`; when the bisector was not completed because
 of a limit.
 
-Complexity: that of `bisector_parts()`, and for blocks of some 1,000 cells of a grid, in the worst case for parts of all
-these, a search among all of them. Source:
+Complexity: that of `bisector_parts()`, and for each box of feet, up to some 1,000 beside undecided ones, a search among
+all cells of a grid. Source:
 \cgalCite{ek-crb-99} trims by supporting planes of samples, without a proof of what is kept.
 */
 template <ParametricSurface_3 S>

@@ -166,7 +166,7 @@ public:
 
 private:
   // If something is not known of a smallest box, it is not of the one of the first of these depths around it.
-  static constexpr int depth_of_undecided = 5, most_depth = 9;
+  static constexpr int depth_of_undecided = 5, most_depth = 8;
   static constexpr double cut = 15. / 32;
 
   std::size_t add(const Box& box, const Ball_nets& nets, int depth)

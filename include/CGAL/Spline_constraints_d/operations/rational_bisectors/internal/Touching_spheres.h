@@ -44,17 +44,18 @@ private:
   std::vector<Interval_net> m_nets;
   std::vector<Interval_net> m_slope_nets; // of the numerators of the derivative by the other parameter, its denominator
   std::size_t m_along;
-  bool m_radius_is_constant;
+  Power_polynomial m_squared_way, m_squared_weight; // the radius is the root of their quotient
+  bool m_has_one_radius;
 
   Touching_spheres(const Homogeneous_polynomials& center, const Polynomial_vector& way, const Power_polynomial& weight,
                    std::size_t along)
     : m_center(center), m_along(along)
   {
-    // |way| / weight
-    const Power_polynomial square = dot(way, way), squared_weight = weight * weight;
+    m_squared_way = dot(way, way);
+    m_squared_weight = weight * weight;
     const std::array<Exact_rational, 2> zero{0, 0};
-    m_radius_is_constant =
-        square * Power_polynomial(squared_weight(zero)) == squared_weight * Power_polynomial(square(zero));
+    m_has_one_radius = m_squared_way * Power_polynomial(m_squared_weight(zero)) ==
+        m_squared_weight * Power_polynomial(m_squared_way(zero));
     const int across = 1 - static_cast<int>(along);
     const Power_polynomial& w = center[3];
     Homogeneous_polynomials slope;
@@ -99,7 +100,7 @@ public:
   bool are_one() const
   {
     return m_center[3].is_constant() && m_center[0].is_constant() && m_center[1].is_constant() &&
-        m_center[2].is_constant() && m_radius_is_constant;
+        m_center[2].is_constant() && m_has_one_radius;
   }
 
   // Whether the spheres are those of another piece, for the same other parameter.
@@ -108,7 +109,7 @@ public:
     for (const std::size_t c : {0, 1, 2})
       if (!(m_center[c] * other.m_center[3] == other.m_center[c] * m_center[3]))
         return false;
-    return m_along == other.m_along;
+    return m_along == other.m_along && m_squared_way * other.m_squared_weight == other.m_squared_way * m_squared_weight;
   }
 
   // Of the feet of balls.
