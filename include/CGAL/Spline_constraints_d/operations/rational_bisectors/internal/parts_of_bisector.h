@@ -44,22 +44,23 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-// A box of parameters of a piece, in its unit box.
+// A box of parameters of a piece, in its unit box; its quarters, for any cuts, if it is cut.
 struct Box_of_block
 {
   std::array<std::array<double, 2>, 2> ranges{{{0, 1}, {0, 1}}};
   bool is_within = false; // reach, certainly
-
-  bool is_whole() const { return ranges == std::array<std::array<double, 2>, 2>{{{0, 1}, {0, 1}}}; }
+  std::vector<Box_of_block> quarters = {};
 };
 
 // A block of a piece of a bisector.
 struct Bisector_block
 {
   Surface_cell_3 cell;
-  std::size_t piece; // of the continuous part
+  std::size_t piece;   // of the continuous part
   std::size_t own = 0; // the piece of the bisector
   Box_of_block box = {};
+
+  bool is_whole() const { return box.ranges == Box_of_block().ranges; }
 
   std::vector<Surface_cell_3::Range> range() const
   {
@@ -68,23 +69,39 @@ struct Bisector_block
       result.emplace_back(Exact_rational(side[0]), Exact_rational(side[1]));
     return result;
   }
-
-  // A part of the whole piece.
-  Bisector_block part(const Box_of_block& of_part) const
-  {
-    Bisector_block result(*this);
-    result.box = of_part;
-    if (result.box.is_whole())
-      return result;
-    const std::vector<Surface_cell_3::Range> ranges = result.range();
-    for (const std::size_t axis : {0, 1})
-      result.cell.domain[axis] = {cell.parameter(static_cast<int>(axis), ranges[axis].first),
-                                  cell.parameter(static_cast<int>(axis), ranges[axis].second)};
-    for (auto& f : result.cell.coordinates)
-      f = f.restricted_to_box(ranges);
-    return result;
-  }
 };
+
+// The parts of a cell before and after a number between 0 and 1.
+inline std::array<Surface_cell_3, 2> parts_of_cell(const Surface_cell_3& cell, int axis, const Exact_rational& at)
+{
+  std::array<Surface_cell_3, 2> result{cell, cell};
+  const std::size_t own = static_cast<std::size_t>(axis);
+  result[0].domain[own].second = result[1].domain[own].first = cell.parameter(axis, at);
+  for (std::size_t c = 0; c < 4; ++c)
+    std::tie(result[0].coordinates[c], result[1].coordinates[c]) = cell.coordinates[c].split(axis, at);
+  return result;
+}
+
+// Adds a block, or its quarters, theirs and so on.
+inline void add_blocks(std::vector<Bisector_block>& result, Bisector_block block, const Operation_budget& budget)
+{
+  if (block.box.quarters.empty()) {
+    result.push_back(std::move(block));
+    return;
+  }
+  budget.check();
+  const auto cut = [&](std::size_t axis) {
+    const Exact_rational begin(block.box.ranges[axis][0]), end(block.box.ranges[axis][1]),
+        at(block.box.quarters.front().ranges[axis][1]);
+    return Exact_rational((at - begin) / Exact_rational(end - begin));
+  };
+  const std::array<Surface_cell_3, 2> columns = parts_of_cell(block.cell, 0, cut(0));
+  for (const std::size_t a : {0, 1}) {
+    const std::array<Surface_cell_3, 2> cells = parts_of_cell(columns[a], 1, cut(1));
+    for (const std::size_t b : {0, 1})
+      add_blocks(result, {cells[b], block.piece, block.own, block.box.quarters[2 * a + b]}, budget);
+  }
+}
 
 // The pieces of a continuous part, whose weights have no jumps, as blocks.
 inline std::vector<Bisector_block> pieces_of(const Cell_functions<4>& part)
@@ -111,7 +128,7 @@ class Bisector_trimming
   std::vector<std::optional<Cell_polynomial>> m_powers_of_pieces, m_powers; // of the blocks: positive out of reach
 
 public:
-  // `blocks_of(piece of the bisector)` are the boxes that it is cut into.
+  // `blocks_of(piece of the bisector)` is its box, with the quarters that it is cut into.
   template <class Blocks_of_piece>
   Bisector_trimming(const Rational_bisector_3& bisector, const Cell_functions<4>& part,
                     const std::optional<Reach>& reach, const Blocks_of_piece& blocks_of, const Operation_budget& budget)
@@ -121,11 +138,9 @@ public:
       const auto is_same = [&](const Rational_bisector_piece_3& other) { return other.domain() == piece.cell.domain; };
       piece.own =
           static_cast<std::size_t>(std::ranges::find_if(bisector.pieces(), is_same) - bisector.pieces().begin());
-      for (const Box_of_block& box : blocks_of(piece.own)) {
-        if (!box.is_whole())
-          budget.check();
-        m_blocks.push_back(piece.part(box));
-      }
+      Bisector_block whole(piece);
+      whole.box = blocks_of(piece.own);
+      add_blocks(m_blocks, std::move(whole), budget);
     }
     m_powers.resize(m_blocks.size());
   }
@@ -164,8 +179,8 @@ private:
     std::optional<Cell_polynomial>& result = m_powers[index];
     if (!result)
       result = block.box.is_within || is_certainly_within(block.cell) ? Cell_polynomial::constant(2, Exact_rational(-1))
-          : block.box.is_whole()                                      ? power_of_piece(block.piece)
-                                 : power_of_piece(block.piece).restricted_to_box(block.range());
+          : block.is_whole()                                          ? power_of_piece(block.piece)
+                             : power_of_piece(block.piece).restricted_to_box(block.range());
     return *result;
   }
 
@@ -235,7 +250,7 @@ parts_of_bisector(const Rational_bisector_3& bisector, const std::optional<Reach
   const auto label = [](const Surface_cell_3&, const Parameters&, bool is_positive) -> std::optional<int> {
     return is_positive ? WITH_POSITIVE_WEIGHT : WITH_NEGATIVE_WEIGHT;
   };
-  const auto whole = [](std::size_t) { return std::vector<Box_of_block>(1); };
+  const auto whole = [](std::size_t) { return Box_of_block(); };
   const auto no_faces = [](const Bisector_block&) { return std::nullopt; };
   return parts_of_bisector(bisector, reach, label, budget, whole, no_faces);
 }

@@ -86,13 +86,8 @@ public:
     }
   }
 
-  std::vector<Box_of_block> blocks(std::size_t piece) const
-  {
-    std::vector<Box_of_block> result;
-    for (const std::size_t node : m_blocks[piece])
-      result.push_back({m_trees[piece].node(node).box, m_trees[piece].is_within(node)});
-    return result;
-  }
+  // The whole of a piece, with the quarters that it is cut into.
+  Box_of_block blocks(std::size_t piece) const { return blocks(piece, 0); }
 
   std::optional<int> label(std::size_t piece, const Parameters& local) { return m_trees[piece].label(local); }
 
@@ -109,6 +104,16 @@ public:
   }
 
 private:
+  Box_of_block blocks(std::size_t piece, std::size_t node) const
+  {
+    const Label_tree& tree = m_trees[piece];
+    Box_of_block result{tree.node(node).box, tree.is_within(node)};
+    if (std::ranges::find(m_blocks[piece], node) == m_blocks[piece].end())
+      for (const std::size_t child : tree.node(node).children)
+        result.quarters.push_back(blocks(piece, child));
+    return result;
+  }
+
   static Interval_vector interval_vector(const Rational_bisector_3::Kernel::Point_3& p)
   {
     return {to_double_interval(p.x()), to_double_interval(p.y()), to_double_interval(p.z())};
@@ -135,7 +140,7 @@ trimmed_sphere_bisector(const Oriented_sphere& sphere, const Exact_map<3>& surfa
   } catch (const Invalid_input&) { // polynomials of the curvatures would be too large
   } catch (const Run_stopped&) {
   }
-  const auto blocks = [&](std::size_t piece) { return faces ? faces->blocks(piece) : std::vector<Box_of_block>(1); };
+  const auto blocks = [&](std::size_t piece) { return faces ? faces->blocks(piece) : Box_of_block(); };
   const auto label = [&](const Surface_cell_3& cell, const Parameters& local, bool) -> std::optional<int> {
     if (!faces)
       return std::nullopt;
