@@ -162,6 +162,18 @@ TEST(Trimmed_bisectors_3, a_bisector_that_meets_itself_inside_of_a_cylinder)
   }
 }
 
+// The tip of the cone is the end of lines that spheres touch it along.
+TEST(Trimmed_bisectors_3, inside_of_a_cone)
+{
+  const Surface cone = SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 4));
+  const auto bisector = SC::trimmed_point_surface_bisector(Point(0.25, 0, 2), cone, ball(Point(0, 0, 0), 20));
+  EXPECT_TRUE(bisector.is_complete());
+  EXPECT_EQ(bisector.number_of_regions(SC::NEAREST), 1u);
+  EXPECT_EQ(bisector.number_of_regions(SC::NOT_NEAREST), 2u);
+  EXPECT_FALSE(border_of_what_is_kept(bisector).empty());
+  check_labels(bisector, cone);
+}
+
 // The oracle: a point on the axis of a surface of revolution has the bisector of a point and the profile, revolved. Of
 // that, the part is kept where no point of the profile is nearer, on the side of the axis where the profile is.
 TEST(Trimmed_bisectors_3, revolved_profiles)
