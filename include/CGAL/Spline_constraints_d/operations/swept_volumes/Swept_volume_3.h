@@ -31,7 +31,7 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDSweptVolumes
 
 A cell of what a moving solid sweeps, or of what it leaves free, that is no deeper than the chord error that was asked
-for: it was taken as a part of the neighbours with the largest common area.
+for: it was taken as a part of the neighbours with the largest common area, or so that the boundary is simpler.
 */
 struct Thin_cell
 {
@@ -109,7 +109,8 @@ public:
   const std::vector<Thin_cell>& thin_cells() const { return m_thin_cells; }
 
   //! whether all of the boundary is there, as fine as was asked for; every cell deeper than the chord error was
-  //! decided; and no thin cell could change the number of components or the Euler characteristic.
+  //! decided; and no thin cell could change the number of components or the Euler characteristic. Handles thinner than
+  //! the chord error are not seen.
   bool is_complete() const { return m_undecided.empty() && m_summary.is_complete; }
 
   //! what is undecided.

@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/swept_volume_finders.h>
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/sweep_envelopes.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/swept_volume_of.h>
 #endif
 

@@ -14,7 +14,6 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Boundary_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Shell_samples.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Simple_cells.h>
-#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/number_of_components.h>
 
 #include <algorithm>
 #include <array>
@@ -41,18 +40,19 @@ class Cell_labels
   std::vector<std::pair<std::size_t, double>> m_thin; // shells, and bounds of their depths
   std::vector<Thin_cell> m_thin_cells;
   std::vector<Undecided_part> m_undecided;
+  double m_chord_error;
   double m_rounding = 0; // of points
 
 public:
   Cell_labels(const Triangle_complex& complex, const Triangle_shells& shells, double chord_error,
               Sweep_membership is_swept)
-    : m_complex(complex), m_shells(shells), m_is_inside(shells.number_of_shells(), false)
+    : m_complex(complex), m_shells(shells), m_is_inside(shells.number_of_shells(), false), m_chord_error(chord_error)
   {
     const Shell_samples samples(complex, shells);
     for (std::size_t shell = 0; shell < m_is_inside.size(); ++shell)
-      label(shell, samples, chord_error, is_swept);
+      label(shell, samples, is_swept);
     join_thin_cells();
-    check_thin_cells(samples, is_swept);
+    check_thin_cells(samples, choose_thin_cells(is_swept), is_swept);
   }
 
   const std::vector<bool>& is_inside() const { return m_is_inside; }
@@ -60,7 +60,9 @@ public:
   const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
 private:
-  static constexpr std::size_t m_most_checked = 64;
+  using Topology = Boundary_of_cells::Topology;
+
+  static constexpr int m_of_sphere = 2; // complexity
 
   static std::array<Exact_rational, 3> exact(const Double_kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -69,15 +71,15 @@ private:
     m_undecided.push_back({{{p.x(), p.x()}, {p.y(), p.y()}, {p.z(), p.z()}}, {}, reason});
   }
 
-  void label(std::size_t shell, const Shell_samples& samples, double chord_error, Sweep_membership& is_swept)
+  void label(std::size_t shell, const Shell_samples& samples, Sweep_membership& is_swept)
   {
     const auto bound = samples.depth_bound(shell);
-    if (is_swept.must_stop() || (bound && *bound <= chord_error)) {
+    if (is_swept.must_stop() || (bound && *bound <= m_chord_error)) {
       m_thin.emplace_back(shell, bound ? *bound : 0);
       return;
     }
     const std::optional<Shell_sample> sample = samples(shell);
-    if (!sample || sample->depth <= chord_error) {
+    if (!sample || sample->depth <= m_chord_error) {
       m_thin.emplace_back(shell, sample ? sample->depth : 0);
       return;
     }
@@ -129,43 +131,101 @@ private:
     return std::sqrt(Double_kernel::Triangle_3(corner(0), corner(1), corner(2)).squared_area());
   }
 
-  // The number of connected parts, and the Euler characteristic.
-  std::pair<std::size_t, int> topology_of_boundary() const
+  Topology topology() const { return Boundary_of_cells(m_complex, m_shells, m_is_inside).topology(); }
+
+  void flip(std::size_t shell) { m_is_inside[shell] = !m_is_inside[shell]; }
+
+  // Puts thin cells to the other side where that leaves fewer parts, cavities and handles.
+  Topology simplify(Sweep_membership& is_swept)
   {
-    const auto mesh = Boundary_of_cells(m_complex, m_shells, m_is_inside)();
-    return {number_of_components(mesh),
-            static_cast<int>(mesh.number_of_vertices() + mesh.number_of_faces()) -
-                static_cast<int>(mesh.number_of_edges())};
+    constexpr int most_rounds = 8;
+    Topology result = topology();
+    bool has_changed = true;
+    for (int round = 0; round < most_rounds && std::exchange(has_changed, false); ++round)
+      for (const auto& [shell, depth] : m_thin) {
+        if (result.complexity() <= m_of_sphere || is_swept.must_stop())
+          return result;
+        flip(shell);
+        const Topology other = topology();
+        if (other.complexity() < result.complexity()) {
+          result = other;
+          has_changed = true;
+        } else
+          flip(shell);
+      }
+    return result;
   }
 
-  // A thin cell is as its neighbours are, where that is proved of a point of it. Otherwise it is asked whether the
-  // boundary would have another topology with the cell the other way; but for cells that are thinner than points are
+  // The simplest boundary that is found when thin cells begin as their neighbours are, all outside, and all inside.
+  // What it has besides one sphere is doubtful unless all three have it.
+  Topology choose_thin_cells(Sweep_membership& is_swept)
+  {
+    Topology result = simplify(is_swept);
+    bool is_same = true;
+    std::vector<bool> chosen = m_is_inside;
+    for (const bool is_inside : {false, true}) {
+      if (result.complexity() <= m_of_sphere)
+        break;
+      for (const auto& [shell, depth] : m_thin)
+        m_is_inside[shell] = is_inside;
+      const Topology other = simplify(is_swept);
+      is_same = is_same && other == result;
+      if (other.complexity() < result.complexity()) {
+        result = other;
+        chosen = m_is_inside;
+      }
+    }
+    m_is_inside = std::move(chosen);
+    if (!is_same && result.complexity() > m_of_sphere)
+      m_undecided.push_back({{}, {}, "the topology of the boundary depends on thin cells"});
+    return result;
+  }
+
+  // Tells which thin cells could change the topology of the boundary; but for cells that are thinner than points are
   // rounded.
-  void check_thin_cells(const Shell_samples& samples, Sweep_membership& is_swept)
+  void check_thin_cells(const Shell_samples& samples, const Topology& topology, Sweep_membership& is_swept)
   {
     const std::vector<Double_kernel::Point_3> places = places_of_shells();
     const Simple_cells is_simple(m_complex, m_shells, m_is_inside);
-    std::optional<std::pair<std::size_t, int>> topology;
-    std::size_t checked = 0;
     for (const auto& [shell, depth] : m_thin) {
       m_thin_cells.push_back({{places[shell].x(), places[shell].y(), places[shell].z()}, depth});
       if (depth <= m_rounding || is_swept.must_stop() || is_simple(shell))
         continue;
+      if (!m_is_inside[shell] && is_simple.is_enclosed(shell) && is_swept.is_connected())
+        continue; // what is swept has one part, which is deep somewhere
       const auto sample = samples(shell);
       const Double_kernel::Point_3 p = sample ? sample->point : places[shell];
-      if (is_swept(exact(p)) == m_is_inside[shell])
+      const std::optional<bool> is_inside = is_swept(exact(p));
+      if (is_inside && (*is_inside == m_is_inside[shell] || leads_to_deep_cell(p, *is_inside, samples, is_swept)))
         continue;
-      if (++checked > m_most_checked) {
-        add_undecided(p, "a thin cell, one of more than are looked at");
-        continue;
-      }
-      if (!topology)
-        topology = topology_of_boundary();
-      m_is_inside[shell] = !m_is_inside[shell];
-      if (topology_of_boundary() != *topology)
+      flip(shell);
+      if (!(this->topology() == topology))
         add_undecided(p, "the boundary may have another topology at a thin cell");
-      m_is_inside[shell] = !m_is_inside[shell];
+      flip(shell);
     }
+  }
+
+  // Whether a straight way, all of which surely is swept, or is not, leads from a point to a cell that is not thin.
+  bool leads_to_deep_cell(const Double_kernel::Point_3& point, bool is_inside, const Shell_samples& samples,
+                          Sweep_membership& is_swept) const
+  {
+    constexpr std::array<double, 3> lengths{1.5, 3, 6}, parts{1, 0.25, 0.0625};
+    for (int direction = 0; direction < 27; ++direction) {
+      const Double_kernel::Vector_3 v(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
+      if (v == CGAL::NULL_VECTOR)
+        continue;
+      const Double_kernel::Vector_3 unit = v * (m_chord_error / std::sqrt(v.squared_length()));
+      const auto length = std::find_if(lengths.begin(), lengths.end(),
+                                       [&](double l) { return samples.distance(point + unit * l) > m_chord_error; });
+      if (length == lengths.end())
+        continue;
+      const Double_kernel::Vector_3 way = unit * *length;
+      if (std::all_of(parts.begin(), parts.end(),
+                      [&](double part) { return is_swept(exact(point + way * part)) == is_inside; }) &&
+          is_swept.is_swept_along(exact(point), exact(point + way), is_inside))
+        return true;
+    }
+    return false;
   }
 
   // A corner of each.

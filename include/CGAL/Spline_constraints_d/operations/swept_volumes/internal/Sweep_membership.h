@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/Solid_boundary.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/solid/Solid_membership.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
@@ -56,6 +57,15 @@ public:
 
   bool must_stop() { return m_budget.must_stop(); }
 
+  // Whether the solid has one boundary, so that what it sweeps is connected.
+  bool is_connected() const
+  {
+    for (std::size_t patch = 0; patch < m_boundary.size(); ++patch)
+      if (m_boundary.component(patch) != m_boundary.component(0))
+        return false;
+    return true;
+  }
+
   // See Solid_membership.
   std::optional<std::vector<bool>> has_outer_normals(bool has_positive_maps)
   {
@@ -73,6 +83,13 @@ public:
       is_decided = is_decided && passages;
     }
     return is_decided ? is_inside_at(m_motion.domain().first, point) : std::nullopt;
+  }
+
+  // Whether it is proved of all points of a segment that they are swept, or that they are not.
+  // \pre It is so at its ends.
+  bool is_swept_along(const Point& from, const Point& to, bool is_inside)
+  {
+    return is_inside ? is_covered(from, to) : is_free(from, to);
   }
 
   // The intervals of time at which it does, by enclosures of their ends; nothing, where they were not decided.
@@ -99,6 +116,44 @@ public:
   }
 
 private:
+  // Whether the solid covers the segment at a time in the middle of those at which it covers the first point.
+  bool is_covered(const Point& from, const Point& to)
+  {
+    const std::optional<Times> times = intervals(from);
+    if (!times)
+      return false;
+    return std::any_of(times->begin(), times->end(), [&](const Range& time) {
+      const auto map = m_motion.inverse(Exact_rational((time.first + time.second) / 2));
+      const auto seen = [&](const Point& p) { return map.transform(Point_3(p[0], p[1], p[2])); };
+      const Point_3 first = seen(from);
+      return m_solid.is_inside(first) == true &&
+          m_solid.hits_on_ray(first, seen(to) - first, Exact_rational(1)) == std::size_t(0);
+    });
+  }
+
+  // Whether no position of the boundary meets the segment.
+  bool is_free(const Point& from, const Point& to)
+  {
+    constexpr std::size_t most_nodes = 20000;
+    return std::all_of(m_boundary.patches().begin(), m_boundary.patches().end(), [&](const auto& patch) {
+      if (m_budget.must_stop())
+        return false;
+      Solver_options options = m_budget.remaining();
+      if (options.node_limit == 0 || options.node_limit > most_nodes)
+        options.node_limit = most_nodes;
+      const Exact_ranges box{
+          patch.domain(0), patch.domain(1), m_motion.domain(), {Exact_rational(0), Exact_rational(1)}};
+      Constraint_system_d system(box);
+      const std::vector<Unknown> x = unknowns_in(box);
+      const Vector_expression<3> moved = image(patch, x);
+      for (std::size_t i = 0; i < 3; ++i)
+        system.add(moved[i] - x[3] * Exact_rational(to[i] - from[i]) == from[i]);
+      const Curve_solution_set_d meetings = Curve_solver_d(options)(system);
+      m_budget.add(meetings.summary());
+      return meetings.is_complete() && meetings.curves().empty();
+    });
+  }
+
   // When the boundary passes the point, one time after the other; nothing, unless it surely goes through each time: in
   // one patch alone, or in an edge, where two passages at one time are one, and the solid is on one side of it.
   std::optional<Times> times_on_boundary(const Point& point)

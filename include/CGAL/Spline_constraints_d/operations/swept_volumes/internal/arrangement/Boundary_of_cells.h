@@ -46,6 +46,43 @@ public:
     : m_complex(complex), m_shells(shells), m_is_inside(is_inside)
   {}
 
+  // Of all surfaces together.
+  struct Topology
+  {
+    std::size_t parts = 0;  // connected ones
+    int characteristic = 0; // of Euler
+
+    // The sum of the Betti numbers.
+    int complexity() const { return 4 * static_cast<int>(parts) - characteristic; }
+
+    friend bool operator==(const Topology&, const Topology&) = default;
+  };
+
+  // That of the mesh, which is not made.
+  Topology topology() const
+  {
+    const std::vector<std::size_t> class_of = classes_of_corners();
+    boost::disjoint_sets_with_storage<> parts(class_of.size());
+    std::vector<bool> is_vertex(class_of.size(), false);
+    Topology result;
+    int faces = 0, vertices = 0;
+    for (std::size_t triangle = 0; triangle < m_complex.triangles.size(); ++triangle) {
+      if (!is_kept(triangle))
+        continue;
+      ++faces;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t vertex = class_of[3 * triangle + k];
+        vertices += !is_vertex[vertex];
+        is_vertex[vertex] = true;
+        parts.union_set(class_of[3 * triangle], vertex);
+      }
+    }
+    for (std::size_t vertex = 0; vertex < is_vertex.size(); ++vertex)
+      result.parts += is_vertex[vertex] && parts.find_set(vertex) == vertex;
+    result.characteristic = vertices - faces / 2; // each triangle has three halves of edges
+    return result;
+  }
+
   Mesh operator()() const
   {
     const std::vector<std::size_t> class_of = classes_of_corners();

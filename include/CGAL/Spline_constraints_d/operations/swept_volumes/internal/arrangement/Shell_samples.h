@@ -123,6 +123,9 @@ public:
     return volume > 0 ? std::optional(std::cbrt(volume * 0.75 / std::numbers::pi)) : std::nullopt;
   }
 
+  // Of a point from all triangles.
+  double distance(const Point& point) const { return std::sqrt(m_rounded_tree.squared_distance(point)); }
+
 private:
   template <class Kernel>
   static void fill(Tree<Kernel>& tree, const std::vector<typename Kernel::Triangle_3>& triangles)
@@ -161,7 +164,7 @@ private:
     const Point point = middle + outward * (0.5 * distance_along(middle, outward, triangle));
     if (!sees(point, triangle, side))
       return std::nullopt;
-    return Shell_sample{point, std::sqrt(m_rounded_tree.squared_distance(point))};
+    return Shell_sample{point, distance(point)};
   }
 
   // To the next triangle, or out of all.

@@ -79,6 +79,13 @@ public:
     return number_of_regions(sides, edges) == 2;
   }
 
+  // Whether no triangle around the cell is one of the boundary.
+  bool is_enclosed(std::size_t shell) const
+  {
+    return std::none_of(m_sides[shell].begin(), m_sides[shell].end(),
+                        [&](std::size_t side) { return is_kept(side / 2); });
+  }
+
 private:
   bool is_kept(std::size_t triangle) const
   {

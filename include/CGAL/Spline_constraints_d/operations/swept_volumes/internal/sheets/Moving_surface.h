@@ -17,9 +17,12 @@
 
 #include <CGAL/determinant.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,6 +80,7 @@ class Moving_surface
   Function m_weight;
   std::array<std::array<Function, 3>, 4> m_columns;
   Function m_motion_weight;
+  Place m_lower, m_upper;
   mutable double m_time = std::numeric_limits<double>::quiet_NaN(); // of the map that is known
   mutable std::array<std::array<double, 3>, 4> m_map;
 
@@ -91,6 +95,11 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
         m_columns[k][i] = in_doubles(motion.columns()[k][i]);
     m_motion_weight = in_doubles(motion.weight());
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& [begin, end] = axis < 2 ? surface.domain(axis) : motion.domain();
+      m_lower[static_cast<std::size_t>(axis)] = to_nearest_double(begin);
+      m_upper[static_cast<std::size_t>(axis)] = to_nearest_double(end);
+    }
   }
 
   Point operator()(const Place& place) const
@@ -110,6 +119,40 @@ public:
   double speed(const Place& place) const
   {
     return speed_along_normal(m_numerators, m_weight, m_columns, m_motion_weight, place);
+  }
+
+  // The unit normal into the solid at a place of the envelope where the surface touches it from inside, about: a point
+  // of space that is there lies in the solid just before and after.
+  std::optional<Double_kernel::Vector_3> inner_normal_of_fold(const Place& place) const
+  {
+    constexpr double step = 0x1p-14;
+    const auto beside = [&](const Place& direction, double length) {
+      Place result;
+      for (std::size_t a = 0; a < 3; ++a)
+        result[a] = (std::clamp)(place[a] + length * direction[a], m_lower[a], m_upper[a]);
+      return result;
+    };
+    std::array<Double_kernel::Vector_3, 3> change; // for unit changes of the place
+    for (std::size_t a = 0; a < 3; ++a) {
+      Place axis{};
+      axis[a] = m_upper[a] - m_lower[a];
+      const Place from = beside(axis, -step), to = beside(axis, step);
+      change[a] = ((*this)(to) - (*this)(from)) / (to[a] - from[a]);
+    }
+    const auto &u = change[0], &v = change[1], &t = change[2];
+    const Double_kernel::Vector_3 normal = CGAL::cross_product(u, v);
+    const double size = normal.squared_length();
+    if (!(size > 0))
+      return std::nullopt;
+    // the point of the surface that is at this place of space runs against the velocity
+    Place run{CGAL::cross_product(v, t) * normal / size, CGAL::cross_product(t, u) * normal / size, 1};
+    double longest = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      longest = (std::max)(longest, std::abs(run[a]) / (m_upper[a] - m_lower[a]));
+    const double before = speed(beside(run, -step / longest)), after = speed(beside(run, step / longest));
+    if (m_has_outer_normals ? !(after > before) : !(after < before))
+      return std::nullopt;
+    return normal * ((m_has_outer_normals ? -1 : 1) / std::sqrt(size));
   }
 
   // Whether the surface moves against its outer normal there, by proof.

@@ -52,6 +52,7 @@ class Sweep_sheets
   Triangle_soup m_soup;
   Points_of_places m_points;
   std::map<Cell, Cell_content> m_cells; // where patches do not move along themselves
+  std::map<std::size_t, Double_kernel::Vector_3> m_folds; // points, with normals into the solid
   double m_error = 0;
   std::vector<Undecided_part> m_undecided;
 
@@ -70,6 +71,8 @@ public:
           add_part(patch, part, options);
     add_faces();
     add_envelope();
+    constexpr double share = 0.5;
+    move_folds(share * options.chord_error);
   }
 
   Triangle_soup& soup() { return m_soup; }
@@ -182,6 +185,11 @@ private:
                                                     : m_points.index_of_point(in_doubles(found.mesh.point(vertex)));
       if (first != vertex)
         m_points.set_index({patch, place_of(patch, found, vertex)}, result[vertex]);
+    }
+    for (const auto vertex : found.mesh.vertices()) {
+      const std::vector<double>& unknowns = found.unknowns[vertex];
+      if (const auto step = m_moving[patch].inner_normal_of_fold({unknowns[0], unknowns[1], unknowns[2]}))
+        m_folds.try_emplace(result[vertex], *step);
     }
     return result;
   }
@@ -322,6 +330,22 @@ private:
         }
         add_polygon(content.triangles[i], around, divided, last);
       }
+  }
+
+  // Folds of the envelope lie in what is swept, and may lie deeper in it: then they do not cross the boundary where
+  // they are near it, at the ends of creases.
+  void move_folds(double distance)
+  {
+    std::map<std::size_t, Double_kernel::Vector_3> steps = m_folds;
+    for (const auto& [cell, content] : m_cells)
+      for (const auto& edge : content.boundary) {
+        const auto from = m_folds.find(edge->points[0]), to = m_folds.find(edge->points[1]);
+        if (from != m_folds.end() && to != m_folds.end())
+          for (const std::size_t point : edge->inner)
+            steps.try_emplace(point, 0.5 * (from->second + to->second));
+      }
+    for (const auto& [point, step] : steps)
+      m_soup.points[point] = m_soup.points[point] + distance * step;
   }
 
   void add_polygon(const Corners& corners, const std::vector<std::size_t>& around, int divided, int last)
