@@ -14,6 +14,9 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Boundary_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Shell_samples.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Simple_cells.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/features_away.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +41,7 @@ class Cell_labels
   const Triangle_shells& m_shells;
   std::vector<bool> m_is_inside;
   std::vector<std::pair<std::size_t, double>> m_thin; // shells, and bounds of their depths
+  std::vector<std::vector<std::size_t>> m_clusters;   // of thin cells
   std::vector<Thin_cell> m_thin_cells;
   std::vector<Undecided_part> m_undecided;
   double m_chord_error;
@@ -52,6 +56,7 @@ public:
     for (std::size_t shell = 0; shell < m_is_inside.size(); ++shell)
       label(shell, samples, is_swept);
     join_thin_cells();
+    find_clusters();
     check_thin_cells(samples, choose_thin_cells(is_swept), is_swept);
   }
 
@@ -135,33 +140,59 @@ private:
 
   void flip(std::size_t shell) { m_is_inside[shell] = !m_is_inside[shell]; }
 
-  // Puts thin cells to the other side where that leaves fewer parts, cavities and handles.
+  // Puts thin cells, alone or all of a cluster, to the other side where that leaves fewer parts, cavities and handles.
   Topology simplify(Sweep_membership& is_swept)
   {
     constexpr int most_rounds = 8;
     Topology result = topology();
     bool has_changed = true;
-    for (int round = 0; round < most_rounds && std::exchange(has_changed, false); ++round)
-      for (const auto& [shell, depth] : m_thin) {
-        if (result.complexity() <= m_of_sphere || is_swept.must_stop())
-          return result;
-        flip(shell);
-        const Topology other = topology();
-        if (other.complexity() < result.complexity()) {
-          result = other;
-          has_changed = true;
-        } else
-          flip(shell);
-      }
+    const auto put = [&](const std::vector<std::size_t>& shells, bool is_inside) {
+      if (result.complexity() <= m_of_sphere || is_swept.must_stop() ||
+          std::all_of(shells.begin(), shells.end(), [&](std::size_t s) { return m_is_inside[s] == is_inside; }))
+        return;
+      const std::vector<bool> before = m_is_inside;
+      for (const std::size_t shell : shells)
+        m_is_inside[shell] = is_inside;
+      if (const Topology other = topology(); other.complexity() < result.complexity()) {
+        result = other;
+        has_changed = true;
+      } else
+        m_is_inside = before;
+    };
+    for (int round = 0; round < most_rounds && std::exchange(has_changed, false); ++round) {
+      for (const auto& [shell, depth] : m_thin)
+        put({shell}, !m_is_inside[shell]);
+      for (const std::vector<std::size_t>& cluster : m_clusters)
+        for (const bool is_inside : {false, true})
+          put(cluster, is_inside);
+    }
     return result;
   }
 
+  // Thin cells with common triangles.
+  void find_clusters()
+  {
+    boost::disjoint_sets_with_storage<> clusters(m_is_inside.size());
+    std::vector<bool> is_thin(m_is_inside.size(), false);
+    for (const auto& [shell, depth] : m_thin)
+      is_thin[shell] = true;
+    for (std::size_t i = 0; i < m_complex.triangles.size(); ++i)
+      if (const std::size_t one = m_shells.shell_of(i, 0), other = m_shells.shell_of(i, 1);
+          is_thin[one] && is_thin[other])
+        clusters.union_set(one, other);
+    std::map<std::size_t, std::vector<std::size_t>> cells;
+    for (const auto& [shell, depth] : m_thin)
+      cells[clusters.find_set(shell)].push_back(shell);
+    for (auto& [any, own] : cells)
+      if (own.size() > 1)
+        m_clusters.push_back(std::move(own));
+  }
+
   // The simplest boundary that is found when thin cells begin as their neighbours are, all outside, and all inside.
-  // What it has besides one sphere is doubtful unless all three have it.
+  // What it has besides one sphere is doubtful where thin cells are near.
   Topology choose_thin_cells(Sweep_membership& is_swept)
   {
     Topology result = simplify(is_swept);
-    bool is_same = true;
     std::vector<bool> chosen = m_is_inside;
     for (const bool is_inside : {false, true}) {
       if (result.complexity() <= m_of_sphere)
@@ -169,15 +200,31 @@ private:
       for (const auto& [shell, depth] : m_thin)
         m_is_inside[shell] = is_inside;
       const Topology other = simplify(is_swept);
-      is_same = is_same && other == result;
       if (other.complexity() < result.complexity()) {
         result = other;
         chosen = m_is_inside;
       }
     }
     m_is_inside = std::move(chosen);
-    if (!is_same && result.complexity() > m_of_sphere)
+    if (result.complexity() > m_of_sphere && !is_swept.must_stop() &&
+        !has_all_features_away(Boundary_of_cells(m_complex, m_shells, m_is_inside)(), result, beside_thin_cells()))
       m_undecided.push_back({{}, {}, "the topology of the boundary depends on thin cells"});
+    return result;
+  }
+
+  // What is near thin cells that are not pushed in and out easily, and may be more than a cavity inside.
+  Neighbourhood beside_thin_cells() const
+  {
+    constexpr double errors = 4;
+    Neighbourhood result(errors * m_chord_error);
+    const Simple_cells is_simple(m_complex, m_shells, m_is_inside);
+    std::vector<bool> is_doubtful(m_is_inside.size(), false);
+    for (const auto& [shell, depth] : m_thin)
+      is_doubtful[shell] = !is_simple(shell) && !(m_is_inside[shell] && is_simple.is_enclosed(shell));
+    for (std::size_t i = 0; i < m_complex.triangles.size(); ++i)
+      if (is_doubtful[m_shells.shell_of(i, 0)] || is_doubtful[m_shells.shell_of(i, 1)])
+        for (const std::size_t corner : m_complex.triangles[i])
+          result.add(rounded(m_complex.points[corner]));
     return result;
   }
 
