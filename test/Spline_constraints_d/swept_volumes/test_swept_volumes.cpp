@@ -91,6 +91,21 @@ TEST(Swept_volume, turns_about_an_axis)
   check(ball(Rational(1) / 2), turn, 2, 4 * pi * r * r * r / 3, 4 * pi * r * r);
 }
 
+// A ball that is larger than the circle on which it runs: the envelope crosses itself in two points of the axis.
+TEST(Swept_volume, apple)
+{
+  const SC::Swept_volume_3 swept =
+      SC::swept_volume(ball(Rational(3) / 2).transformed(K::Aff_transformation_3(CGAL::TRANSLATION, Vector(1, 0, 0))),
+                       Motion::full_turn(Point(0, 0, 0), Vector(0, 0, 1)), {.chord_error = 0.1});
+  EXPECT_TRUE(swept.is_complete()) << swept;
+  EXPECT_TRUE(CGAL::is_closed(swept.mesh()));
+  EXPECT_EQ(swept.number_of_components(), 1u);
+  EXPECT_EQ(swept.euler_characteristic(), 2);
+  const double volume = 45.4017186, area = 64.4382997;
+  EXPECT_NEAR(swept.volume(), volume, 0.1 * area);
+  EXPECT_NEAR(swept.area(), area, 0.1 * area);
+}
+
 // An ellipsoid on a circle, with the least half axis along it: a ring whose section is an ellipse.
 TEST(Swept_volume, ring_of_elliptic_section)
 {
