@@ -6,8 +6,9 @@
 //   surface_bisector [A B] [--radius R] [--output FILE.off|.ply|.stl|.vtp|.svg] [--time-limit S]
 //
 // Files of .g2 or .itd, of which the first surfaces are taken; spheres have at most the radius R, or the size of both
-// surfaces. Without files the bisector of two bicubic surfaces is drawn between them into surface_bisector.svg. Exit
-// status: 0, 3 when something is undecided, or 2 for bad input.
+// surfaces. Without files the bisector of two bicubic surfaces is drawn between them into surface_bisector.svg, and that
+// of a plane and a biquadratic surface into surface_plane_bisector.svg. Exit status: 0, 3 when something is undecided, or
+// 2 for bad input.
 #include "arguments.h"
 #include "envelope_output.h"
 
@@ -16,8 +17,11 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <exception>
 #include <fstream>
+#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -30,6 +34,24 @@ double size_of(const Surface_operand& a, const Surface_operand& b)
       box += p.bbox();
   }
   return std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
+// As in figure 4 of Elber and Kim (2001), and figure 3 of Kim, Elber and Seong (2005). Exit status: 0, or 3.
+int draw_plane_bisector()
+{
+  using Point = Kernel_of_operands::Point_3;
+  std::vector<Point> net;
+  const std::array<double, 9> heights{1.75, 1.25, 1.75, 1.5, 2.5, 1.25, 1.75, 1.25, 1.75};
+  for (std::size_t i = 0; i < 9; ++i)
+    net.emplace_back(2 * static_cast<double>(i / 3), 2 * static_cast<double>(i % 3), heights[i]);
+  const Surface_operand surface({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, net);
+  const Surface_operand plane({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
+                              {Point(-0.6, -0.6, 0), Point(-0.6, 4.6, 0), Point(4.6, -0.6, 0), Point(4.6, 4.6, 0)});
+  const SC::Touched_sides between{SC::Touched_side::POSITIVE, SC::Touched_side::NEGATIVE};
+  const auto bisector = SC::surface_bisector(plane, surface, 2, between);
+  std::ofstream picture("surface_plane_bisector.svg");
+  draw_between(picture, plane, surface, {bisector.mesh({.chord_error = 0.01, .angle = 10})});
+  return print_envelope(bisector);
 }
 
 int main(int argc, char** argv)
@@ -66,7 +88,8 @@ try {
     draw_between(picture, first, second, {mesh});
   } else
     SC::IO::write_surface_mesh(output, mesh);
-  return print_envelope(bisector);
+  const int status = files.empty() ? draw_plane_bisector() : 0;
+  return std::max(status, print_envelope(bisector));
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 2;

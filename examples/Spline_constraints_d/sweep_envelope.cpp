@@ -3,10 +3,11 @@
 
 // The envelope of a surface that is translated along a curve: sweep_envelope SURFACE PATH [--output FILE], files of .g2
 // or .itd. Without arguments that of a ball on a parabola, of which the lower half is drawn to show the cuspidal edges,
-// and of an ellipsoid that turns about an axis, both into sweep_envelope.svg. Exit status: 0, or 3 when something is
-// undecided.
+// and of an ellipsoid that turns about an axis, both into sweep_envelope.svg; and those of an ellipsoid along a line and
+// a circle into ellipsoid_envelopes.svg. Exit status: 0, or 3 when something is undecided.
 #include "envelope_output.h"
 
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
 
@@ -31,6 +32,28 @@ SC::Solution_surface_mesh lower_part(SC::Solution_surface_mesh mesh, double last
   return mesh;
 }
 
+// Without turning, as in figure 5 of Elber and Kim (2001). Exit status: 0, or 3.
+int draw_ellipsoid_envelopes()
+{
+  const auto ellipsoid =
+      SC::sphere_surface<Kernel_of_operands>(Point(0, 0, 0), 1).transformed({0.5, 0, 0, 0, 0, 0.8, 0, 0, 0, 0, 1, 0});
+  const Curve_operand line(1, {0, 0, 1, 1}, {{-4.6, -2.5, -0.3}, {-3.4, 2.5, 0.3}});
+  using Vector = Kernel_of_operands::Vector_3;
+  const Curve_operand circle = SC::ellipse_curve(Point(1, 0, 0), Vector(1.5, -2, 0), Vector(2, 1.5, 0));
+  SC::Scene_3 scene({.to_viewer = {0.15, -0.7, 0.75}, .most_splits = 20000});
+  int status = 0;
+  for (const Curve_operand* path : {&line, &circle}) {
+    const auto envelope = SC::sweep_envelope(ellipsoid, SC::Rational_motion_3::along(*path));
+    status = (std::max)(status, print_envelope(envelope));
+    add_envelope(scene, envelope.mesh({.chord_error = 0.03}));
+  }
+  scene.add(grid_on(ellipsoid.transformed({CGAL::TRANSLATION, line(0) - CGAL::ORIGIN})),
+            {.color = CGAL::IO::Color(230, 120, 110)});
+  std::ofstream picture("ellipsoid_envelopes.svg");
+  scene.write(picture);
+  return status;
+}
+
 int own_example()
 {
   const Curve_operand parabola(2, {0, 0, 0, 1, 1, 1}, {{-1.8, 4, 0}, {0, -4, 0}, {1.8, 4, 0}});
@@ -47,7 +70,7 @@ int own_example()
             {.color = CGAL::IO::Color(230, 120, 110)});
   std::ofstream picture("sweep_envelope.svg");
   scene.write(picture);
-  return (std::max)(print_envelope(tube), print_envelope(ring));
+  return (std::max)({draw_ellipsoid_envelopes(), print_envelope(tube), print_envelope(ring)});
 }
 
 int main(int argc, char** argv)
