@@ -3,8 +3,8 @@
 
 // The envelope of a surface that is translated along a curve: sweep_envelope SURFACE PATH [--output FILE], files of .g2
 // or .itd. Without arguments that of a ball on a parabola, of which the lower half is drawn to show the cuspidal edges,
-// and of an ellipsoid that turns about an axis, both into sweep_envelope.svg; and those of an ellipsoid along a line and
-// a circle into ellipsoid_envelopes.svg. Exit status: 0, or 3 when something is undecided.
+// and of an ellipsoid that turns about an axis, both into sweep_envelope.svg; those of an ellipsoid along a line and a
+// circle into ellipsoid_envelopes.svg. Exit status: 0, or 3 when something is undecided.
 #include "envelope_output.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
