@@ -7,8 +7,8 @@
 //
 // Files of .g2 or .itd, of which the first surfaces are taken; spheres have at most the radius R, or the size of both
 // surfaces. Without files the bisector of two bicubic surfaces is drawn between them into surface_bisector.svg, that of
-// a plane and a biquadratic surface into surface_plane_bisector.svg. Exit status: 0, 3 when something is undecided, or 2
-// for bad input.
+// a plane and a biquadratic surface into surface_plane_bisector.svg.
+// Exit status: 0, 3 when something is undecided, or 2 for bad input.
 #include "arguments.h"
 #include "envelope_output.h"
 
