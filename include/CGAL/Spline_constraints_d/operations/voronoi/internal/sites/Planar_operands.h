@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,7 +41,9 @@ class Operand_curve_2
 public:
   static constexpr int number_of_parameters = 1;
 
-  template <ParametricCurve_2 Curve>
+  // Not for copies, of which it would be asked whether they can be made to decide whether they are curves.
+  template <class Curve>
+    requires(!std::same_as<Curve, Operand_curve_2>) && ParametricCurve_2<Curve>
   explicit Operand_curve_2(const Curve& curve)
     : m_homogeneous_coordinates(curve.homogeneous_coordinates()), m_weight(curve.weight()),
       m_is_rational(curve.is_rational())
