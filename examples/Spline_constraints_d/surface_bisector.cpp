@@ -37,7 +37,7 @@ double size_of(const Surface_operand& a, const Surface_operand& b)
 }
 
 // As in figure 4 of Elber and Kim (2001), and figure 3 of Kim, Elber and Seong (2005). Exit status: 0, or 3.
-int draw_plane_bisector()
+int draw_plane_bisector(const SC::Solver_options& options)
 {
   using Point = Kernel_of_operands::Point_3;
   std::vector<Point> net;
@@ -48,7 +48,7 @@ int draw_plane_bisector()
   const Surface_operand plane({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1},
                               {Point(-0.6, -0.6, 0), Point(-0.6, 4.6, 0), Point(4.6, -0.6, 0), Point(4.6, 4.6, 0)});
   const SC::Touched_sides between{SC::Touched_side::POSITIVE, SC::Touched_side::NEGATIVE};
-  const auto bisector = SC::surface_bisector(plane, surface, 2, between);
+  const auto bisector = SC::surface_bisector(plane, surface, 2, between, options);
   std::ofstream picture("surface_plane_bisector.svg");
   draw_between(picture, plane, surface, {bisector.mesh({.chord_error = 0.01, .angle = 10})});
   return print_envelope(bisector);
@@ -88,7 +88,7 @@ try {
     draw_between(picture, first, second, {mesh});
   } else
     SC::IO::write_surface_mesh(output, mesh);
-  const int status = files.empty() ? draw_plane_bisector() : 0;
+  const int status = files.empty() ? draw_plane_bisector(options) : 0;
   return std::max(status, print_envelope(bisector));
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

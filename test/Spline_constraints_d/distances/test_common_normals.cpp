@@ -119,7 +119,9 @@ TEST(CommonNormals, RandomSurfaces)
 TEST(CommonNormals, CoaxialSurfaces)
 {
   const auto sphere = [](const Point& center, const Rational& radius) { return SC::sphere_surface<K>(center, radius); };
-  EXPECT_TRUE(SC::common_normals(sphere(Point(0, 0, 0), 1), sphere(Point(3, 1, 2), 1)).is_complete());
+  const auto along_axis = SC::common_normals(sphere(Point(0, 0, 0), 1), sphere(Point(3, 1, 2), 1));
+  EXPECT_TRUE(along_axis.is_complete());
+  EXPECT_EQ(along_axis.size(), 4u); // between points of both that are near or far
   const auto coaxial = SC::common_normals(sphere(Point(0, 0, 0), 1), sphere(Point(0, 0, 5), 1));
   EXPECT_FALSE(coaxial.is_complete());
   ASSERT_FALSE(coaxial.undecided().empty());

@@ -232,7 +232,13 @@ std::vector<Trimmed_surface_3> parts_of_bisector(const Rational_bisector_3& bise
                       {},
                       [&](std::size_t cell) { return cut.zeros(cell); },
                       [&](std::size_t cell, const Parameters& at) { return cut.label(cell, at, label_within); },
-                      [&](std::size_t cell) { return faces_of(cut.block(cell)); }};
+                      [&](std::size_t cell) -> std::optional<std::vector<Labelled_part>> {
+                        std::optional<Cell_faces> faces = faces_of(cut.block(cell));
+                        if (!faces)
+                          return std::nullopt;
+                        const Surface_cell_3::Range all(0, 1);
+                        return std::vector<Labelled_part>{{{all, all}, *std::move(faces)}};
+                      }};
     for (const int axis : {0, 1})
       if (part.functions.domain(axis) == all.domain(axis)) {
         const auto ratio = part.functions.ratio(axis, part.functions.size(axis) - 1, 0);

@@ -91,7 +91,8 @@ public:
 
   std::optional<int> label(std::size_t piece, const Parameters& local) { return m_trees[piece].label(local); }
 
-  // Those that arcs bound, or none if there are no arcs.
+  // Those that arcs bound, or none if there are no arcs. Where their points are not found the block is undecided: one
+  // sample says nothing of all of it.
   std::optional<Surface_regions::Cell_faces> faces(const Bisector_block& block)
   {
     Label_tree& tree = m_trees[block.own];
@@ -100,7 +101,8 @@ public:
     if (tree.arcs(node).empty())
       return std::nullopt;
     constexpr double error = 0x1p-10;
-    return Label_arcs(tree, error, m_budget).faces(node);
+    std::optional<Surface_regions::Cell_faces> result = Label_arcs(tree, error, m_budget).faces(node);
+    return result ? std::move(*result) : Surface_regions::without_faces("a point of the border is not found");
   }
 
 private:

@@ -63,10 +63,8 @@ public:
     for (std::size_t whole = 0; whole < m_trimming.cells.size(); ++whole)
       try {
         m_budget.check();
-        if (m_trimming.parts)
-          add_labelled_parts(whole);
-        else if (std::optional<Cell_faces> known = m_trimming.faces ? m_trimming.faces(whole) : std::nullopt)
-          add_faces(whole, m_trimming.cells[whole], *std::move(known));
+        if (std::optional<std::vector<Labelled_part>> parts = m_trimming.parts ? m_trimming.parts(whole) : std::nullopt)
+          add_labelled_parts(whole, *std::move(parts));
         else
           add_part(whole, m_trimming.cells[whole], m_trimming.zeros(whole), 0);
       } catch (const Run_stopped& stop) {
@@ -105,11 +103,10 @@ private:
       add_undecided(box, reason);
   }
 
-  void add_labelled_parts(std::size_t whole)
+  void add_labelled_parts(std::size_t whole, std::vector<Labelled_part> parts)
   {
-    const Surface_cell_3& cell = m_trimming.cells[whole];
-    for (Labelled_part& part : m_trimming.parts(whole)) {
-      const Surface_cell_3 own = part_of(cell, part.box);
+    for (Labelled_part& part : parts) {
+      const Surface_cell_3 own = part_of(m_trimming.cells[whole], part.box);
       if (part.faces.undecided.empty())
         add_faces(whole, own, std::move(part.faces));
       else
@@ -119,6 +116,8 @@ private:
 
   static Surface_cell_3 part_of(const Surface_cell_3& cell, const std::array<Range, 2>& box)
   {
+    if (box == std::array<Range, 2>{Range(0, 1), Range(0, 1)})
+      return cell;
     Surface_cell_3 result{{Range(cell.parameter(0, box[0].first), cell.parameter(0, box[0].second)),
                            Range(cell.parameter(1, box[1].first), cell.parameter(1, box[1].second))},
                           cell.coordinates};

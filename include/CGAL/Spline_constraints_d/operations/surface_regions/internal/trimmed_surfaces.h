@@ -63,10 +63,9 @@ struct Trimming
   std::function<std::vector<Cell_polynomial>(std::size_t)> zeros;
   std::function<std::optional<int>(std::size_t, const Parameters&)> label;
 
-  // Instead of these: the faces of a cell that other curves bound, none if it has only those of the polynomials; or the
-  // parts of a cell, which cover it.
-  std::function<std::optional<Cell_faces>(std::size_t)> faces = {};
-  std::function<std::vector<Labelled_part>(std::size_t)> parts = {};
+  // The parts of a cell, which cover it, if other curves bound faces in it; none if only the polynomials do. Those
+  // without labels get them as above.
+  std::function<std::optional<std::vector<Labelled_part>>(std::size_t)> parts = {};
 };
 
 // Defined in trimmed_by_zeros.h.
