@@ -269,8 +269,9 @@ public:
     const Constraint_system_d plane = internal::on_plane(system, box, axis, value);
     if (const auto roots = simple_roots(plane))
       for (const auto& [root, region] : *roots)
-        result.push_back(
-            placed(plane, on_plane({Plane_point::REGULAR, root, region, {}}, axis, value), box, axis, known));
+        result.push_back(placed(plane,
+                                on_plane({Plane_point::REGULAR, {exact(root)}, {exact(region)}, {}}, axis, value), box,
+                                axis, known));
     else
       for (const Solution_d<double>& solution : solve(plane)) {
         if (needs_regular && solution.kind() != Solution_kind::CERTIFIED) {
@@ -369,6 +370,11 @@ private:
       return std::nullopt;
     ++m_work.nodes;
     return Simple_roots_on_line()(plane);
+  }
+
+  static Exact_ranges::value_type exact(const std::pair<double, double>& range)
+  {
+    return {Exact_rational(range.first), Exact_rational(range.second)};
   }
 
   static void fix(Plane_point& point, int axis, const Exact_rational& value)

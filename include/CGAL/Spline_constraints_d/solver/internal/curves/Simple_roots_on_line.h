@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ namespace internal {
 
 /*
 The roots of one polynomial in one unknown on its domain, where doubles tell that all are simple and inside: that costs
-a small part of what exact arithmetic does. Each with a region that has no other root.
+a small part of what exact arithmetic does. Each with a region that has no other root. The polynomial is exact, or given
+by Bernstein coefficients with a bound on their errors.
 
 The Bernstein coefficients over the domain are bounded by intervals; from there on they are doubles with a bound on
 their errors. Where at most one change of signs is possible and the signs at the ends differ, there is one root.
@@ -37,28 +39,60 @@ their errors. Where at most one change of signs is possible and the signs at the
 class Simple_roots_on_line
 {
   using Interval = CGAL::Interval_nt<false>; // within an Upward_rounding_guard
-  using Range = std::pair<double, double>;
 
   Interval m_begin, m_width; // of the domain, which is 0 <= t <= 1
+  double m_largest_width;    // of what encloses a root, in units of a part of the domain
   std::vector<double> m_work;
 
 public:
+  explicit Simple_roots_on_line(double largest_width = 0x1p-40) : m_largest_width(largest_width) {}
+
+  using Range = std::pair<double, double>;
+
   struct Root
   {
-    Exact_ranges box, region;
+    Range box, region;
   };
 
   // None if it is not certain.
   std::optional<std::vector<Root>> operator()(const Constraint_system_d& line)
   {
-    constexpr int most_parts = 64;
-    const auto& [lower, upper] = line.domain(0);
-    std::optional<Bernstein_interval> whole = on_domain(line);
+    const std::optional<Bernstein_interval> whole = on_domain(line);
     if (!whole)
       return std::nullopt;
+    const auto& [lower, upper] = line.domain(0);
+    std::optional<std::vector<Root>> result = roots_of(*whole);
+    const auto is_inside = [&, &least = lower, &most = upper](const Root& root) {
+      return least < Exact_rational(root.box.first) && Exact_rational(root.box.second) < most;
+    };
+    return result && std::all_of(result->begin(), result->end(), is_inside) ? std::move(result) : std::nullopt;
+  }
+
+  // The same for Bernstein coefficients on a domain, and a bound on their errors.
+  std::optional<std::vector<Root>> operator()(std::span<const double> coefficients, double error, double lower,
+                                              double upper)
+  {
+    Bernstein_interval whole;
+    whole.values.assign(coefficients.begin(), coefficients.end());
+    whole.error = error;
+    if (!has_signs(whole))
+      return std::nullopt;
+    {
+      const Upward_rounding_guard guard;
+      m_begin = Interval(lower);
+      m_width = Interval(upper) - m_begin;
+    }
+    std::optional<std::vector<Root>> result = roots_of(whole);
+    const auto is_inside = [&](const Root& root) { return lower < root.box.first && root.box.second < upper; };
+    return result && std::all_of(result->begin(), result->end(), is_inside) ? std::move(result) : std::nullopt;
+  }
+
+private:
+  std::optional<std::vector<Root>> roots_of(const Bernstein_interval& whole)
+  {
+    constexpr int most_parts = 64;
     std::vector<Root> result;
-    std::vector<Bernstein_interval> parts;
-    parts.push_back(*std::move(whole));
+    std::vector<Bernstein_interval> parts{whole};
     for (int looked_at = 0; !parts.empty(); ++looked_at) {
       const int variations = parts.back().most_variations();
       if (variations > 1) {
@@ -70,18 +104,14 @@ public:
         const std::optional<Range> root = enclosed(parts.back());
         if (!root)
           return std::nullopt;
-        const Range box = place(root->first, root->second), region = region_of(parts.back(), box);
-        if (Exact_rational(box.first) <= lower || upper <= Exact_rational(box.second))
-          return std::nullopt;
-        result.push_back({{{Exact_rational(box.first), Exact_rational(box.second)}},
-                          {{Exact_rational(region.first), Exact_rational(region.second)}}});
+        const Range box = place(root->first, root->second);
+        result.push_back({box, region_of(parts.back(), box)});
       }
       parts.pop_back();
     }
     return result;
   }
 
-private:
   static Interval interval(const Exact_rational& x)
   {
     const auto [lower, upper] = to_double_interval(x);
@@ -145,17 +175,24 @@ private:
   static std::optional<Bernstein_interval> with_signs(const std::vector<Interval>& coefficients)
   {
     Bernstein_interval result;
-    result.upper = 1;
     for (const Interval& x : coefficients) {
       const double middle = 0.5 * x.inf() + 0.5 * x.sup();
       result.values.push_back(middle);
       result.error = (std::max)(
           {result.error, (Interval(x.sup()) - Interval(middle)).sup(), (Interval(middle) - Interval(x.inf())).sup()});
     }
-    const auto sign = [&](double value) { return value > result.error ? 1 : value < -result.error ? -1 : 0; };
-    result.lower_sign = sign(result.values.front());
-    result.upper_sign = sign(result.values.back());
-    return result.lower_sign == 0 || result.upper_sign == 0 ? std::nullopt : std::optional(std::move(result));
+    return has_signs(result) ? std::optional(std::move(result)) : std::nullopt;
+  }
+
+  // Sets the whole of the domain, and the signs at its ends, if they are certain.
+  static bool has_signs(Bernstein_interval& whole)
+  {
+    const auto sign = [&](double value) { return value > whole.error ? 1 : value < -whole.error ? -1 : 0; };
+    whole.lower = 0;
+    whole.upper = 1;
+    whole.lower_sign = sign(whole.values.front());
+    whole.upper_sign = sign(whole.values.back());
+    return whole.lower_sign != 0 && whole.upper_sign != 0;
   }
 
   // The lower part is put on top of the upper one; false where the sign between is not certain.
@@ -175,7 +212,7 @@ private:
   // The root of a part that has one, between values of t where the signs are certain.
   std::optional<Range> enclosed(const Bernstein_interval& part)
   {
-    constexpr double least_width = 0x1p-50, largest_width = 0x1p-40;
+    constexpr double least_width = 0x1p-50;
     double t = part.crossing_of_polygon(), slope = 0;
     for (int step = 0; step < 12; ++step) {
       const auto [value, own_slope] = part.value_and_slope(t, m_work);
@@ -188,7 +225,7 @@ private:
     }
     const double rounding = 10 * static_cast<double>(part.values.size()) * 0x1p-52 * part.largest(),
                  error = part.error + rounding, width = 4 * error / std::abs(slope) + least_width;
-    if (!(width < largest_width) || !(width < t && t < 1 - width))
+    if (!(width < m_largest_width) || !(width < t && t < 1 - width))
       return std::nullopt;
     const auto has_sign = [&](double at, int sign) { return sign * part.value_and_slope(at, m_work).first > error; };
     if (!has_sign(t - width, part.lower_sign) || !has_sign(t + width, part.upper_sign))

@@ -161,6 +161,7 @@ public:
 
   // Per block and function, a bound on |coefficient|; of doubles only.
   std::span<double> sizes() { return {bounds_of(*this) + m_errors, m_errors}; }
+  std::span<const double> sizes() const { return {bounds_of(*this) + m_errors, m_errors}; }
 
   // Whether an axis still has a coordinate between its ends.
   bool can_split(int axis) const { return place_between(lower[axis], upper[axis], 0.5) != lower[axis]; }

@@ -103,11 +103,11 @@ public:
     return m_arcs.size() - 1;
   }
 
-  std::vector<std::size_t> add_vertices(const std::vector<Plane_point>& points)
+  std::vector<std::size_t> add_vertices(std::vector<Plane_point> points)
   {
     std::vector<std::size_t> result;
-    for (const Plane_point& point : points)
-      result.push_back(add_vertex(point));
+    for (Plane_point& point : points)
+      result.push_back(add_vertex(std::move(point)));
     return result;
   }
 

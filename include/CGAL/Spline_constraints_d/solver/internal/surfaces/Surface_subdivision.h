@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_finder.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Layer_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Link_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/arc_loops.h>
@@ -20,10 +21,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,7 +82,8 @@ private:
   Arc_store* m_store = nullptr;
   Task_budget m_budget{};
   std::size_t m_cell = 0, m_splits = 0;
-  Node m_below, m_above; // parts of a box that is to be split
+  Node m_below, m_above;             // parts of a box that is to be split
+  std::deque<Layer_curves> m_layers; // per axis; none where exact functions have to be asked at once
 
   // That a box is split along.
   struct Plane
@@ -86,6 +91,14 @@ private:
     int axis;
     double place; // between the ends of the node
     Arc_indices below, above;
+  };
+
+  // What is found on a plane: arcs and their ends, and which of these cut arcs around.
+  struct Plane_arcs
+  {
+    std::vector<Plane_point> points = {};
+    std::vector<Curve_piece> pieces = {}; // on the plane
+    Arc_store::Cuts cuts = {};
   };
 
 public:
@@ -96,6 +109,9 @@ public:
   {
     m_below.allocate(m_layout);
     m_above.allocate(m_layout);
+    if constexpr (std::is_same_v<typename Search::NT, double>)
+      for (int axis = 0; axis < m_layout.dimension && Layer_curves::fit(m_layout); ++axis)
+        m_layers.emplace_back(m_layout, axis);
   }
 
   void run(const Surface_task& task, const Task_budget& budget, const Task_environment& environment,
@@ -269,20 +285,99 @@ private:
   {
     if (meets_open_part(box, axis, value) || !are_ends_beside(arcs, axis, value))
       return std::nullopt;
+    std::optional<Plane_arcs> found = arcs_on_layer(box, arcs, axis, value);
+    if (!found)
+      found = arcs_on_plane(box, arcs, axis, value);
+    if (!found || !m_store->sort(found->cuts, found->points))
+      return std::nullopt;
+    const std::vector<std::size_t> vertices = m_store->add_vertices(std::move(found->points));
+    return divided(arcs, found->cuts, vertices, m_store->add_arcs(found->pieces, vertices, axis, value), axis, value);
+  }
+
+  // From the layer of the lower part of the node, if its box is the exact one.
+  std::optional<Plane_arcs> arcs_on_layer(const Exact_ranges& box, const Arc_indices& arcs, int axis,
+                                          const Exact_rational& value)
+  {
+    if (m_layers.empty() || !has_box(m_below, box, axis))
+      return std::nullopt;
+    Layer_curves& layer = m_layers[static_cast<std::size_t>(axis)];
+    m_analysis.rebuild(Cell(box.size(), 0), m_below); // its errors are those of the points
+    m_analysis.look_at(m_below);
+    layer.start(m_below);
+    Plane_arcs result;
+    const auto add_new_points = [&] {
+      for (std::size_t i = result.points.size(); i < layer.points().size(); ++i)
+        result.points.push_back(point_on_layer(layer.points()[i], axis, value));
+    };
+    const auto add_points = [&](int face, const Exact_rational& place) {
+      const bool is_upper = place == box[face].second;
+      if (!(is_upper || place == box[face].first) || !layer.add_points_on_side(face - (face > axis ? 1 : 0), is_upper))
+        return false;
+      add_new_points();
+      return true;
+    };
+    const bool is_certain = find_crossings(arcs, axis, value, add_points, result) && layer.find_curves();
+    m_summary.nodes += layer.nodes();
+    if (!is_certain)
+      return std::nullopt;
+    add_new_points();
+    for (const Layer_curves::Piece& piece : layer.pieces())
+      result.pieces.push_back({exact_ranges(piece.box), piece.parameter, piece.ends});
+    return result;
+  }
+
+  // Whether a node has these ends but along an axis.
+  static bool has_box(const Node& node, const Exact_ranges& box, int axis)
+  {
+    for (int j = 0; j < static_cast<int>(box.size()); ++j)
+      if (j != axis &&
+          !(box[j].first == Exact_rational(node.lower[j]) && box[j].second == Exact_rational(node.upper[j])))
+        return false;
+    return true;
+  }
+
+  static Exact_ranges exact_ranges(const std::array<Layer_curves::Range, 2>& box)
+  {
+    Exact_ranges result;
+    result.reserve(box.size() + 1); // an axis will be added
+    for (const auto& [lower, upper] : box)
+      result.emplace_back(Exact_rational(lower), Exact_rational(upper));
+    return result;
+  }
+
+  static Plane_point point_on_layer(const Layer_curves::Point& point, int axis, const Exact_rational& value)
+  {
+    return with_plane({Plane_point::REGULAR,
+                       exact_ranges(point.box),
+                       exact_ranges(point.region),
+                       {point.fixed == 0, point.fixed == 1}},
+                      axis, value);
+  }
+
+  // From the exact functions.
+  std::optional<Plane_arcs> arcs_on_plane(const Exact_ranges& box, const Arc_indices& arcs, int axis,
+                                          const Exact_rational& value)
+  {
     const Constraint_system_d plane = on_plane(m_equalities, box, axis, value);
+    Exact_ranges reduced = box;
+    reduced.erase(reduced.begin() + axis);
     Curve_findings found{Curve_vertices(m_options, true)};
-    Arc_store::Cuts cuts;
-    if (!find_crossings(plane, box, arcs, axis, value, found.vertices, cuts))
+    Plane_arcs result;
+    const auto add_new_points = [&] {
+      for (std::size_t i = result.points.size(); i < found.vertices.size(); ++i)
+        result.points.push_back(with_plane(found.vertices[i], axis, value));
+    };
+    const auto add_points = [&](int face, const Exact_rational& place) {
+      if (!found.vertices.on_plane(plane, reduced, face - (face > axis ? 1 : 0), place, {}, true))
+        return false;
+      add_new_points();
+      return true;
+    };
+    if (!find_crossings(arcs, axis, value, add_points, result) || !find_regular_curves(plane, found))
       return std::nullopt;
-    if (!find_regular_curves(plane, found))
-      return std::nullopt;
-    std::vector<Plane_point> points;
-    for (std::size_t i = 0; i < found.vertices.size(); ++i)
-      points.push_back(with_plane(found.vertices[i], axis, value));
-    if (!m_store->sort(cuts, points))
-      return std::nullopt;
-    const std::vector<std::size_t> vertices = m_store->add_vertices(points);
-    return divided(arcs, cuts, vertices, m_store->add_arcs(found.pieces, vertices, axis, value), axis, value);
+    add_new_points();
+    result.pieces = std::move(found.pieces);
+    return result;
   }
 
   // Whether a curve on the plane might end where nothing is known.
@@ -307,9 +402,10 @@ private:
   }
 
   // The points where the plane meets arcs: on each face of the box that has arcs which may reach it, all solutions on
-  // both, each on just one of the arcs.
-  bool find_crossings(const Constraint_system_d& plane, const Exact_ranges& box, const Arc_indices& arcs, int axis,
-                      const Exact_rational& value, Curve_vertices& points, Arc_store::Cuts& cuts)
+  // both, each on just one of the arcs. `add_points(face, place)` adds those on a face, or is not certain.
+  template <std::predicate<int, const Exact_rational&> Add_points>
+  bool find_crossings(const Arc_indices& arcs, int axis, const Exact_rational& value, const Add_points& add_points,
+                      Plane_arcs& found)
   {
     std::set<std::pair<int, Exact_rational>> faces;
     for (const std::size_t a : arcs) {
@@ -317,22 +413,20 @@ private:
       if (arc.box()[axis].first <= value && value <= arc.box()[axis].second)
         faces.emplace(arc.plane, arc.box()[arc.plane].first);
     }
-    Exact_ranges reduced = box;
-    reduced.erase(reduced.begin() + axis);
     for (const auto& [face, place] : faces) {
-      const std::size_t before = points.size();
-      if (face == axis || !points.on_plane(plane, reduced, face - (face > axis ? 1 : 0), place, {}, true))
+      const std::size_t before = found.points.size();
+      if (face == axis || !add_points(face, place))
         return false;
-      for (std::size_t i = before; i < points.size(); ++i) {
-        if (points[i].planes() != 1)
+      for (std::size_t i = before; i < found.points.size(); ++i) {
+        if (found.points[i].planes() != 2)
           return false;
-        const std::optional<std::size_t> arc = m_store->arc_of(with_plane(points[i], axis, value), face, arcs);
+        const std::optional<std::size_t> arc = m_store->arc_of(found.points[i], face, arcs);
         if (!arc)
           return false;
-        cuts[*arc].push_back(i);
+        found.cuts[*arc].push_back(i);
       }
     }
-    return are_sides_consistent(arcs, cuts, axis, value);
+    return are_sides_consistent(arcs, found.cuts, axis, value);
   }
 
   bool is_above(std::size_t vertex, int axis, const Exact_rational& value) const
