@@ -12,11 +12,13 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Layer_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Singular_branch_finder.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -82,9 +84,9 @@ template <class Traits>
 class Curve_subdivision : Graph_box_search<Traits>
 {
   using Search = Graph_box_search<Traits>;
-  using Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities, Search::m_graph,
-      Search::m_layout, Search::m_open_inequalities, Search::m_options, Search::m_source, Search::m_summary,
-      Search::m_system;
+  using Search::has_doubles, Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities,
+      Search::m_graph, Search::m_layout, Search::m_open_inequalities, Search::m_options, Search::m_source,
+      Search::m_summary, Search::m_system;
   using typename Search::Node;
 
 public:
@@ -102,6 +104,8 @@ private:
   Singular_branch_finder m_singular_branches;
   const bool m_needs_regular;
   std::size_t m_budget = 0, m_open_before = 0;
+  Node m_below, m_above;                                // parts of a box that is to be split
+  std::vector<std::unique_ptr<Face_points>> m_on_layer; // per axis; none where exact functions have to be asked at once
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
   std::vector<Curve_task>& m_pending;
@@ -114,7 +118,13 @@ public:
       m_closure(without_inequations(m_system)), m_vertices(findings.vertices),
       m_singular_branches(m_system, domain_widths, findings.vertices, control), m_needs_regular(needs_regular),
       m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
-  {}
+  {
+    if (has_doubles && Face_restriction::has_moderate_degrees(m_layout)) {
+      m_below.allocate(m_layout);
+      m_above.allocate(m_layout);
+      m_on_layer.resize(static_cast<std::size_t>(m_layout.dimension));
+    }
+  }
 
   // Looks at no more boxes than the budget allows. `open_before`: how many have been left undecided elsewhere.
   void run(const Curve_task& task, std::size_t budget, std::size_t open_before)
@@ -125,7 +135,7 @@ public:
     std::iota(vertices.begin(), vertices.end(), std::size_t(0));
     this->enter(task.box);
     m_driver.run(*this, State{task.box, std::move(vertices)}, task.depth);
-    m_source.leave_home();
+    m_source->leave_home();
   }
 
   // For the driver: false when a limit or the budget is reached.
@@ -224,10 +234,47 @@ private:
         if (singular_point &&
             CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * this->width(node, axis))
           continue;
-        if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
+        std::optional<Vertex_indices> on_plane;
+        if constexpr (has_doubles)
+          on_plane = points_on_layer(node, box, axis, place, value, vertices);
+        if (!on_plane)
+          on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true);
+        if (on_plane)
           return Plane{axis, place, value, std::move(*on_plane)};
       }
     return std::nullopt;
+  }
+
+  // The regular points on a plane from the layer of the coefficients there, if its box is the exact one, and if they are
+  // certain; none is then on an edge of the box.
+  std::optional<Vertex_indices> points_on_layer(const Node& node, const Exact_ranges& box, int axis, double place,
+                                                const Exact_rational& value, const Vertex_indices& vertices)
+  {
+    const auto is_near = [&](std::size_t i) {
+      const auto& [lower, upper] = m_vertices[i].box[axis];
+      return lower <= value && value <= upper;
+    };
+    if (m_on_layer.empty() || !this->has_box(node, box, axis) || std::any_of(vertices.begin(), vertices.end(), is_near))
+      return std::nullopt;
+    m_below.copy_from(node);
+    m_below.split(m_layout, axis, place, m_above);
+    m_analysis.rebuild(Cell(box.size(), 0), m_below); // its errors are those of the points
+    m_analysis.look_at(m_below);
+    auto& on_layer = m_on_layer[static_cast<std::size_t>(axis)];
+    if (on_layer == nullptr)
+      on_layer = std::make_unique<Face_points>(m_layout, axis);
+    ++m_summary.nodes;
+    const auto roots = (*on_layer)(m_below, true);
+    if (!roots)
+      return std::nullopt;
+    Vertex_indices result;
+    for (const Layer_points::Root& root : *roots) {
+      std::vector<bool> is_fixed(box.size(), false);
+      is_fixed[static_cast<std::size_t>(axis)] = true;
+      result.push_back(m_vertices.add(
+          {Plane_point::REGULAR, exact_ranges(root.box), exact_ranges(root.region), std::move(is_fixed)}));
+    }
+    return result;
   }
 
   // Finishes a box where the solutions are a graph over one unknown; false when something cannot be decided.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,49 +23,57 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The function of a node on a face of its box, for nodes of one function: the first or the last layer of its coefficients
-along an axis. All blocks become one tensor on the unknowns that are left, of the largest degrees, with a bound on the
-error of its coefficients.
+The equalities of a node on a face of its box: the first or the last layer of its coefficients along an axis. Blocks that
+are on the same unknowns there become one, of the larger degrees, and so do constants with another one.
 */
 class Face_restriction
 {
-  // A summand of a coefficient.
-  struct Summand
+  // The part of the coefficients of one block in those of a block on the face. Each is a sum of some of its own.
+  struct Part
   {
-    std::size_t to, from, distance; // to the last layer
-    double weight;
+    struct Summand
+    {
+      std::size_t to, from; // of the first function
+      double weight;
+    };
+
+    std::size_t functions, first_error, first_error_on_face; // equalities come first
+    std::size_t distance = 0;                                // from the first to the last layer
+    std::vector<Summand> summands = {};
   };
 
   int m_axis;
   System_layout m_layout;
-  std::vector<Summand> m_summands;
-  double m_rounding; // relative to the sum of bounds on the coefficients of the blocks
+  std::vector<Part> m_parts;
+  double m_rounding; // of a part, relative to a bound on its coefficients
 
 public:
-  // \pre there is one function, on at least two unknowns, and degrees are at most 56: binomials are exact.
+  static bool has_moderate_degrees(const System_layout& layout)
+  {
+    constexpr int largest_degree = 32;
+    return std::all_of(layout.blocks.begin(), layout.blocks.end(), [](const Block& block) {
+      return std::all_of(block.degrees.begin(), block.degrees.end(),
+                         [](int degree) { return degree <= largest_degree; });
+    });
+  }
+
+  // \pre degrees are moderate: binomials are exact.
   Face_restriction(const System_layout& whole, int axis) : m_axis(axis)
   {
     m_layout.dimension = whole.dimension - 1;
-    m_layout.equalities = m_layout.functions = 1;
-    Block& face = m_layout.blocks.emplace_back();
-    face.functions = {0};
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      face.axes.push_back(j);
-      face.degrees.push_back(0);
-    }
+    m_layout.equalities = whole.equalities;
+    m_layout.functions = whole.equalities;
+    std::vector<std::pair<const Block*, std::size_t>> places;
     for (const Block& block : whole.blocks)
-      for (std::size_t j = 0; j < block.axes.size(); ++j)
-        if (block.axes[j] != axis) {
-          int& degree = face.degrees[unknown_on_face(block.axes[j])];
-          degree = (std::max)(degree, block.degrees[j]);
-        }
-    for (const int degree : face.degrees)
-      face.points *= static_cast<std::size_t>(degree) + 1;
+      if (block.holds_equalities(whole.equalities))
+        places.emplace_back(&block, place_of(block));
     m_layout.place_blocks();
-    for (const Block& block : whole.blocks)
-      add_summands(block);
-    // a weight is off by 3 u for each axis, a product and each sum by u more, u = 2^-52 in any rounding mode
-    m_rounding = 2 * (most_summands() + 3 * m_layout.dimension + 1) * 0x1p-52;
+    double most_summands = 0;
+    for (const auto& [block, place] : places)
+      most_summands += add_part(*block, m_layout.blocks[place]);
+    // with u = 2^-52 in any rounding mode: a weight is off by 3 u for each axis, a product by u more, and a sum, which
+    // is no larger than all parts together, by u as often as there is something added
+    m_rounding = 2 * (most_summands + 3 * m_layout.dimension + 1) * 0x1p-52;
   }
 
   const System_layout& layout() const { return m_layout; }
@@ -72,20 +81,24 @@ public:
   // The unknown on the face that another one than that of the axis becomes.
   int unknown_on_face(int unknown) const { return unknown - (unknown > m_axis ? 1 : 0); }
 
-  // Writes the function on one of both faces. \pre the bounds on the sizes of the coefficients are those of the node
+  // Writes the functions on one of both faces. \pre the node knows bounds on its coefficients
   void operator()(const Box_node<double>& node, bool is_upper, Box_node<double>& face) const
   {
-    double *to = face.coefficients().data(), error = 0, size = 0;
-    const double* from = node.coefficients().data();
+    double* const to = face.coefficients().data();
     std::fill_n(to, m_layout.size, 0.0);
-    for (const Summand& summand : m_summands)
-      to[summand.to] += summand.weight * from[summand.from + (is_upper ? summand.distance : 0)];
-    for (std::size_t b = 0; b < node.errors().size(); ++b) {
-      error += node.errors()[b];
-      size += node.sizes()[b];
+    std::fill_n(face.errors().begin(), m_layout.errors, 0.0);
+    for (const Part& part : m_parts) {
+      const double* const from = node.coefficients().data() + (is_upper ? part.distance : 0);
+      for (const auto& summand : part.summands)
+        for (std::size_t f = 0; f < part.functions; ++f)
+          to[summand.to + f] += summand.weight * from[summand.from + f];
+      for (std::size_t f = 0; f < part.functions; ++f) {
+        const double error = node.errors()[part.first_error + f], size = node.sizes()[part.first_error + f];
+        double& sum = face.errors()[part.first_error_on_face + f];
+        sum = (sum + error + (size + error) * m_rounding) * (1 + 0x1p-50);
+      }
     }
-    face.errors()[0] = (error + (size + error) * m_rounding) * (1 + 0x1p-48);
-    face.scale[0] = node.scale[0];
+    std::copy_n(node.scale.begin(), face.scale.size(), face.scale.begin());
     for (int j = 0; j <= m_layout.dimension; ++j)
       if (j != m_axis) {
         face.lower[unknown_on_face(j)] = node.lower[j];
@@ -94,16 +107,48 @@ public:
   }
 
 private:
-  // The coefficients of a block are raised to the degrees of the face along each axis: of degree d to D, the i-th is
-  // the sum of binom(d, j) binom(D - d, i - j) / binom(D, i) times the j-th.
-  void add_summands(const Block& block)
+  // Of the block on the face that a block becomes a part of; it is made, or its degrees are raised.
+  std::size_t place_of(const Block& block)
   {
-    std::vector<Summand> summands{{0, block.offset, 0, 1}};
+    Block own;
+    for (const int function : block.functions)
+      if (function < m_layout.equalities)
+        own.functions.push_back(function);
+    for (std::size_t j = 0; j < block.axes.size(); ++j)
+      if (block.axes[j] != m_axis) {
+        own.axes.push_back(unknown_on_face(block.axes[j]));
+        own.degrees.push_back(block.degrees[j]);
+      }
+    std::vector<Block>& blocks = m_layout.blocks;
+    auto known = std::find_if(blocks.begin(), blocks.end(), [&](const Block& other) {
+      return other.functions == own.functions && (other.axes == own.axes || other.axes.empty() || own.axes.empty());
+    });
+    if (known == blocks.end())
+      known = blocks.insert(blocks.end(), own);
+    Block& result = *known;
+    if (result.axes.empty()) {
+      result.axes = own.axes;
+      result.degrees = own.degrees;
+    }
+    result.points = 1;
+    for (std::size_t j = 0; j < result.axes.size(); ++j) {
+      if (!own.axes.empty())
+        result.degrees[j] = (std::max)(result.degrees[j], own.degrees[j]);
+      result.points *= static_cast<std::size_t>(result.degrees[j]) + 1;
+    }
+    return static_cast<std::size_t>(&result - blocks.data());
+  }
+
+  // Coefficients are raised to the degrees on the face along each axis: of degree d to D, the i-th is the sum of
+  // binom(d, j) binom(D - d, i - j) / binom(D, i) times the j-th. Returns how many make up one at most.
+  double add_part(const Block& block, const Block& face)
+  {
+    Part part{face.functions.size(), block.first_error, face.first_error};
     for (std::size_t j = 0; j < block.axes.size(); ++j)
       if (block.axes[j] == m_axis)
-        for (Summand& summand : summands)
-          summand.distance = static_cast<std::size_t>(block.degrees[j]) * block.lengths[j + 1];
-    const Block& face = m_layout.blocks.front();
+        part.distance = static_cast<std::size_t>(block.degrees[j]) * block.lengths[j + 1];
+    part.summands.push_back({face.offset, block.offset, 1});
+    double most_summands = 1;
     for (std::size_t k = 0; k < face.axes.size(); ++k) {
       int degree = 0;
       std::size_t step = 0;
@@ -112,26 +157,21 @@ private:
           degree = block.degrees[j];
           step = block.lengths[j + 1];
         }
-      const std::vector<double> own = binomials<double>(degree), rest = binomials<double>(face.degrees[k] - degree),
+      const int raised_by = face.degrees[k] - degree;
+      most_summands *= (std::min)(degree, raised_by) + 1;
+      const std::vector<double> own = binomials<double>(degree), rest = binomials<double>(raised_by),
                                 all = binomials<double>(face.degrees[k]);
-      std::vector<Summand> raised;
-      for (const Summand& summand : summands)
+      std::vector<Part::Summand> raised;
+      for (const Part::Summand& summand : part.summands)
         for (int i = 0; i <= face.degrees[k]; ++i)
-          for (int j = (std::max)(0, i - face.degrees[k] + degree); j <= (std::min)(i, degree); ++j)
+          for (int j = (std::max)(0, i - raised_by); j <= (std::min)(i, degree); ++j)
             raised.push_back({summand.to + static_cast<std::size_t>(i) * face.lengths[k + 1],
-                              summand.from + static_cast<std::size_t>(j) * step, summand.distance,
+                              summand.from + static_cast<std::size_t>(j) * step,
                               summand.weight * (own[j] * rest[i - j] / all[i])});
-      summands = std::move(raised);
+      part.summands = std::move(raised);
     }
-    m_summands.insert(m_summands.end(), summands.begin(), summands.end());
-  }
-
-  double most_summands() const
-  {
-    std::vector<double> counts(m_layout.size, 0);
-    for (const Summand& summand : m_summands)
-      ++counts[summand.to];
-    return *std::max_element(counts.begin(), counts.end());
+    m_parts.push_back(std::move(part));
+    return most_summands;
   }
 };
 

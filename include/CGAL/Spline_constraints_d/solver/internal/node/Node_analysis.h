@@ -43,7 +43,7 @@ class Node_analysis
   using Node = Box_node<NT>;
 
   const System_layout& m_layout;
-  Exact_source& m_source;
+  Exact_source* m_source; // null for nodes that cannot be built anew
   Summary& m_summary;
   Lowered_node<NT> m_lowered;
   std::vector<double> m_error_sum, m_variation, m_no_errors;
@@ -56,8 +56,14 @@ public:
 
   // Without `tracks_rounding` the error bounds are left out of everything that the view says.
   Node_analysis(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
-    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0),
+    : m_layout(layout), m_source(&source), m_summary(summary), m_no_errors(layout.errors, 0.0),
       m_tracks_rounding(tracks_rounding), view(layout), linear(layout.dimension, layout.equalities)
+  {}
+
+  // For nodes that are made from others alone.
+  Node_analysis(const System_layout& layout, Summary& summary)
+    : m_layout(layout), m_source(nullptr), m_summary(summary), m_no_errors(layout.errors, 0.0), m_tracks_rounding(true),
+      view(layout), linear(layout.dimension, layout.equalities)
   {}
 
   // Looks at a node; its linear rows are formed on demand.
@@ -103,7 +109,7 @@ public:
     return linear.is_blurred_by(m_error_sum);
   }
 
-  Exact_source& source() { return m_source; }
+  Exact_source& source() { return *m_source; }
 
   // The error of some equality is well above that of a fresh start, where coefficients are rounded once and, near a
   // root, as small as the function varies.
@@ -119,13 +125,13 @@ public:
         node, [&](int f, double error) { return error > 8 * analysis_error * m_variation[f] && error > 0x1p-900; });
   }
 
-  // Starts again from the exact functions on the box of the node.
+  // Starts again from the exact functions on the box of the node. \pre there are some
   void rebuild(const Cell& cell, Node& node)
   {
     const auto start = std::chrono::steady_clock::now();
-    m_source.bernstein_coefficients(cell, std::span<const Coordinate>(node.lower),
-                                    std::span<const Coordinate>(node.upper), node.coefficients().data(),
-                                    node.errors().data(), node.scale);
+    m_source->bernstein_coefficients(cell, std::span<const Coordinate>(node.lower),
+                                     std::span<const Coordinate>(node.upper), node.coefficients().data(),
+                                     node.errors().data(), node.scale);
     for (std::size_t e = 0; e < m_layout.errors; ++e)
       node.sizes()[e] = node.errors()[e] * 0x1p50;
     ++m_summary.restarts;

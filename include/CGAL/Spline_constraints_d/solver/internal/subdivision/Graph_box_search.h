@@ -26,9 +26,11 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,10 +62,11 @@ protected:
   using NT = typename Traits::Number_type;
   using Coordinate = typename Number_traits<NT>::Coordinate;
   using Node = Box_node<NT>;
+  static constexpr bool has_doubles = std::is_same_v<NT, double>;
 
   const Constraint_system_d m_system, m_equalities;
   const System_layout m_layout;
-  Exact_source m_source;
+  std::optional<Exact_source> m_source; // none where nodes are made from those of another search
   Summary& m_summary;
   Node_analysis<NT> m_analysis;
   Graph_test m_graph;
@@ -86,8 +89,17 @@ protected:
                    const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control,
                    Summary& summary)
     : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_layout(m_system),
-      m_source(m_system, m_layout), m_summary(summary),
-      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding),
+      m_source(std::in_place, m_system, m_layout), m_summary(summary),
+      m_analysis(m_layout, *m_source, m_summary, Traits::tracks_rounding),
+      m_graph(m_layout.dimension, m_layout.equalities, parameters), m_options(options), m_control(control),
+      m_driver(m_layout), m_domain_widths(domain_widths)
+  {}
+
+  // For equalities that are known by the coefficients of nodes alone.
+  Graph_box_search(const System_layout& layout, int parameters, const std::vector<double>& domain_widths,
+                   const Solver_options& options, Run_control& control, Summary& summary)
+    : m_system(Exact_ranges(static_cast<std::size_t>(layout.dimension), {Exact_rational(0), Exact_rational(1)})),
+      m_equalities(m_system), m_layout(layout), m_summary(summary), m_analysis(m_layout, m_summary),
       m_graph(m_layout.dimension, m_layout.equalities, parameters), m_options(options), m_control(control),
       m_driver(m_layout), m_domain_widths(domain_widths)
   {}
@@ -99,8 +111,8 @@ protected:
     for (std::size_t j = 0; j < box.size(); ++j)
       std::tie(root.lower[j], root.upper[j]) =
           dyadic_hull<Coordinate>(box[j].first, box[j].second, m_options.precision);
-    m_source.set_home(Cell(box.size(), 0), std::span<const Coordinate>(root.lower),
-                      std::span<const Coordinate>(root.upper));
+    m_source->set_home(Cell(box.size(), 0), std::span<const Coordinate>(root.lower),
+                       std::span<const Coordinate>(root.upper));
     m_analysis.rebuild(Cell(box.size(), 0), root);
   }
 
@@ -117,6 +129,24 @@ protected:
       age = 0;
     }
     ++age;
+    return examine_node(node, accepts, [&] { return shrink(node, box); });
+  }
+
+  // The same for a node that has no other box than its own.
+  template <std::predicate Accepts>
+  Box_verdict examine_node(Node& node, const Accepts& accepts)
+  {
+    return examine_node(node, accepts, [&] {
+      const auto lower = node.lower, upper = node.upper;
+      shrink(node);
+      return node.lower != lower || node.upper != upper;
+    });
+  }
+
+  // `shrinks()`: shrinks the node, and tells whether it has become smaller.
+  template <std::predicate Accepts, std::predicate Shrinks>
+  Box_verdict examine_node(Node& node, const Accepts& accepts, const Shrinks& shrinks)
+  {
     m_analysis.look_at(node);
     m_is_combined = false;
     if (is_excluded() || is_empty_or_graph(m_analysis.view, accepts))
@@ -129,7 +159,7 @@ protected:
       if (is_empty_or_graph(*combined, accepts) || !contract_by_rows(*combined))
         return Box_verdict::DONE;
     }
-    return is_worth_a_pass(node) && shrink(node, box) ? Box_verdict::AGAIN : Box_verdict::SPLIT;
+    return is_worth_a_pass(node) && shrinks() ? Box_verdict::AGAIN : Box_verdict::SPLIT;
   }
 
   // Some constraint is violated on all of the node that was looked at last.
@@ -156,6 +186,16 @@ protected:
     const std::vector<Exact_rational> combination(m_combination.begin(), m_combination.end());
     return m_graph.sign_of_minor() *
         (m_is_combined ? sign_of_determinant(combination, static_cast<std::size_t>(m_layout.equalities)) : 1);
+  }
+
+  // Whether a node has these ends, but for those of an axis.
+  static bool has_box(const Node& node, const Exact_ranges& box, int axis)
+  {
+    for (int j = 0; j < static_cast<int>(box.size()); ++j)
+      if (j != axis &&
+          !(box[j].first == Exact_rational(node.lower[j]) && box[j].second == Exact_rational(node.upper[j])))
+        return false;
+    return true;
   }
 
   static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
@@ -228,12 +268,18 @@ private:
 
   bool is_worth_a_pass(const Node& node) const { return Box_contraction::is_worth_a_pass(m_part, least_shares(node)); }
 
-  // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps
-  // what is known of its boundary. False when it stays as it is.
-  bool shrink(Node& node, Exact_ranges& box)
+  // Shrinks a node to the part that may hold solutions. There are none on the faces that are moved, so that it keeps
+  // what is known of its boundary.
+  void shrink(Node& node)
   {
     Box_contraction::widen(m_part, least_shares(node));
     node.restrict_to(m_layout, m_part, Box_contraction::least_gain);
+  }
+
+  // And its exact box; false when it stays as it is.
+  bool shrink(Node& node, Exact_ranges& box)
+  {
+    shrink(node);
     bool is_smaller = false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const Exact_rational lower(node.lower[j]), upper(node.upper[j]);

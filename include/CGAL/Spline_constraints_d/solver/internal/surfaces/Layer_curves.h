@@ -9,16 +9,16 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_LAYER_CURVES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SURFACES_LAYER_CURVES_H
 
-#include <CGAL/Spline_constraints_d/solver/Node_view.h>
-#include <CGAL/Spline_constraints_d/solver/internal/certification/Graph_test.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_roots_on_line.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Layer_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Face_restriction.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Depth_first_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
+#include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,81 +28,73 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The curves of one equality in three unknowns on the part of a plane that is a face of a node, in doubles: from the layer
-of the node's own coefficients there, with a bound on their errors, and on lines in that plane from layers of this
-layer. Exact functions are not asked, which costs a small part of what they do. All is proved to be regular, or there is
-no answer.
+The curves of a system on the part of a plane that is a face of a node, in doubles: from the layer of the node's own
+coefficients there, with bounds on their errors, and points on planes in that plane from layers of this layer. Exact
+functions are not asked, which costs a small part of what they do. All is proved to be regular, or there is no answer.
 
-As for curves in general, the points on the boundary of a rectangle are known before it is looked at. It is finished
-when it has no solutions, or when they are a graph over one of the unknowns. Each point is a simple root on one side of
-the rectangle and no corner: there the graph goes through the side, so that pieces begin and end at the points in turns.
+As for curves in general, the points on the boundary of a box are known before it is looked at. It is finished when it
+has no solutions, or when they are a graph over one of the unknowns. Each point is a regular one on one face of the box,
+and inside of it: there the graph goes through the face, so that pieces begin and end at the points in turns.
 */
-class Layer_curves
+class Layer_curves : Graph_box_search<Certified_solver_traits>
 {
+  using Search = Graph_box_search<Certified_solver_traits>;
+  using Search::Node;
+
 public:
   using Range = std::pair<double, double>;
+  using Box = Layer_points::Box;
 
-  // On a line in the plane; in the region, there is no other one on this line.
+  // On a plane in the plane; in the region, there is no other one on both.
   struct Point
   {
-    std::array<Range, 2> box, region;
-    int fixed; // unknown, of two
+    Box box, region;
+    int fixed; // unknown
   };
 
   // Between two of the points, over one unknown.
   struct Piece
   {
-    std::array<Range, 2> box;
+    Box box;
     int parameter;
     std::array<std::size_t, 2> ends;
   };
 
-private:
-  using Node = Box_node<double>;
-  using Indices = std::vector<std::size_t>;
-
-  // What the driver keeps for a rectangle.
-  struct Rectangle
+  // What the driver keeps for a node.
+  struct State
   {
-    Indices points; // on its boundary
+    std::vector<std::size_t> points = {}; // on its boundary
   };
 
+private:
+  Solver_options m_own_options;
   const Face_restriction m_plane;
-  const std::array<Face_restriction, 2> m_lines; // that fix either unknown
-  Node_view m_view;
-  Graph_test m_graph{2, 1};
-  Depth_first_subdivision<double> m_driver;
+  std::deque<Face_points> m_on_side; // per unknown that is fixed on a side, too
   Node m_below, m_above;
-  std::array<Node, 2> m_on_line;
-  Simple_roots_on_line m_roots{0x1p-36};
+  std::vector<double> m_widths;
   std::vector<Point> m_points;
   std::vector<Piece> m_pieces;
+  Summary m_work;
   std::size_t m_nodes = 0;
   bool m_is_certain = true;
 
 public:
-  using State = Rectangle;
-
-  // Whether there is one equality, of moderate degrees, in three unknowns, and nothing else.
+  // Whether there are equalities for surfaces alone, of moderate degrees.
   static bool fit(const System_layout& layout)
   {
-    constexpr int largest_degree = 32;
-    return layout.dimension == 3 && layout.equalities == 1 && layout.functions == 1 &&
-        std::all_of(layout.blocks.begin(), layout.blocks.end(), [](const Block& block) {
-             return std::all_of(block.degrees.begin(), block.degrees.end(),
-                                [](int degree) { return degree <= largest_degree; });
-           });
+    return layout.functions == layout.equalities && layout.equalities == layout.dimension - 2 &&
+        Face_restriction::has_moderate_degrees(layout);
   }
 
   // On planes that fix an unknown. \pre `fit(layout)`
-  Layer_curves(const System_layout& layout, int axis)
-    : m_plane(layout, axis), m_lines{Face_restriction(m_plane.layout(), 0), Face_restriction(m_plane.layout(), 1)},
-      m_view(m_plane.layout()), m_driver(m_plane.layout())
+  Layer_curves(const System_layout& layout, int axis, const Solver_options& options, Run_control& control)
+    : Search(Face_restriction(layout, axis).layout(), 1, m_widths, m_own_options, control, m_work),
+      m_own_options(options), m_plane(layout, axis)
   {
-    m_below.allocate(m_plane.layout());
-    m_above.allocate(m_plane.layout());
-    for (std::size_t k = 0; k < 2; ++k)
-      m_on_line[k].allocate(m_lines[k].layout());
+    for (int j = 0; j < m_layout.dimension; ++j)
+      m_on_side.emplace_back(m_layout, j);
+    m_below.allocate(m_layout);
+    m_above.allocate(m_layout);
   }
 
   // Goes to the face at the upper end of a node that was looked at.
@@ -112,21 +104,29 @@ public:
     m_pieces.clear();
     m_nodes = 0;
     m_is_certain = true;
-    m_plane(node, true, m_driver.root());
-    look_at(m_driver.root());
+    Node& root = m_driver.root();
+    m_plane(node, true, root);
+    m_analysis.look_at(root);
+    m_widths.clear();
+    double largest = 1;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      m_widths.push_back(root.upper[j] - root.lower[j]);
+      largest = (std::max)({largest, std::abs(root.lower[j]), std::abs(root.upper[j])});
+    }
+    constexpr double thinnest = 0x1p-16; // in thinner boxes rounding errors matter
+    m_own_options.tolerance = thinnest * *std::min_element(m_widths.begin(), m_widths.end()) / largest;
   }
 
-  // Adds the points on a side of the rectangle, where an unknown of two is at an end of its range; false if they are
-  // not certain.
+  // Adds the points on a side, where an unknown is at an end of its range; false if they are not certain.
   bool add_points_on_side(int unknown, bool is_upper) { return add_points(m_driver.root(), unknown, is_upper); }
 
   // The curves, if they are certain; the points on all sides have been added.
   bool find_curves()
   {
-    Indices boundary;
+    State boundary;
     for (std::size_t i = 0; i < m_points.size(); ++i)
-      boundary.push_back(i);
-    m_driver.run(*this, Rectangle{std::move(boundary)}, 0);
+      boundary.points.push_back(i);
+    m_driver.run(*this, std::move(boundary), 0);
     return m_is_certain;
   }
 
@@ -136,88 +136,63 @@ public:
 
   // For the driver.
 
-  bool goes_on(const Node&, const Rectangle&, int)
+  bool goes_on(const Node&, const State&, int)
   {
     constexpr std::size_t most_nodes = 512;
     m_is_certain = m_is_certain && ++m_nodes <= most_nodes;
     return m_is_certain;
   }
 
-  Box_verdict examine(Node& node, const Rectangle& rectangle, int)
+  Box_verdict examine(Node& node, const State& state, int)
   {
-    look_at(node);
-    const bool is_finished = m_view.lower(0) > 0 || m_view.upper(0) < 0 ||
-        (m_graph.eliminate(m_view) &&
-         (m_graph.is_empty(m_view) || (m_graph.is_graph() && joined(node, rectangle.points, m_graph.parameter()))));
-    return is_finished ? Box_verdict::DONE : Box_verdict::SPLIT;
+    return examine_node(node, [&] { return joined(node, state.points, m_graph.parameter()); });
   }
 
-  std::optional<Box_split<Rectangle>> split(const Node& node, const Rectangle& rectangle, int)
+  std::optional<Box_split<State>> split(const Node& node, const State& state, int)
   {
-    const double* const lower = m_view.derivative_lower(0);
-    const double* const upper = m_view.derivative_upper(0);
-    const auto steepness = [&](int j) { return (std::max)(std::abs(lower[j]), std::abs(upper[j])); };
-    const int steeper = steepness(1) > steepness(0) ? 1 : 0;
-    for (const int axis : {steeper, 1 - steeper})
+    for (const int axis : rated_axes(node, 0))
       for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256})
-        if (auto parts = parts_at(node, rectangle, axis, place))
+        if (auto parts = parts_at(node, state, axis, place))
           return parts;
     m_is_certain = false;
     return std::nullopt;
   }
 
 private:
-  // The sizes of the coefficients are the ones that a cut has to know.
-  void look_at(Node& node)
-  {
-    m_view.reset(node.coefficients().data(), node.errors().data());
-    node.sizes()[0] = (std::max)(std::abs(m_view.block_lower(0)), std::abs(m_view.block_upper(0)));
-  }
-
   bool add_points(const Node& node, int unknown, bool is_upper)
   {
-    Node& line = m_on_line[static_cast<std::size_t>(unknown)];
-    m_lines[static_cast<std::size_t>(unknown)](node, is_upper, line);
-    const auto roots = m_roots(line.coefficients(), line.errors()[0], line.lower[0], line.upper[0]);
-    if (!roots)
-      return false;
-    const double value = is_upper ? node.upper[unknown] : node.lower[unknown];
-    for (const auto& [box, region] : *roots) {
-      Point& point = m_points.emplace_back();
-      point.fixed = unknown;
-      point.box[unknown] = point.region[unknown] = {value, value};
-      point.box[1 - unknown] = box;
-      point.region[1 - unknown] = region;
-    }
-    return true;
+    auto roots = m_on_side[static_cast<std::size_t>(unknown)](node, is_upper);
+    for (std::size_t i = 0; roots && i < roots->size(); ++i)
+      m_points.push_back({std::move((*roots)[i].box), std::move((*roots)[i].region), unknown});
+    return roots.has_value();
   }
 
-  // None where the line is too close to a known point, or points on it are not certain.
-  std::optional<Box_split<Rectangle>> parts_at(const Node& node, const Rectangle& rectangle, int axis, double place)
+  // None where the plane is too close to a known point, or points on it are not certain.
+  std::optional<Box_split<State>> parts_at(const Node& node, const State& state, int axis, double place)
   {
     const double value = place_between(node.lower[axis], node.upper[axis], place);
     if (value == node.lower[axis])
       return std::nullopt;
-    Rectangle below, above;
-    for (const std::size_t i : rectangle.points) {
+    State below, above;
+    for (const std::size_t i : state.points) {
       const auto& [least, most] = m_points[i].box[static_cast<std::size_t>(axis)];
       if (least <= value && value <= most)
         return std::nullopt;
       (most < value ? below : above).points.push_back(i);
     }
     m_below.copy_from(node);
-    m_below.split(m_plane.layout(), axis, place, m_above);
+    m_below.split(m_layout, axis, place, m_above);
     const std::size_t before = m_points.size();
     if (!add_points(m_below, axis, true))
       return std::nullopt;
     for (std::size_t i = before; i < m_points.size(); ++i)
-      for (Rectangle* part : {&below, &above})
+      for (State* part : {&below, &above})
         part->points.push_back(i);
-    return Box_split<Rectangle>{axis, place, std::move(below), std::move(above)};
+    return Box_split<State>{axis, place, std::move(below), std::move(above)};
   }
 
   // Makes the pieces of a graph; false when the order of the points is not certain.
-  bool joined(const Node& node, Indices points, int parameter)
+  bool joined(const Node& node, std::vector<std::size_t> points, int parameter)
   {
     const auto place = [&](std::size_t i) { return m_points[i].box[static_cast<std::size_t>(parameter)]; };
     std::sort(points.begin(), points.end(), [&](std::size_t i, std::size_t k) { return place(i) < place(k); });
@@ -226,10 +201,11 @@ private:
         return false;
     if (points.size() % 2 != 0)
       return false;
+    Box box;
+    for (int j = 0; j < m_layout.dimension; ++j)
+      box.emplace_back(node.lower[j], node.upper[j]);
     for (std::size_t k = 0; k < points.size(); k += 2)
-      m_pieces.push_back({{Range(node.lower[0], node.upper[0]), Range(node.lower[1], node.upper[1])},
-                          parameter,
-                          {points[k], points[k + 1]}});
+      m_pieces.push_back({box, parameter, {points[k], points[k + 1]}});
     return true;
   }
 };

@@ -23,8 +23,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <deque>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <type_traits>
@@ -61,8 +61,8 @@ template <class Traits>
 class Surface_subdivision : Graph_box_search<Traits>
 {
   using Search = Graph_box_search<Traits>;
-  using Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities, Search::m_graph,
-      Search::m_layout, Search::m_options, Search::m_source, Search::m_summary;
+  using Search::has_doubles, Search::m_analysis, Search::m_control, Search::m_driver, Search::m_equalities,
+      Search::m_graph, Search::m_layout, Search::m_options, Search::m_source, Search::m_summary;
   using typename Search::Node;
 
 public:
@@ -83,7 +83,7 @@ private:
   Task_budget m_budget{};
   std::size_t m_cell = 0, m_splits = 0;
   Node m_below, m_above;             // parts of a box that is to be split
-  std::deque<Layer_curves> m_layers; // per axis; none where exact functions have to be asked at once
+  std::vector<std::unique_ptr<Layer_curves>> m_layers; // per axis; none where exact functions have to be asked at once
 
   // That a box is split along.
   struct Plane
@@ -109,9 +109,8 @@ public:
   {
     m_below.allocate(m_layout);
     m_above.allocate(m_layout);
-    if constexpr (std::is_same_v<typename Search::NT, double>)
-      for (int axis = 0; axis < m_layout.dimension && Layer_curves::fit(m_layout); ++axis)
-        m_layers.emplace_back(m_layout, axis);
+    if (has_doubles && Layer_curves::fit(m_layout))
+      m_layers.resize(static_cast<std::size_t>(m_layout.dimension));
   }
 
   void run(const Surface_task& task, const Task_budget& budget, const Task_environment& environment,
@@ -127,7 +126,7 @@ public:
     m_cones.learn(environment.cones);
     this->enter(task.box);
     m_driver.run(*this, State{task.box, found.arcs.indices()}, task.depth);
-    m_source.leave_home();
+    m_source->leave_home();
     found.cones = m_cones.known();
     found.summary = m_summary;
   }
@@ -285,7 +284,9 @@ private:
   {
     if (meets_open_part(box, axis, value) || !are_ends_beside(arcs, axis, value))
       return std::nullopt;
-    std::optional<Plane_arcs> found = arcs_on_layer(box, arcs, axis, value);
+    std::optional<Plane_arcs> found;
+    if constexpr (has_doubles)
+      found = arcs_on_layer(box, arcs, axis, value);
     if (!found)
       found = arcs_on_plane(box, arcs, axis, value);
     if (!found || !m_store->sort(found->cuts, found->points))
@@ -298,9 +299,12 @@ private:
   std::optional<Plane_arcs> arcs_on_layer(const Exact_ranges& box, const Arc_indices& arcs, int axis,
                                           const Exact_rational& value)
   {
-    if (m_layers.empty() || !has_box(m_below, box, axis))
+    if (m_layers.empty() || !this->has_box(m_below, box, axis))
       return std::nullopt;
-    Layer_curves& layer = m_layers[static_cast<std::size_t>(axis)];
+    auto& own_layer = m_layers[static_cast<std::size_t>(axis)];
+    if (own_layer == nullptr)
+      own_layer = std::make_unique<Layer_curves>(m_layout, axis, m_options, m_control);
+    Layer_curves& layer = *own_layer;
     m_analysis.rebuild(Cell(box.size(), 0), m_below); // its errors are those of the points
     m_analysis.look_at(m_below);
     layer.start(m_below);
@@ -326,31 +330,11 @@ private:
     return result;
   }
 
-  // Whether a node has these ends but along an axis.
-  static bool has_box(const Node& node, const Exact_ranges& box, int axis)
-  {
-    for (int j = 0; j < static_cast<int>(box.size()); ++j)
-      if (j != axis &&
-          !(box[j].first == Exact_rational(node.lower[j]) && box[j].second == Exact_rational(node.upper[j])))
-        return false;
-    return true;
-  }
-
-  static Exact_ranges exact_ranges(const std::array<Layer_curves::Range, 2>& box)
-  {
-    Exact_ranges result;
-    result.reserve(box.size() + 1); // an axis will be added
-    for (const auto& [lower, upper] : box)
-      result.emplace_back(Exact_rational(lower), Exact_rational(upper));
-    return result;
-  }
-
   static Plane_point point_on_layer(const Layer_curves::Point& point, int axis, const Exact_rational& value)
   {
-    return with_plane({Plane_point::REGULAR,
-                       exact_ranges(point.box),
-                       exact_ranges(point.region),
-                       {point.fixed == 0, point.fixed == 1}},
+    std::vector<bool> is_fixed(point.box.size(), false);
+    is_fixed[static_cast<std::size_t>(point.fixed)] = true;
+    return with_plane({Plane_point::REGULAR, exact_ranges(point.box), exact_ranges(point.region), std::move(is_fixed)},
                       axis, value);
   }
 
