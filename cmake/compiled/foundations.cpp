@@ -51,6 +51,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/tracking/tracking_steps.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/Elementary_proof.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/surface_proof.h>
 

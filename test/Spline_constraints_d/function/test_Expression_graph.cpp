@@ -162,6 +162,56 @@ TEST(Expression_graph, arm_with_two_links)
   EXPECT_DOUBLE_EQ(of_root[by_l1], 0.6);
 }
 
+// All functions, as nodes and in a formula: derivatives both ways, against differences, in enclosures.
+TEST(Expression_graph, functions)
+{
+  const auto [u, v] = SC::unknowns({0.1, 1}, {0.1, 1});
+  const SC::Expression formula =
+      exp(u * v) + log(u + v) * tan(u) - atan(v / u) + sqrt(u) * sin(v) * cos(u) + SC::Expression::pi() / (1 + u);
+  Expression_graph graph(2);
+  const Node x = graph.unknown(0), y = graph.unknown(1), one = graph.constant(1);
+  const Node by_hand =
+      exp(x * y) + log(x + y) * tan(x) - atan(y / x) + sqrt(x) * sin(y) * cos(x) + 4 * atan(one) / (1 + x);
+  const Node f = graph.node(formula);
+  const Nodes gradient = graph.gradient(f), gradient_by_hand = graph.gradient(by_hand);
+  const Node along = graph.directional_derivative(f, Nodes{graph.constant(2), graph.constant(-3)});
+  Nodes all = with(gradient, f);
+  for (const Node& other : {by_hand, gradient_by_hand[0], gradient_by_hand[1], along})
+    all.push_back(other);
+  using Interval = CGAL::Interval_nt<false>;
+  Graph_evaluation<double> evaluation(graph, all);
+  Graph_evaluation<Interval> enclosure(graph, all);
+  const auto value_at = [&](double a, double b) {
+    evaluation.set_point(std::vector<double>{a, b});
+    evaluation.evaluate();
+    return evaluation[f];
+  };
+  for (int k = 1; k <= 20; ++k) {
+    const double a = 0.045 * k, b = 1 - 0.03 * k, h = 0x1p-20;
+    const double by_a = (value_at(a + h, b) - value_at(a - h, b)) / (2 * h);
+    const double by_b = (value_at(a, b + h) - value_at(a, b - h)) / (2 * h);
+    value_at(a, b);
+    EXPECT_NEAR(evaluation[f], evaluation[by_hand], 1e-13);
+    EXPECT_NEAR(evaluation[gradient[0]], by_a, 1e-6);
+    EXPECT_NEAR(evaluation[gradient[1]], by_b, 1e-6);
+    EXPECT_NEAR(evaluation[gradient_by_hand[0]], evaluation[gradient[0]], 1e-12);
+    EXPECT_NEAR(evaluation[gradient_by_hand[1]], evaluation[gradient[1]], 1e-12);
+    EXPECT_NEAR(evaluation[along], 2 * evaluation[gradient[0]] - 3 * evaluation[gradient[1]], 1e-12);
+    const SC::Upward_rounding_guard guard;
+    enclosure.set_point(std::vector<Interval>{a, b});
+    enclosure.evaluate();
+    for (const Node& node : all) {
+      EXPECT_LT(enclosure[node].sup() - enclosure[node].inf(), 1e-11);
+      EXPECT_NEAR(enclosure[node].inf(), evaluation[node], 1e-11);
+    }
+  }
+  Graph_evaluation<SC::Expression> back(graph, Nodes{by_hand});
+  back.set_point(std::vector<SC::Expression>{u, v});
+  back.evaluate();
+  EXPECT_TRUE((back[by_hand] - formula).numerator().is_zero());
+  EXPECT_THROW(graph.node(cosh(u)), SC::Invalid_input);
+}
+
 // Speelpenning's function, the product of all unknowns.
 TEST(Expression_graph, product_of_all_unknowns)
 {

@@ -466,6 +466,8 @@ TEST(Constraint_tracking, bad_input)
   EXPECT_THROW(tracker.advance(2), SC::Invalid_input);
   EXPECT_THROW(tracker.advance(std::nan("")), SC::Invalid_input);
   EXPECT_TRUE(tracker.advance(1).has_point());
+  tracker.add(sin(x) + y <= t);
+  EXPECT_THROW(tracker.advance(1), SC::Invalid_input) << "elementary functions";
 }
 
 } // namespace constraint_tracking_test

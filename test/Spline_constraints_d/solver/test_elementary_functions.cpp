@@ -6,7 +6,13 @@
 // give; where functions are not defined; roots on faces, multiple ones, inequalities; limits and bad input.
 
 #include <CGAL/Spline_constraints_d/function/Elementary_values.h>
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/function/expression_bounds.h>
+#include <CGAL/Spline_constraints_d/function/expression_derivative.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/verify.h>
 
 #include "solver_test_checks.h"
 
@@ -57,6 +63,7 @@ void expect_roots(const std::function<Power_polynomial(Elementary_values&)>& mak
     EXPECT_LE(solutions[k][0].first, roots[k] + 1e-13 * std::abs(roots[k]));
     EXPECT_GE(solutions[k][0].second, roots[k] - 1e-13 * std::abs(roots[k]));
     EXPECT_LT(solutions[k][0].second - solutions[k][0].first, 1e-12);
+    EXPECT_TRUE(SC::verify({{lower, upper}}, {{function, Relation::EQUAL}}, values, solutions[k])) << roots[k];
   }
 }
 
@@ -253,7 +260,8 @@ TEST(Elementary_functions, planted_roots_of_systems)
       constraints.emplace_back(equations.back().function(), Relation::EQUAL);
     }
     const SC::Solver_options options{.node_limit = 2000};
-    const Solutions solutions = SC::Propagation_solver_d(options)(Domain(n, {-2, 2}), constraints, values);
+    const Domain domain(n, {-2, 2});
+    const Solutions solutions = SC::Propagation_solver_d(options)(domain, constraints, values);
     EXPECT_GE(holders(solutions, root), 1u);
     complete += solutions.is_complete();
     for (const auto& solution : solutions)
@@ -261,6 +269,7 @@ TEST(Elementary_functions, planted_roots_of_systems)
         ++certified;
         for (const Planted_equation& equation : equations)
           EXPECT_LT(std::abs(equation(solution.point())), 1e-8);
+        EXPECT_TRUE(SC::verify(domain, constraints, values, solution));
       }
   }
   EXPECT_GT(complete, 40u);
@@ -347,6 +356,7 @@ TEST(Elementary_functions, roots_that_need_exact_signs)
   EXPECT_LE(doubled[0][0].first, 0);
   EXPECT_GE(doubled[0][0].second, 0);
   EXPECT_LT(doubled[0][0].second - doubled[0][0].first, 1e-6);
+  EXPECT_TRUE(SC::verify({{-1, 2}}, {{w.exp(x) - 1 - x, Relation::EQUAL}}, w, doubled[0]));
 
   Elementary_values s;
   const Solutions irrational = solve({{1, 5}}, {{s.sin(x) - 1, Relation::EQUAL}}, s);
@@ -354,6 +364,7 @@ TEST(Elementary_functions, roots_that_need_exact_signs)
   ASSERT_EQ(irrational.size(), 1u);
   EXPECT_EQ(irrational[0].reason(), Undecided_reason::TOLERANCE);
   EXPECT_NEAR(irrational[0].point()[0], std::numbers::pi / 2, 1e-6);
+  EXPECT_FALSE(SC::verify({{1, 5}}, {{s.sin(x) - 1, Relation::EQUAL}}, s, irrational[0]));
 
   for (const Relation relation : {Relation::LESS_EQUAL, Relation::GREATER, Relation::NOT_EQUAL}) {
     Elementary_values e;
@@ -410,6 +421,164 @@ TEST(Elementary_functions, limits_and_bad_input)
   EXPECT_THROW(v.power(x, Rational(1000000000)), SC::Invalid_input);
   const std::vector<std::string> no_names;
   EXPECT_THROW(v.text(x, no_names), SC::Invalid_input);
+}
+
+// What verify() refuses: answers of other systems, boxes beside the root, other domains and inequalities.
+TEST(Elementary_functions, wrong_answers_are_not_verified)
+{
+  const Power_polynomial x = unknown(0);
+  Elementary_values v;
+  const Constraints constraints{{v.exp(x) - 2, Relation::EQUAL}};
+  const Solutions solutions = solve({{-5, 5}}, constraints, v);
+  ASSERT_EQ(solutions.size(), 1u);
+  EXPECT_TRUE(SC::verify({{-5, 5}}, constraints, v, solutions[0]));
+  EXPECT_FALSE(SC::verify({{1, 5}}, constraints, v, solutions[0]));
+  EXPECT_FALSE(SC::verify({{-5, 5}, {0, 1}}, constraints, v, solutions[0]));
+  EXPECT_FALSE(SC::verify({{-5, 5}}, {{v.exp(x) - 3, Relation::EQUAL}}, v, solutions[0]));
+  for (const bool is_less : {true, false}) {
+    const Constraints with_inequality{constraints[0], {x - 1, is_less ? Relation::LESS : Relation::GREATER}};
+    EXPECT_EQ(SC::verify({{-5, 5}}, with_inequality, v, solutions[0]), is_less);
+  }
+  const auto answer = [](double lower, double upper) {
+    return SC::Solution_d<double>(Solution_kind::CERTIFIED, {{lower, upper}}, {{lower, upper}}, "made by hand",
+                                  Undecided_reason::NONE, 1);
+  };
+  EXPECT_TRUE(SC::verify({{-5, 5}}, constraints, v, answer(0.5, 0.75)));
+  EXPECT_FALSE(SC::verify({{-5, 5}}, constraints, v, answer(0.5, std::nextafter(std::log(2.0), 0))));
+  EXPECT_FALSE(SC::verify({{-5, 5}}, constraints, v, answer(0.75, 1)));
+  // of two roots, a box with both, and with one on its end
+  const Constraints waves{{v.sin(x), Relation::EQUAL}};
+  EXPECT_FALSE(SC::verify({{-5, 5}}, waves, v, answer(-0.5, 3.5)));
+  EXPECT_TRUE(SC::verify({{-5, 5}}, waves, v, answer(0, 0.25)));
+}
+
+namespace {
+
+void expect_points(const Solutions& solutions, const std::vector<SC::Constraint>& constraints,
+                   const std::vector<std::vector<double>>& points)
+{
+  EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
+  ASSERT_EQ(solutions.count(Solution_kind::CERTIFIED), points.size());
+  EXPECT_EQ(solutions.size(), points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t j = 0; j < points[k].size(); ++j)
+      EXPECT_NEAR(solutions[k].point()[j], points[k][j], 1e-12) << k;
+    EXPECT_TRUE(SC::verify(constraints, solutions[k])) << k;
+  }
+}
+
+void expect_points(const std::vector<SC::Constraint>& constraints, const std::vector<std::vector<double>>& points)
+{
+  expect_points(SC::solve(constraints), constraints, points);
+}
+
+} // namespace
+
+TEST(Functions_in_formulas, known_points)
+{
+  constexpr double pi = std::numbers::pi;
+  const auto [x, y] = SC::unknowns({-4, 4}, {-4, 4});
+  const Rational half(1, 2);
+  const double log_2 = std::log(2.0);
+  const std::vector<std::vector<double>> sines{{-7 * pi / 6, log_2}, {pi / 6, log_2}, {5 * pi / 6, log_2}};
+  expect_points({sin(x) == half, exp(y) == 2}, sines);
+  expect_points({x * exp(x) == 1, y == log(x)}, {{0.5671432904097838, -0.5671432904097838}}); // W(1)
+  expect_points({x - sin(x) / 2 == 1, y == tan(x / 2)},
+                {{1.4987011335178483, std::tan(1.4987011335178483 / 2)}}); // Kepler
+  expect_points({atan(x / y) == SC::Expression::pi() / 4, x + y == 3}, {{1.5, 1.5}});
+  expect_points({sqrt(x + y) == 2, sqrt(x - y) == 1}, {{2.5, 1.5}});
+  expect_points({pow(x, 1.5) == 8, abs(y) == 2, y < x - 3}, {{4, -2}});
+  expect_points({pow(x, Rational(1, 3)) == y, pow(y, -2) == 1, cosh(x) > 1}, {{1, 1}});
+  expect_points({asin(x) == acos(y), x == y}, {{std::sqrt(0.5), std::sqrt(0.5)}});
+  expect_points({sinh(x) == 1, tanh(y) == half}, {{std::asinh(1.0), std::atanh(0.5)}});
+  // numbers before and after unknowns
+  expect_points({sqrt(SC::Expression(2)) * x == exp(SC::Expression(1)), y / log(SC::Expression(2)) == cos(x)},
+                {{std::exp(1.0) / std::sqrt(2.0), std::log(2.0) * std::cos(std::exp(1.0) / std::sqrt(2.0))}});
+  const Solutions of_pack = solve(sin(x) == half, exp(y) == 2);
+  expect_points(of_pack, {sin(x) == half, exp(y) == 2}, sines);
+}
+
+// Where a value or a quotient is not defined is no solution, whatever is multiplied out; what cancels is not asked for.
+TEST(Functions_in_formulas, where_they_are_defined)
+{
+  const auto [x] = SC::unknowns({-4, 4});
+  expect_points({x * log(x + 1) / log(x + 1) == 0}, {{0}});
+  expect_points({(x * x - 1) / log(x) == 0}, {});
+  expect_points({(x * x - 4) / log(x) == 0}, {{2}});
+  expect_points({(x * x - 4) / exp(log(x)) == 0}, {{2}});
+  expect_points({(x * x - 4) * exp(sqrt(x)) == 0}, {{2}});
+  expect_points({sin(1 / x) * (x * x - 9) == sin(1 / x) * 0 + x * x - 9, x > 2}, {{3}});
+  expect_points({x * x == 4, 1 / sin(x) < 0}, {{-2}});
+  expect_points({x * x == 4, 1 / exp(x) < 1}, {{2}});
+}
+
+TEST(Functions_in_formulas, exact_values_and_derivatives)
+{
+  const auto [x, y] = SC::unknowns({-4, 4}, {-4, 4});
+  const std::vector<Rational> zero{0, 0}, point{Rational(9, 4), 1};
+  const SC::Expression f = exp(x) * cos(y) + sqrt(x + 4) - abs(y - 3);
+  EXPECT_EQ(f(zero), 0);
+  EXPECT_EQ((sqrt(x) + log(y))(point), Rational(3, 2));
+  EXPECT_THROW(f(point), SC::Invalid_input);
+  EXPECT_THROW(log(x)(zero), SC::Invalid_input);
+  EXPECT_EQ(exp(SC::Expression(0))({}), 1);
+  EXPECT_EQ(sqrt(SC::Expression(Rational(9, 4)))({}), Rational(3, 2));
+  EXPECT_FALSE(f.is_polynomial());
+  EXPECT_TRUE((f - f + x).is_polynomial());
+  EXPECT_EQ(SC::Expression::pi().domains(), nullptr);
+  EXPECT_EQ((SC::Expression::pi() * x).domains(), x.domains());
+
+  const auto is_zero = [](const SC::Expression& e) { return e.numerator().is_zero(); };
+  EXPECT_TRUE(is_zero(derivative(sin(x * y), x) - y * cos(x * y)));
+  EXPECT_TRUE(is_zero(derivative(log(x), x) * x - 1));
+  EXPECT_TRUE(is_zero(derivative(exp(sin(x)), x) - cos(x) * exp(sin(x))));
+  EXPECT_TRUE(is_zero(derivative(pow(x, 2.5), x) - Rational(5, 2) * pow(x, 1.5)));
+  EXPECT_TRUE(is_zero(derivative(atan(x), x) - 1 / (1 + x * x)));
+  EXPECT_TRUE(is_zero(derivative(SC::Expression::pi(), x)));
+  EXPECT_TRUE(is_zero(derivative(sin(y), x)));
+
+  // against differences, of all functions
+  const std::vector<SC::Expression> all{exp(x),    log(x),  sqrt(x), sin(x),  cos(x),  tan(x), asin(x),
+                                        acos(x),   atan(x), sinh(x), cosh(x), tanh(x), abs(x), pow(x, Rational(1, 3)),
+                                        1 / sin(x)};
+  for (const SC::Expression& g : all) {
+    // values and derivatives as solutions of equations
+    SCOPED_TRACE(testing::PrintToString(&g - all.data()));
+    const auto value_at = [&](const SC::Expression& e, double place) {
+      const auto solutions = SC::solve(std::vector<SC::Constraint>{x == place, y == e});
+      return solutions.size() == 1 ? solutions[0].point()[1] : std::nan("");
+    };
+    const double h = 0x1p-12, middle = value_at(derivative(g, x), 0.5);
+    EXPECT_NEAR((value_at(g, 0.5 + h) - value_at(g, 0.5 - h)) / (2 * h), middle, 1e-5);
+  }
+}
+
+TEST(Functions_in_formulas, bad_input)
+{
+  const auto [x, y] = SC::unknowns({-4, 4}, {-4, 4});
+  const auto [other] = SC::unknowns({-4, 4});
+  const auto message = [](const auto& call) {
+    try {
+      call();
+    } catch (const SC::Invalid_input& error) {
+      return std::string(error.what());
+    }
+    return std::string("no exception");
+  };
+  const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != text.npos; };
+  EXPECT_TRUE(has(message([] { log(SC::Expression(-1)); }), "the function ln is not defined for -1"));
+  EXPECT_TRUE(has(message([] { sqrt(SC::Expression(-1)); }), "sqrt"));
+  EXPECT_TRUE(has(message([&] { pow(x, Rational(1000000000)); }), "exponent"));
+  EXPECT_TRUE(has(message([&] { sin(x) + other; }), "different calls"));
+  EXPECT_THROW(SC::Expression::function_of(Elementary_function::POWER, x), SC::Invalid_input);
+  EXPECT_THROW(1 / sin(x - x), SC::Invalid_input);
+  // where only polynomials are possible
+  const std::vector<SC::Constraint> constraints{x * sin(y) == 1};
+  EXPECT_TRUE(has(message([&] { SC::make_system(constraints); }), "the function sin"));
+  EXPECT_TRUE(has(message([&] { SC::solve_curves(constraints[0]); }), "the function sin"));
+  EXPECT_TRUE(has(message([&] { SC::solve(constraints); }), "equalities"));
+  EXPECT_TRUE(has(message([&] { SC::bounds(exp(x), {{0, 1}, {0, 1}}); }), "the function exp"));
+  EXPECT_THROW((x + sin(y)).polynomial(), SC::Invalid_input);
 }
 
 } // namespace elementary_functions_test

@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/expanded.h>
 #endif
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -28,7 +29,8 @@ namespace Spline_constraints {
 
 namespace internal {
 
-// The names of the symbols of a formula: x0, x1, ... for unknowns, s5(x0,x1) for splines, f6 for formulas.
+// The names of the symbols of a formula: x0, x1, ... for unknowns, s5(x0,x1) for splines, f6 for formulas, v7 for
+// values of functions.
 std::vector<std::string> symbol_names(const Symbol_table& symbols);
 
 // A function of the unknowns alone; `check()` may end the work by an exception. Defined in internal/expanded.h.
@@ -44,6 +46,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::string> symbol_names(const Symbo
     const char* letter = symbol.kind == Symbol::Kind::UNKNOWN ? "x"
         : symbol.kind == Symbol::Kind::SPLINE                 ? "s"
         : symbol.kind == Symbol::Kind::FORMULA                ? "f"
+        : symbol.kind == Symbol::Kind::VALUE                  ? "v"
                                                               : "y";
     std::string& name = names.emplace_back(letter).append(std::to_string(i));
     for (std::size_t j = 0; j < symbol.unknowns.size(); ++j)
@@ -101,6 +104,15 @@ struct Constraint
   Spline_function spline_function(const std::function<void()>& check = {}) const
   {
     return internal::expanded(symbols.get(), function, check);
+  }
+
+  //! tells whether values of elementary functions occur: then the constraint is no spline. See
+  //! `elementary_constraints()`.
+  bool has_elementary_functions() const
+  {
+    return symbols != nullptr &&
+        (symbols->has_values(function) ||
+         std::ranges::any_of(conditions, [&](const Power_polynomial& p) { return symbols->has_values(p); }));
   }
 
   //! the conditions as functions of the unknowns alone, each up to a positive factor. \throws Invalid_input as

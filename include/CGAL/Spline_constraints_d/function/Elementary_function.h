@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace CGAL {
@@ -55,6 +56,18 @@ inline std::string_view name_of(Elementary_function function)
                                                    "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs"};
   return names[static_cast<std::size_t>(function)];
 }
+
+namespace internal {
+
+// For messages.
+inline std::string in_words(Elementary_function function)
+{
+  return function == Elementary_function::RECIPROCAL ? "a reciprocal"
+      : function == Elementary_function::POWER       ? "a power"
+                                                     : "the function " + std::string(name_of(function));
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions

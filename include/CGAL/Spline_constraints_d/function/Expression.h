@@ -10,15 +10,20 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_EXPRESSION_H
 
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_function.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
+#include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -27,89 +32,24 @@
 namespace CGAL {
 namespace Spline_constraints {
 
-namespace internal {
-
-Monomial least_common_multiple(const Monomial& a, const Monomial& b);
-
-// \pre b divides a
-Monomial quotient(const Monomial& a, const Monomial& b);
-
-// The largest monomial that divides all terms; 1 for the zero polynomial.
-Monomial monomial_content(const Power_polynomial& polynomial);
-
-Power_polynomial polynomial_of(const Monomial& monomial);
-
-// \pre the monomial divides all terms
-Power_polynomial divided(const Power_polynomial& polynomial, const Monomial& monomial);
-
-#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE Monomial least_common_multiple(const Monomial& a, const Monomial& b)
-{
-  Monomial result = a;
-  for (const auto& [symbol, exponent] : b.powers)
-    result = result.with_exponent(symbol, (std::max)(exponent, result.exponent(symbol)));
-  return result;
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE Monomial quotient(const Monomial& a, const Monomial& b)
-{
-  Monomial result = a;
-  for (const auto& [symbol, exponent] : b.powers)
-    result = result.with_exponent(symbol, result.exponent(symbol) - exponent);
-  return result;
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE Monomial monomial_content(const Power_polynomial& polynomial)
-{
-  Monomial result;
-  bool is_first = true;
-  for (const auto& [monomial, coefficient] : polynomial.terms()) {
-    if (is_first)
-      result = monomial;
-    is_first = false;
-    Monomial common;
-    for (const auto& [symbol, exponent] : result.powers)
-      if (const int least = (std::min)(exponent, monomial.exponent(symbol)); least > 0)
-        common.powers.emplace_back(symbol, least);
-    result = std::move(common);
-    if (result.powers.empty())
-      break;
-  }
-  return result;
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial polynomial_of(const Monomial& monomial)
-{
-  Power_polynomial result(1);
-  for (const auto& [symbol, exponent] : monomial.powers)
-    result *= pow(Power_polynomial::variable(symbol), exponent);
-  return result;
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial divided(const Power_polynomial& polynomial, const Monomial& monomial)
-{
-  if (monomial.powers.empty())
-    return polynomial;
-  Power_polynomial result;
-  for (const auto& [own, coefficient] : polynomial.terms())
-    result += Power_polynomial(coefficient) * polynomial_of(quotient(own, monomial));
-  return result;
-}
-#endif
-
-} // namespace internal
-
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A formula in unknowns: what `+`, `-`, `*`, `/` and `pow` make of `Unknown`s, numbers, and coordinates of curves and
-surfaces (`Spline_map`). Comparing two expressions makes a `Constraint`.
+A formula in unknowns: what `+`, `-`, `*`, `/`, `pow` and elementary functions make of `Unknown`s, numbers, and
+coordinates of curves and surfaces (`Spline_map`). Comparing two expressions makes a `Constraint`.
 
 A formula is a quotient \f$n/d\f$. The numerator is a polynomial, expanded and exact, in the unknowns and in the splines
 that occur in the formula: not in their coefficients, so that \f$x_1(u)\, y_2(v)\f$ is one term whatever the degrees
 are. The denominator is a product of weights, which are proved to be positive, and of other divisors. Equal ones are
 recognized, get a common denominator that holds them once, and cancel as in the field of rational functions: `x*x/x` is
 `x`. Splines are multiplied out only in `Constraint::spline_function()`.
+
+`exp`, `log`, `sqrt`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`, `sinh`, `cosh`, `tanh`, `abs` and powers with
+exponents that are no integers are defined as `Elementary_function` says; of numbers, too: `sqrt(Expression(3))` and
+`Expression::pi()` are exact. Their values are symbols like splines: equal ones are one, and no law of the functions is
+applied but what is rational, as `exp(Expression(0))`. A constraint holds only where all values that occur in it, and in
+its divisors, are defined; what cancels, as in `log(x) - log(x)`, does not occur. Where only polynomials and splines are
+possible, such formulas are refused.
 
 \throws Invalid_input from every operation on two expressions whose unknowns come from different calls of `unknowns()`;
 and see `Power_polynomial`.
@@ -153,13 +93,15 @@ public:
   //! the ranges of the unknowns that were made together with those in the formula; null when none occurs.
   std::shared_ptr<const Unknown_domains> domains() const
   {
-    return m_symbols == nullptr ? nullptr : std::shared_ptr<const Unknown_domains>(m_symbols, &m_symbols->domains());
+    return m_symbols == nullptr || m_symbols->domains().empty()
+        ? nullptr
+        : std::shared_ptr<const Unknown_domains>(m_symbols, &m_symbols->domains());
   }
 
   /*!
   the exact value at a point with one coordinate for each unknown that was made together with those in the formula.
-  \throws Invalid_input when the point has a wrong number of coordinates, a divisor is zero there, or an unknown without
-  a range occurs.
+  \throws Invalid_input when the point has a wrong number of coordinates, a divisor is zero there, an unknown without
+  a range occurs, or the value of an elementary function is not rational or not defined.
   */
   Exact_rational operator()(std::span<const Exact_rational> point) const;
 
@@ -183,9 +125,47 @@ public:
     return a;
   }
 
-  //! a power with a non-negative exponent.
-  //! \throws Invalid_input when the exponent is negative.
+  //! a power; one with a negative exponent is divided by.
+  //! \throws Invalid_input when a divisor is zero.
   friend Expression pow(const Expression& base, int exponent);
+
+  //! a power with any constant exponent, see `Elementary_values::power()`.
+  //! \throws Invalid_input when the exponent is not finite, or an integer that is too large, or the base is a number of
+  //! which there is no such power.
+  template <class T>
+  requires std::convertible_to<const T&, Power_polynomial> &&
+      (!std::derived_from<T, Power_polynomial>)&&(!std::integral<T>)friend Expression
+      pow(const Expression& base, const T& exponent)
+  {
+    return power_of(base, Power_polynomial(exponent).constant_term());
+  }
+
+  //! \name Elementary functions
+  //! \throws Invalid_input when the argument is a rational number for which the function is not defined.
+  //! @{
+  friend Expression exp(const Expression& x) { return function_of(Elementary_function::EXPONENTIAL, x); }
+  friend Expression log(const Expression& x) { return function_of(Elementary_function::LOGARITHM, x); }
+  friend Expression sqrt(const Expression& x) { return function_of(Elementary_function::SQUARE_ROOT, x); }
+  friend Expression sin(const Expression& x) { return function_of(Elementary_function::SINE, x); }
+  friend Expression cos(const Expression& x) { return function_of(Elementary_function::COSINE, x); }
+  friend Expression tan(const Expression& x) { return function_of(Elementary_function::TANGENT, x); }
+  friend Expression asin(const Expression& x) { return function_of(Elementary_function::ARC_SINE, x); }
+  friend Expression acos(const Expression& x) { return function_of(Elementary_function::ARC_COSINE, x); }
+  friend Expression atan(const Expression& x) { return function_of(Elementary_function::ARC_TANGENT, x); }
+  friend Expression sinh(const Expression& x) { return function_of(Elementary_function::HYPERBOLIC_SINE, x); }
+  friend Expression cosh(const Expression& x) { return function_of(Elementary_function::HYPERBOLIC_COSINE, x); }
+  friend Expression tanh(const Expression& x) { return function_of(Elementary_function::HYPERBOLIC_TANGENT, x); }
+  friend Expression abs(const Expression& x) { return function_of(Elementary_function::ABSOLUTE_VALUE, x); }
+  //! @}
+
+  //! the number \f$\pi\f$: four times `atan(1)`.
+  static Expression pi() { return 4 * function_of(Elementary_function::ARC_TANGENT, Expression(1)); }
+
+  //! a function of a formula; `POWER` and `RECIPROCAL` are written as `pow` and `/`.
+  //! \param function which one.
+  //! \param argument what it is taken of.
+  //! \throws Invalid_input when it is one of these, or the argument a number for which it is not defined.
+  static Expression function_of(Elementary_function function, const Expression& argument);
 
   //! the square.
   friend Expression square(const Expression& a) { return pow(a, 2); }
@@ -206,11 +186,20 @@ public:
     return compare(std::move(a), Relation::NOT_EQUAL, b);
   }
 
-  //! writes the formula: unknowns as `x0`, `x1`, ..., splines as `s5(x0)`, divisors as `f6`.
+  //! writes the formula: unknowns as `x0`, `x1`, ..., splines as `s5(x0)`, divisors as `f6`, values of functions as
+  //! `v7`.
   friend std::ostream& operator<<(std::ostream& out, const Expression& a);
 
 private:
-  void join(const Expression& other) { m_symbols = internal::common_symbols(m_symbols, other.m_symbols); }
+  // Gives both formulas the same symbols: functions of numbers get those of the other one, which is returned then.
+  std::optional<Expression> join(const Expression& other);
+
+  Expression in_symbols(const std::shared_ptr<internal::Symbol_table>& symbols) const;
+
+  // Without a test whether the function is one that is written so.
+  static Expression value_of(Elementary_function function, const Exact_rational& exponent, const Expression& argument);
+
+  static Expression power_of(const Expression& base, const Exact_rational& exponent);
 
   Expression& add(const Expression& other, int sign);
 
@@ -241,6 +230,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational Expression::operator()(std::span<c
 {
   if (m_symbols == nullptr)
     return m_numerator.constant_term();
+  if (m_symbols->domains().empty())
+    point = {};
   const Exact_rational below = m_symbols->value(internal::polynomial_of(m_denominator), point);
   if (below == Exact_rational(0))
     throw Invalid_input("Expression: a divisor is zero at the point of evaluation");
@@ -249,7 +240,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Exact_rational Expression::operator()(std::span<c
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Expression& Expression::operator*=(const Expression& other)
 {
-  join(other);
+  if (const auto translated = join(other))
+    return *this *= *translated;
   m_numerator *= other.m_numerator;
   m_denominator = m_denominator * other.m_denominator;
   cancel();
@@ -258,7 +250,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Expression& Expression::operator*=(const Expressi
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Expression& Expression::operator/=(const Expression& other)
 {
-  join(other);
+  if (const auto translated = join(other))
+    return *this /= *translated;
   if (other.m_numerator.is_constant()) {
     m_numerator /= other.m_numerator;
     m_numerator *= internal::polynomial_of(other.m_denominator);
@@ -273,6 +266,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Expression& Expression::operator/=(const Expressi
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Expression pow(const Expression& base, int exponent)
 {
+  if (exponent < 0)
+    return 1 / pow(base, -exponent);
   Expression result(base);
   result.m_numerator = pow(base.m_numerator, exponent);
   for (auto& power : result.m_denominator.powers)
@@ -293,9 +288,80 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const
              << internal::polynomial_of(a.m_denominator).to_string(names) << ')';
 }
 
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Expression> Expression::join(const Expression& other)
+{
+  const auto is_of_numbers = [](const Expression& a) {
+    return a.m_symbols != nullptr && a.m_symbols->domains().empty();
+  };
+  if (m_symbols != nullptr && other.m_symbols != nullptr && m_symbols != other.m_symbols) {
+    if (is_of_numbers(other))
+      return other.in_symbols(m_symbols);
+    if (is_of_numbers(*this))
+      *this = in_symbols(other.m_symbols);
+  }
+  m_symbols = internal::common_symbols(m_symbols, other.m_symbols);
+  return std::nullopt;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression
+Expression::in_symbols(const std::shared_ptr<internal::Symbol_table>& symbols) const
+{
+  const Power_polynomial below = symbols->imported(internal::polynomial_of(m_denominator), *m_symbols);
+  return Expression(symbols->imported(m_numerator, *m_symbols), below.terms().begin()->first, symbols);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression Expression::function_of(Elementary_function function,
+                                                                  const Expression& argument)
+{
+  if (function == Elementary_function::RECIPROCAL || function == Elementary_function::POWER)
+    throw Invalid_input("Expression: " + internal::in_words(function) + " is made by / or pow");
+  return value_of(function, Exact_rational(), argument);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression Expression::value_of(Elementary_function function,
+                                                               const Exact_rational& exponent, const Expression& x)
+{
+  if (x.m_numerator.is_constant() && x.m_denominator.powers.empty()) {
+    const Exact_rational number = x.m_numerator.constant_term();
+    if (!internal::is_defined_at(function, exponent, number))
+      throw Invalid_input("Expression: " + internal::in_words(function) + " is not defined for " +
+                          Power_polynomial(number).to_string());
+    if (const auto known = internal::rational_value_of(function, exponent, number))
+      return *known;
+  }
+  const auto symbols =
+      x.m_symbols != nullptr ? x.m_symbols : std::make_shared<internal::Symbol_table>(Unknown_domains());
+  const auto enter = [&](Elementary_function f, const Exact_rational& e, const Power_polynomial& argument) {
+    return Power_polynomial::variable(symbols->enter_value(f, e, argument));
+  };
+  Power_polynomial argument = symbols->without_formulas(x.m_numerator);
+  for (const auto& [divisor, multiplicity] : x.m_denominator.powers)
+    argument *= pow(enter(Elementary_function::RECIPROCAL, Exact_rational(),
+                          symbols->without_formulas(Power_polynomial::variable(divisor))),
+                    multiplicity);
+  return Expression(enter(function, exponent, argument), Monomial(), symbols);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Expression Expression::power_of(const Expression& base, const Exact_rational& exponent)
+{
+  const auto integer_power = [&](const Expression& root, const internal::Big_integer& times) {
+    if (times < -Power_polynomial::maximal_degree || times > Power_polynomial::maximal_degree)
+      throw Invalid_input("Expression: an exponent that is too large");
+    return pow(root, static_cast<int>(times.convert_to<long>()));
+  };
+  const internal::Big_integer numerator = internal::numerator_of(exponent);
+  const internal::Big_integer denominator = internal::denominator_of(exponent);
+  if (denominator == 1)
+    return integer_power(base, numerator);
+  if (denominator == 2)
+    return integer_power(function_of(Elementary_function::SQUARE_ROOT, base), numerator);
+  return value_of(Elementary_function::POWER, exponent, base);
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE Expression& Expression::add(const Expression& other, int sign)
 {
-  join(other);
+  if (const auto translated = join(other))
+    return add(*translated, sign);
   const Monomial common = m_denominator == other.m_denominator
       ? m_denominator
       : internal::least_common_multiple(m_denominator, other.m_denominator);
@@ -350,7 +416,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Constraint Expression::compare(Expression a, Rela
   const bool is_inequality = relation != Relation::EQUAL && relation != Relation::NOT_EQUAL;
   for (const auto& [index, exponent] : a.m_denominator.powers) {
     const internal::Symbol& symbol = symbols[index];
-    if (symbol.sign == 0)
+    // of values, also to ask that they are defined
+    if (symbol.sign == 0 || symbols.has_values(Power_polynomial::variable(index)))
       result.conditions.push_back(symbols.without_formulas(Power_polynomial::variable(index)));
     if (is_inequality && exponent % 2 != 0 && symbol.sign <= 0)
       result.function *= symbol.sign < 0 ? Power_polynomial(-1) : Power_polynomial::variable(index);
@@ -358,7 +425,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Constraint Expression::compare(Expression a, Rela
   if (!symbols.has_only_unknowns(result.function)) {
     Monomial weights;
     for (const auto& power : internal::monomial_content(result.function).powers)
-      if (!symbols.is_unknown(power.first) && symbols[power.first].sign > 0)
+      if (symbols[power.first].kind == internal::Symbol::Kind::SPLINE && symbols[power.first].sign > 0)
         weights.powers.push_back(power);
     result.function = internal::divided(result.function, weights);
   }

@@ -38,7 +38,7 @@ An `Expression` is expanded; a graph is not. \f$(x+1)^{20}\f$ has six operations
 common compute it once. Operands of sums and products are ordered, so that \f$a+b\f$ is \f$b+a\f$; operations on
 constants are done, exactly, when they are entered, and \f$a \pm 0\f$, \f$a - a\f$, \f$0\,a\f$, \f$1\,a\f$, \f$a/1\f$,
 \f$a/a\f$ and \f$-(-a)\f$ are simplified as in the field of rational functions: where a divisor is zero, that may make a
-formula defined. Square roots, sines and cosines have no exact values.
+formula defined. Functions have no exact values.
 
 Derivatives are vertices of the same graph, so that what they share with functions, or with each other, is found, and
 they can be differentiated again. Values: `Graph_evaluation`.
@@ -55,8 +55,8 @@ class Expression_graph
 
 public:
   /*!
-  A formula in a graph: the vertex of its last operation. `+`, `-`, `*`, `/`, `pow`, `sqrt`, `sin` and `cos` of nodes,
-  and of nodes and numbers, make further ones; `==` tells whether two are the same.
+  A formula in a graph: the vertex of its last operation. `+`, `-`, `*`, `/`, `pow`, `sqrt`, `sin`, `cos`, `tan`,
+  `exp`, `log` and `atan` of nodes, and of nodes and numbers, make further ones; `==` tells whether two are the same.
   \throws Invalid_input when nodes of different graphs meet, or the divisor is the number zero.
   */
   class Node
@@ -135,6 +135,10 @@ public:
     friend Node sqrt(const Node& a) { return a.function(internal::Graph_operation::SQUARE_ROOT); }
     friend Node sin(const Node& a) { return a.function(internal::Graph_operation::SINE); }
     friend Node cos(const Node& a) { return a.function(internal::Graph_operation::COSINE); }
+    friend Node tan(const Node& a) { return a.function(internal::Graph_operation::TANGENT); }
+    friend Node exp(const Node& a) { return a.function(internal::Graph_operation::EXPONENTIAL); }
+    friend Node log(const Node& a) { return a.function(internal::Graph_operation::LOGARITHM); }
+    friend Node atan(const Node& a) { return a.function(internal::Graph_operation::ARC_TANGENT); }
 
   private:
     Node number(const Power_polynomial& value) const
@@ -189,7 +193,8 @@ public:
   /*!
   a formula. Its expanded polynomials are entered in nested (Horner) form: again and again the factor that most terms
   have in common is taken out. Complexity: quadratic in the number of terms, in the worst case.
-  \throws Invalid_input when a spline or an unknown without a range occurs, or the graph has too few unknowns.
+  \throws Invalid_input when a spline, an unknown without a range or a function that nodes have not occurs, or the graph
+  has too few unknowns.
   */
   Node node(const Expression& formula) { return composition(formula, unknowns()); }
 

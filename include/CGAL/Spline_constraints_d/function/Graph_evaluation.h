@@ -11,11 +11,13 @@
 
 #include <CGAL/Spline_constraints_d/function/Expression_graph.h>
 #include <CGAL/Spline_constraints_d/function/Operation_count.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_double.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_exact.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_interval.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/assertions.h>
@@ -86,22 +88,61 @@ NT graph_quotient(const NT& a, const NT& b)
   return a / b;
 }
 
-// Square roots of doubles and intervals, sines and cosines of doubles.
+inline Elementary_function function_of(Graph_operation operation)
+{
+  switch (operation) {
+  case Graph_operation::SINE:
+    return Elementary_function::SINE;
+  case Graph_operation::COSINE:
+    return Elementary_function::COSINE;
+  case Graph_operation::TANGENT:
+    return Elementary_function::TANGENT;
+  case Graph_operation::EXPONENTIAL:
+    return Elementary_function::EXPONENTIAL;
+  case Graph_operation::LOGARITHM:
+    return Elementary_function::LOGARITHM;
+  case Graph_operation::ARC_TANGENT:
+    return Elementary_function::ARC_TANGENT;
+  default:
+    return Elementary_function::SQUARE_ROOT;
+  }
+}
+
+inline double function_value(Graph_operation operation, double a)
+{
+  switch (operation) {
+  case Graph_operation::SINE:
+    return std::sin(a);
+  case Graph_operation::COSINE:
+    return std::cos(a);
+  case Graph_operation::TANGENT:
+    return std::tan(a);
+  case Graph_operation::EXPONENTIAL:
+    return std::exp(a);
+  case Graph_operation::LOGARITHM:
+    return std::log(a);
+  case Graph_operation::ARC_TANGENT:
+    return std::atan(a);
+  default:
+    return std::sqrt(a);
+  }
+}
+
+// Functions of doubles; of intervals, on the part where they are defined; of formulas.
 template <class NT>
 NT graph_function(Graph_operation operation, const NT& a)
 {
-  if constexpr (std::floating_point<NT>)
-    return operation == Graph_operation::SQUARE_ROOT ? std::sqrt(a)
-        : operation == Graph_operation::SINE         ? std::sin(a)
-                                                     : std::cos(a);
-  else {
-    if constexpr (std::same_as<NT, CGAL::Interval_nt<false>> || std::same_as<NT, CGAL::Interval_nt<true>>)
-      if (operation == Graph_operation::SQUARE_ROOT)
-        return CGAL::sqrt(a);
-    throw Invalid_input(operation == Graph_operation::SQUARE_ROOT
-                            ? "Graph_evaluation: a square root has no value in these numbers"
-                            : "Graph_evaluation: a sine or cosine has no value in these numbers");
-  }
+  if constexpr (std::same_as<NT, Expression>)
+    return Expression::function_of(function_of(operation), a);
+  else if constexpr (std::floating_point<NT>)
+    return static_cast<NT>(function_value(operation, static_cast<double>(a)));
+  else if constexpr (std::same_as<NT, CGAL::Interval_nt<false>> || std::same_as<NT, CGAL::Interval_nt<true>>) {
+    const Upward_rounding_guard guard;
+    const elementary::Interval x(a.inf(), a.sup());
+    const elementary::Interval values = elementary::range_of_values({function_of(operation)}, x);
+    return NT(values.inf(), values.sup());
+  } else
+    throw Invalid_input("Graph_evaluation: " + in_words(function_of(operation)) + " has no value in these numbers");
 }
 
 } // namespace internal
@@ -114,7 +155,8 @@ is counted. All storage is there when the formulas have been prepared: to evalua
 numbers themselves do.
 
 In exact numbers values are exact; in intervals they enclose as far as these do (`CGAL::Interval_nt<false>` under an
-`Upward_rounding_guard`); doubles round. For other numbers the header of their `Number_traits` has to be included.
+`Upward_rounding_guard`), functions on the part where they are defined; doubles round. For other numbers the header of
+their `Number_traits` has to be included.
 \tparam NT a model of `GraphNumber`; with `Expression`, formulas are composed and expanded.
 */
 template <GraphNumber NT>
@@ -240,6 +282,10 @@ private:
     case Graph_operation::SQUARE_ROOT:
     case Graph_operation::SINE:
     case Graph_operation::COSINE:
+    case Graph_operation::TANGENT:
+    case Graph_operation::EXPONENTIAL:
+    case Graph_operation::LOGARITHM:
+    case Graph_operation::ARC_TANGENT:
       m_values[vertex] = internal::graph_function(operation, a);
       break;
     }

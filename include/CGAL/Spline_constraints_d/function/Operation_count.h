@@ -28,7 +28,7 @@ struct Operation_count
   //! products and quotients, those with constants, too: \f$\mu\f$.
   std::size_t multiplications = 0;
 
-  //! square roots, sines and cosines.
+  //! square roots, sines and other functions.
   std::size_t functions = 0;
 
   //! all of them: \f$T\f$.

@@ -10,12 +10,16 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_UNKNOWN_EXPRESSION_H
 
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/Values_of_symbols.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -114,6 +118,29 @@ there are none.
 */
 const Unknown_domains& common_domains(std::span<const Constraint> constraints);
 
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+
+Constraints as polynomials in unknowns and in values of elementary functions, compared with zero on a box.
+*/
+struct Elementary_constraints
+{
+  Unknown_domains domain;                                         //!< a range for each unknown.
+  std::vector<std::pair<Power_polynomial, Relation>> constraints; //!< with the conditions at the end.
+  Elementary_values values;                                       //!< what the values are.
+};
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+constraints written as formulas, in this form: as `Propagation_solver_d` takes them. Divisors that may vanish make
+further constraints, that they do not. Splines that are one polynomial on the ranges of their unknowns are multiplied
+out.
+\param constraints between the unknowns of one call of `unknowns()`.
+\throws Invalid_input when there are unknowns of several calls, or none; when a spline of several pieces or an unknown
+without a range occurs (the message names the constraint); and as the operations of `Power_polynomial`.
+*/
+Elementary_constraints elementary_constraints(std::span<const Constraint> constraints);
+
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE Unknown::Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index)
   : Expression(Power_polynomial::variable(index), Monomial(), std::move(symbols)), m_index(index)
@@ -154,6 +181,31 @@ CGAL_SPLINE_CONSTRAINTS_INLINE const Unknown_domains& common_domains(std::span<c
   if (result == nullptr)
     throw Invalid_input("common_domains: no unknown occurs in the constraints");
   return *result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE Elementary_constraints elementary_constraints(std::span<const Constraint> constraints)
+{
+  Elementary_constraints result;
+  result.domain = common_domains(constraints);
+  std::vector<Power_polynomial> conditions;
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+    try {
+      const Constraint& constraint = constraints[i];
+      const auto in_values = [&](const Power_polynomial& polynomial) {
+        return constraint.symbols == nullptr
+            ? polynomial
+            : internal::Values_of_symbols(*constraint.symbols, result.values)(polynomial);
+      };
+      result.constraints.emplace_back(in_values(constraint.function), constraint.relation);
+      for (const Power_polynomial& condition : constraint.conditions)
+        if (Power_polynomial own = in_values(condition); std::ranges::find(conditions, own) == conditions.end())
+          conditions.push_back(std::move(own));
+    } catch (const Invalid_input& error) {
+      throw Invalid_input("elementary_constraints: constraint " + std::to_string(i) + ": " + error.what());
+    }
+  for (Power_polynomial& condition : conditions)
+    result.constraints.emplace_back(std::move(condition), Relation::NOT_EQUAL);
+  return result;
 }
 #endif
 

@@ -120,6 +120,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::pair<Unknown_domains, Unknown_domains> halve
 CGAL_SPLINE_CONSTRAINTS_INLINE Polynomial_bounds::Polynomial_bounds(const Symbol_table& symbols,
                                                                     const Power_polynomial& polynomial)
 {
+  symbols.require_no_values(polynomial, "bounds");
   const Power_polynomial without_formulas = symbols.without_formulas(polynomial);
   const Formula_expansion expansion(symbols, without_formulas);
   m_function = expansion.scaled_function();

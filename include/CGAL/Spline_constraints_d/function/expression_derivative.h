@@ -31,26 +31,31 @@ class Derivation
 public:
   Derivation(const std::shared_ptr<Symbol_table>& symbols, int unknown) : m_symbols(symbols), m_unknown(unknown) {}
 
+  Expression formula_of(const Power_polynomial& p) const { return Expression(p, Monomial(), m_symbols); }
+
   // By the chain rule.
-  Power_polynomial of_polynomial(const Power_polynomial& polynomial) const
+  Expression of_polynomial(const Power_polynomial& polynomial) const
   {
-    Power_polynomial result;
+    Expression result = formula_of(0);
     for (int symbol : polynomial.variables())
-      if (const Power_polynomial inner = of_symbol(symbol); !inner.is_zero())
-        result += polynomial.derivative(symbol) * inner;
+      if (const Expression inner = of_symbol(symbol); !inner.numerator().is_zero())
+        result += formula_of(polynomial.derivative(symbol)) * inner;
     return result;
   }
 
-  Power_polynomial of_symbol(int index) const
+  Expression of_symbol(int index) const
   {
     const Symbol& symbol = (*m_symbols)[index];
     switch (symbol.kind) {
     case Symbol::Kind::FORMULA: return of_polynomial(symbol.formula);
-    case Symbol::Kind::SPLINE: return of_spline(symbol);
+    case Symbol::Kind::SPLINE:
+      return formula_of(of_spline(symbol));
+    case Symbol::Kind::VALUE:
+      return of_value(symbol, formula_of(Power_polynomial::variable(index)));
     case Symbol::Kind::UNKNOWN:
     case Symbol::Kind::WITHOUT_RANGE: break;
     }
-    return index == m_unknown ? 1 : 0;
+    return formula_of(index == m_unknown ? 1 : 0);
   }
 
 private:
@@ -63,6 +68,50 @@ private:
         symbol.spline->piecewise_derivative(static_cast<int>(position - symbol.unknowns.begin())));
     result->check_continuity("derivative: that of a spline in the formula");
     return m_symbols->spline_of_unknowns(result, symbol.unknowns, 0);
+  }
+
+  Expression of_value(const Symbol& symbol, const Expression& value) const
+  {
+    const Expression inner = of_polynomial(symbol.formula);
+    return inner.numerator().is_zero() ? inner : outer(symbol, formula_of(symbol.formula), value) * inner;
+  }
+
+  // The derivative of a function at x, where it has a value.
+  static Expression outer(const Symbol& symbol, const Expression& x, const Expression& value)
+  {
+    switch (symbol.function) {
+    case Elementary_function::RECIPROCAL:
+      return -square(value);
+    case Elementary_function::POWER:
+      return symbol.exponent * value / x;
+    case Elementary_function::SQUARE_ROOT:
+      return 1 / (2 * value);
+    case Elementary_function::EXPONENTIAL:
+      return value;
+    case Elementary_function::LOGARITHM:
+      return 1 / x;
+    case Elementary_function::SINE:
+      return cos(x);
+    case Elementary_function::COSINE:
+      return -sin(x);
+    case Elementary_function::TANGENT:
+      return 1 + square(value);
+    case Elementary_function::ARC_SINE:
+      return 1 / sqrt(1 - square(x));
+    case Elementary_function::ARC_COSINE:
+      return -1 / sqrt(1 - square(x));
+    case Elementary_function::ARC_TANGENT:
+      return 1 / (1 + square(x));
+    case Elementary_function::HYPERBOLIC_SINE:
+      return cosh(x);
+    case Elementary_function::HYPERBOLIC_COSINE:
+      return sinh(x);
+    case Elementary_function::HYPERBOLIC_TANGENT:
+      return 1 - square(value);
+    case Elementary_function::ABSOLUTE_VALUE:
+      return value / x;
+    }
+    return value;
   }
 };
 
@@ -77,20 +126,22 @@ private:
 the partial derivative of a formula by an unknown.
 
 The splines in the formula are differentiated one by one, so all of their derivatives have to be continuous; for a point
-of a rational curve `derivative(map)` asks for less.
+of a rational curve `derivative(map)` asks for less. Those of \f$|x|\f$ and \f$x^r\f$ are \f$|x|/x\f$ and
+\f$r x^r/x\f$, which are not defined at zero.
 \throws Invalid_input when the derivative of a spline jumps (the message names the parameter), or the unknown comes from
 another call of `unknowns()`.
 */
-inline Expression derivative(const Expression& formula, const Unknown& u)
+inline Expression derivative(const Expression& f, const Unknown& u)
 {
-  const auto& symbols = internal::common_symbols(formula.symbols(), u.symbols());
+  const Expression formula = f + (u - u); // functions of numbers get the symbols of the unknown
+  const auto& symbols = formula.symbols();
   const internal::Derivation derivation(symbols, u.index());
-  const auto polynomial = [&](const Power_polynomial& p) { return Expression(p, Monomial(), symbols); };
   // (n/d)' = (n' - n sum_i e_i f_i'/f_i) / d for d = prod_i f_i^(e_i)
-  Expression result = polynomial(derivation.of_polynomial(formula.numerator()));
+  Expression result = derivation.of_polynomial(formula.numerator());
   for (const auto& [factor, exponent] : formula.denominator().powers)
-    if (const Power_polynomial inner = derivation.of_symbol(factor); !inner.is_zero())
-      result -= polynomial(formula.numerator() * inner) * exponent / polynomial(Power_polynomial::variable(factor));
+    if (const Expression inner = derivation.of_symbol(factor); !inner.numerator().is_zero())
+      result -= derivation.formula_of(formula.numerator()) * inner * exponent /
+          derivation.formula_of(Power_polynomial::variable(factor));
   return result * Expression(1, formula.denominator(), symbols);
 }
 

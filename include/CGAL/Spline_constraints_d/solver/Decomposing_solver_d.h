@@ -9,7 +9,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DECOMPOSING_SOLVER_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DECOMPOSING_SOLVER_D_H
 
+#include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
@@ -19,8 +21,10 @@
 #endif
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
+#include <span>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -95,14 +99,27 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-all solutions of constraints written as formulas: `solve(x*x + y*y == 2, x*y == 1)`.
-\throws Invalid_input as `make_system()` and `Decomposing_solver_d`.
+all solutions of constraints written as formulas. With elementary functions, by `Propagation_solver_d`.
+\param constraints between the unknowns of one call of `unknowns()`.
+\param options limits and the rest.
+\throws Invalid_input as `make_system()` and `Decomposing_solver_d`, or as `Propagation_solver_d`.
+*/
+inline Solution_set_d<double> solve(std::span<const Constraint> constraints, const Solver_options& options = {})
+{
+  return std::ranges::any_of(constraints, &Constraint::has_elementary_functions)
+      ? Propagation_solver_d(options)(constraints)
+      : solve(make_system(constraints), options);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+the same: `solve(x*x + y*y == 2, exp(x) == y)`.
 */
 template <std::same_as<Constraint>... Constraints>
 Solution_set_d<double> solve(const Constraint& first, const Constraints&... others)
 {
   const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
-  return solve(make_system(constraints));
+  return solve(std::span<const Constraint>(constraints));
 }
 
 } // namespace Spline_constraints

@@ -9,9 +9,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PROPAGATION_SOLVER_D_H
 
+#include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -20,6 +22,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_of_polynomials.h>
 #endif
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -105,6 +108,15 @@ public:
                                     const Elementary_values& values) const
   {
     return internal::solution_set_by_propagation(domain, constraints, m_options, values);
+  }
+
+  //! the same of formulas in the unknowns of one call of `unknowns()`.
+  //! \param constraints as many equalities as unknowns.
+  //! \throws Invalid_input as `elementary_constraints()` and the functions above.
+  Solution_set_d<double> operator()(std::span<const Constraint> constraints) const
+  {
+    const Elementary_constraints all = elementary_constraints(constraints);
+    return (*this)(all.domain, all.constraints, all.values);
   }
 };
 

@@ -9,26 +9,65 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_VERIFY_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_VERIFY_H
 
+#include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/System_decomposition.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/Elementary_proof.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/surface_proof.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
+
+namespace internal {
+namespace verification {
+
+// Nothing where it is infinite or empty or has a wrong number of ranges.
+template <class Coordinate>
+std::optional<std::vector<std::pair<Exact_rational, Exact_rational>>> box_of(const Solution_d<Coordinate>& solution,
+                                                                             int dimension)
+{
+  if constexpr (std::is_floating_point_v<Coordinate>)
+    for (const auto& [lower, upper] : solution.box())
+      if (!std::isfinite(lower) || !std::isfinite(upper))
+        return std::nullopt;
+  std::vector<std::pair<Exact_rational, Exact_rational>> box;
+  for (const auto& [lower, upper] : solution.exact_box()) {
+    if (upper < lower)
+      return std::nullopt;
+    box.push_back({lower, upper});
+  }
+  return static_cast<int>(box.size()) == dimension ? std::optional(std::move(box)) : std::nullopt;
+}
+
+// Defined in verification/Elementary_proof.h.
+bool is_proved(const std::vector<std::pair<Exact_rational, Exact_rational>>& domain,
+               const std::vector<std::pair<Power_polynomial, Relation>>& constraints, const Elementary_values& values,
+               Solution_kind kind, const std::vector<std::pair<Exact_rational, Exact_rational>>& box);
+
+} // namespace verification
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
@@ -90,21 +129,54 @@ times over. Independent of the rounding mode.
 template <class Coordinate>
 bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& solution)
 {
-  if constexpr (std::is_floating_point_v<Coordinate>)
-    for (const auto& [lower, upper] : solution.box())
-      if (!std::isfinite(lower) || !std::isfinite(upper))
-        return false;
-  std::vector<std::pair<Exact_rational, Exact_rational>> box;
-  for (const auto& [lower, upper] : solution.exact_box()) {
-    if (upper < lower)
-      return false;
-    box.push_back({lower, upper});
-  }
-  if (box.size() != static_cast<std::size_t>(system.dimension()))
-    return false;
-  return internal::verification::is_proved(system, solution.kind(), box, solution.ends()) ||
-      (solution.kind() < Solution_kind::CONTINUUM && system.dimension() > 1 &&
-       internal::is_solution_proved_by_parts(system, solution.kind(), box));
+  const auto box = internal::verification::box_of(solution, system.dimension());
+  return box &&
+      (internal::verification::is_proved(system, solution.kind(), *box, solution.ends()) ||
+       (solution.kind() < Solution_kind::CONTINUUM && system.dimension() > 1 &&
+        internal::is_solution_proved_by_parts(system, solution.kind(), *box)));
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+proves one answer of `Propagation_solver_d` once more, in intervals of 256 bits by MPFR and sharing no code with the
+search: `true` only when the proof succeeds.
+
+A *certified* answer: the operator of Krawczyk, with \f$J\f$ the derivatives on a box that is wider by an eighth and a
+margin, maps this into its inside; then it is shrunk until its root is proved to lie in the box of the answer and in the
+domain and to satisfy the inequalities; or a rational point, where all values are rational by the laws of the functions,
+is that root. All values have to be defined and differentiable on the wider box. A *cluster*: proves that the box holds
+a solution, its simplest rational point or as above.
+
+Cost: \f$O(n^3)\f$ operations on numbers of 256 bits, a few times over, and those for values and derivatives.
+\param domain a range for each unknown.
+\param constraints the polynomials that were solved, and how they compare with zero.
+\param values what the values of elementary functions are; none where there are polynomials only.
+\param solution the answer; of it, `kind()` and `exact_box()` are used.
+*/
+template <class Coordinate>
+bool verify(const std::vector<Constraint_system_d::Domain>& domain,
+            const std::vector<std::pair<Power_polynomial, Relation>>& constraints, const Elementary_values& values,
+            const Solution_d<Coordinate>& solution)
+{
+  const auto box = internal::verification::box_of(solution, static_cast<int>(domain.size()));
+  return box && internal::verification::is_proved(domain, constraints, values, solution.kind(), *box);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+proves an answer of `solve()` to constraints written as formulas once more, in the one or the other way.
+\param constraints the formulas that were solved.
+\param solution the answer.
+\throws Invalid_input as `make_system()` or `elementary_constraints()`.
+*/
+template <class Coordinate>
+bool verify(std::span<const Constraint> constraints, const Solution_d<Coordinate>& solution)
+{
+  if (!std::ranges::any_of(constraints, &Constraint::has_elementary_functions))
+    return verify(make_system(constraints), solution);
+  const Elementary_constraints all = elementary_constraints(constraints);
+  return verify(all.domain, all.constraints, all.values, solution);
 }
 
 /*!

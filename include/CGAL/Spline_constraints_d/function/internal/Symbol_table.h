@@ -9,11 +9,14 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SYMBOL_TABLE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SYMBOL_TABLE_H
 
+#include <CGAL/Spline_constraints_d/function/Elementary_function.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -36,19 +39,34 @@ using Unknown_domains = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
 namespace internal {
 
+// Defined in Elementary_values.h.
+std::optional<Exact_rational> rational_value_of(Elementary_function function, const Exact_rational& exponent,
+                                                const Exact_rational& x);
+bool is_defined_at(Elementary_function function, const Exact_rational& exponent, const Exact_rational& x);
+
 /*
 What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order
-of their first use, splines of unknowns, formulas that something was divided by, and unknowns without a range.
+of their first use, splines of unknowns, formulas that something was divided by, unknowns without a range, and values of
+elementary functions. What these are taken of is divided by means of reciprocals, which are values, too.
 */
 struct Symbol
 {
-  enum class Kind { UNKNOWN, SPLINE, FORMULA, WITHOUT_RANGE };
+  enum class Kind
+  {
+    UNKNOWN,
+    SPLINE,
+    FORMULA,
+    WITHOUT_RANGE,
+    VALUE
+  };
   Kind kind = Kind::UNKNOWN;
   std::vector<int> unknowns;                       // that a spline depends on, one for each of its axes
   std::shared_ptr<const Integer_spline> spline;    // in the ranges of these unknowns
   std::shared_ptr<const Integer_spline> source;    // what the spline was made of
   std::vector<int> source_unknowns;
-  Power_polynomial formula;                        // in symbols of smaller index
+  Power_polynomial formula; // in symbols of smaller index; of a value, what it is taken of
+  Elementary_function function = Elementary_function::RECIPROCAL; // of a value
+  Exact_rational exponent;                                        // of a value that is a power
   int sign = 0;                                    // +1 or -1 where this is proved on the whole domain
 };
 
@@ -82,6 +100,16 @@ public:
   int enter_formula(const Power_polynomial& formula);
 
   int enter_unknown_without_range();
+
+  int enter_value(Elementary_function function, const Exact_rational& exponent, const Power_polynomial& argument);
+
+  // A polynomial in the symbols of a table without unknowns, in those of this one.
+  Power_polynomial imported(const Power_polynomial& polynomial, const Symbol_table& from);
+
+  bool has_values(const Power_polynomial& polynomial) const;
+
+  // Throws when a value of an elementary function occurs, and says where that is not possible.
+  void require_no_values(const Power_polynomial& polynomial, const std::string& where) const;
 
   // The polynomial with formulas in place of the symbols that stand for them.
   Power_polynomial without_formulas(Power_polynomial polynomial) const;
@@ -131,6 +159,8 @@ private:
       throw Invalid_input("Expression: an unknown without a range has no value");
     if (symbol.kind == Symbol::Kind::FORMULA)
       return value(symbol.formula, place, known);
+    if (symbol.kind == Symbol::Kind::VALUE)
+      return value_of_function(symbol, place, known);
     std::vector<Exact_rational> place_of_parameters;
     std::vector<NT> parameters;
     for (int u : symbol.unknowns) {
@@ -138,6 +168,20 @@ private:
       parameters.push_back(*known[u]);
     }
     return symbol.spline->value(std::span<const Exact_rational>(place_of_parameters), std::span<const NT>(parameters));
+  }
+
+  template <class NT>
+  NT value_of_function(const Symbol& symbol, std::span<const Exact_rational> place,
+                       std::vector<std::optional<NT>>& known) const
+  {
+    if constexpr (std::same_as<NT, Exact_rational>) {
+      const NT argument = value(symbol.formula, place, known);
+      if (!is_defined_at(symbol.function, symbol.exponent, argument))
+        throw Invalid_input("Expression: " + in_words(symbol.function) + " is not defined at the point of evaluation");
+      if (const auto result = rational_value_of(symbol.function, symbol.exponent, argument))
+        return *result;
+    }
+    throw Invalid_input("Expression: the value of " + in_words(symbol.function) + " is no rational number");
   }
 };
 
@@ -210,6 +254,58 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Symbol_table::enter_unknown_without_range()
   return static_cast<int>(m_symbols.size()) - 1;
 }
 
+CGAL_SPLINE_CONSTRAINTS_INLINE int Symbol_table::enter_value(Elementary_function function,
+                                                             const Exact_rational& exponent,
+                                                             const Power_polynomial& argument)
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
+    if (const Symbol& s = m_symbols[i];
+        s.kind == Symbol::Kind::VALUE && s.function == function && s.exponent == exponent && s.formula == argument)
+      return static_cast<int>(i);
+  Symbol& symbol = add(Symbol::Kind::VALUE);
+  symbol.function = function;
+  symbol.exponent = exponent;
+  symbol.formula = argument;
+  symbol.sign = function == Elementary_function::EXPONENTIAL || function == Elementary_function::HYPERBOLIC_COSINE;
+  return static_cast<int>(m_symbols.size()) - 1;
+}
+
+// By their names in the order of the other table, where each comes after those that it needs.
+CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::imported(const Power_polynomial& polynomial,
+                                                                       const Symbol_table& from)
+{
+  std::vector<Power_polynomial> names;
+  const auto renamed = [&](const Power_polynomial& p) { return p.value(std::span<const Power_polynomial>(names)); };
+  for (int i = 0, size = from.size(); i < size; ++i) {
+    const Symbol& symbol = from[i];
+    names.push_back(Power_polynomial::variable(
+        symbol.kind == Symbol::Kind::VALUE ? enter_value(symbol.function, symbol.exponent, renamed(symbol.formula))
+                                           : enter_formula(renamed(symbol.formula))));
+  }
+  return renamed(polynomial);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Symbol_table::has_values(const Power_polynomial& polynomial) const
+{
+  return std::ranges::any_of(polynomial.variables(), [&](int s) {
+    const Symbol& symbol = (*this)[s];
+    return symbol.kind == Symbol::Kind::VALUE || (symbol.kind == Symbol::Kind::FORMULA && has_values(symbol.formula));
+  });
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Symbol_table::require_no_values(const Power_polynomial& polynomial,
+                                                                    const std::string& where) const
+{
+  for (const int s : polynomial.variables())
+    if (const Symbol& symbol = (*this)[s]; symbol.kind == Symbol::Kind::VALUE)
+      throw Invalid_input(where + ": a formula with " + in_words(symbol.function) +
+                          ", where only polynomials and splines are possible; solve(), Propagation_solver_d and "
+                          "find_feasible_point() take elementary functions");
+    else if (symbol.kind == Symbol::Kind::FORMULA)
+      require_no_values(symbol.formula, where);
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::without_formulas(Power_polynomial polynomial) const
 {
   for (;;) {
@@ -241,7 +337,9 @@ inline const std::shared_ptr<Symbol_table>& common_symbols(const std::shared_ptr
                                                            const std::shared_ptr<Symbol_table>& b)
 {
   if (a != nullptr && b != nullptr && a != b)
-    throw Invalid_input("Expression: unknowns from different calls of unknowns() in one formula");
+    throw Invalid_input(a->domains().empty() || b->domains().empty()
+                            ? "Expression: a function of numbers where one of unknowns is needed"
+                            : "Expression: unknowns from different calls of unknowns() in one formula");
   return a == nullptr ? b : a;
 }
 

@@ -27,6 +27,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Spline_function expanded(const Symbol_table* symb
 {
   if (symbols == nullptr)
     return polynomial;
+  symbols->require_no_values(polynomial, "Constraint");
   const Power_polynomial without_formulas = symbols->without_formulas(polynomial);
   if (symbols->has_only_unknowns(without_formulas))
     return without_formulas;

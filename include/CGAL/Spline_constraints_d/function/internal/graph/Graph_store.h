@@ -37,7 +37,11 @@ enum class Graph_operation : std::uint8_t
   QUOTIENT,
   SQUARE_ROOT,
   SINE,
-  COSINE
+  COSINE,
+  TANGENT,
+  EXPONENTIAL,
+  LOGARITHM,
+  ARC_TANGENT
 };
 
 // An operation and its operands; of an unknown its index, of a constant its place among the constants.
@@ -85,6 +89,7 @@ public:
   int quotient(int a, int b);
   int power(int base, int exponent);
   int function(Graph_operation operation, int a);
+  int function_derivative(int vertex, int by); // times that of its operand
 
   // A polynomial in the unknowns and symbols of a table, with vertices in place of unknowns, and of other symbols that
   // have one.
@@ -103,6 +108,7 @@ public:
 private:
   int enter(Graph_operation operation, int first, int second);
   int derivative_of(int vertex, const std::vector<int>& of_operands);
+  int one_plus_square(int a) { return sum(constant(1), product(a, a)); }
 };
 
 inline void count_operation(Operation_count& count, Graph_operation operation)
@@ -123,6 +129,10 @@ inline void count_operation(Operation_count& count, Graph_operation operation)
   case Graph_operation::SQUARE_ROOT:
   case Graph_operation::SINE:
   case Graph_operation::COSINE:
+  case Graph_operation::TANGENT:
+  case Graph_operation::EXPONENTIAL:
+  case Graph_operation::LOGARITHM:
+  case Graph_operation::ARC_TANGENT:
     ++count.functions;
     break;
   }

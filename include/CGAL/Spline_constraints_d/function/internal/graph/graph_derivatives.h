@@ -77,13 +77,13 @@ public:
       break;
     }
     case Graph_operation::SQUARE_ROOT:
-      add(a, m_store.quotient(own, m_store.product(m_store.constant(2), vertex)));
-      break;
     case Graph_operation::SINE:
-      add(a, m_store.product(own, m_store.function(Graph_operation::COSINE, a)));
-      break;
     case Graph_operation::COSINE:
-      subtract(a, m_store.product(own, m_store.function(Graph_operation::SINE, a)));
+    case Graph_operation::TANGENT:
+    case Graph_operation::EXPONENTIAL:
+    case Graph_operation::LOGARITHM:
+    case Graph_operation::ARC_TANGENT:
+      add(a, m_store.function_derivative(vertex, own));
       break;
     }
   }
@@ -101,6 +101,27 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<int> Graph_store::gradient(int vertex
   for (int i = 0; i < m_unknowns; ++i)
     result.push_back(adjoints.is_zero(i) ? constant(0) : adjoints[i]);
   return result;
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE int Graph_store::function_derivative(int vertex, int by)
+{
+  const auto [operation, a, unused] = m_vertices[vertex];
+  switch (operation) {
+  case Graph_operation::SQUARE_ROOT:
+    return quotient(by, product(constant(2), vertex));
+  case Graph_operation::SINE:
+    return product(by, function(Graph_operation::COSINE, a));
+  case Graph_operation::COSINE:
+    return negation(product(by, function(Graph_operation::SINE, a)));
+  case Graph_operation::TANGENT:
+    return product(by, one_plus_square(vertex));
+  case Graph_operation::EXPONENTIAL:
+    return product(by, vertex);
+  case Graph_operation::LOGARITHM:
+    return quotient(by, a);
+  default: // arc tangent
+    return quotient(by, one_plus_square(a));
+  }
 }
 
 // By the derivatives of the operands.
@@ -123,11 +144,13 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Graph_store::derivative_of(int vertex, const 
   case Graph_operation::QUOTIENT:
     return quotient(difference(da, product(vertex, db)), b);
   case Graph_operation::SQUARE_ROOT:
-    return quotient(da, product(constant(2), vertex));
   case Graph_operation::SINE:
-    return product(da, function(Graph_operation::COSINE, a));
   case Graph_operation::COSINE:
-    return negation(product(da, function(Graph_operation::SINE, a)));
+  case Graph_operation::TANGENT:
+  case Graph_operation::EXPONENTIAL:
+  case Graph_operation::LOGARITHM:
+  case Graph_operation::ARC_TANGENT:
+    return function_derivative(vertex, da);
   }
   return constant(0);
 }

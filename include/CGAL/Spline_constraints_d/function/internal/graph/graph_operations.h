@@ -203,11 +203,38 @@ private:
       return m_arguments[symbol];
     }
     const Symbol& entry = (*m_symbols)[symbol];
+    if (entry.kind == Symbol::Kind::VALUE)
+      return m_vertices[symbol] = vertex_of_value(entry);
     if (entry.kind != Symbol::Kind::FORMULA)
       throw Invalid_input(entry.kind == Symbol::Kind::SPLINE
                               ? "Expression_graph: a spline occurs in the formula, which is no rational function"
                               : "Expression_graph: an unknown without a range occurs in the formula");
     return m_vertices[symbol] = (*this)(entry.formula);
+  }
+
+  int vertex_of_value(const Symbol& value)
+  {
+    const int argument = (*this)(value.formula);
+    switch (value.function) {
+    case Elementary_function::RECIPROCAL:
+      return m_store.quotient(m_store.constant(1), argument);
+    case Elementary_function::SQUARE_ROOT:
+      return m_store.function(Graph_operation::SQUARE_ROOT, argument);
+    case Elementary_function::EXPONENTIAL:
+      return m_store.function(Graph_operation::EXPONENTIAL, argument);
+    case Elementary_function::LOGARITHM:
+      return m_store.function(Graph_operation::LOGARITHM, argument);
+    case Elementary_function::SINE:
+      return m_store.function(Graph_operation::SINE, argument);
+    case Elementary_function::COSINE:
+      return m_store.function(Graph_operation::COSINE, argument);
+    case Elementary_function::TANGENT:
+      return m_store.function(Graph_operation::TANGENT, argument);
+    case Elementary_function::ARC_TANGENT:
+      return m_store.function(Graph_operation::ARC_TANGENT, argument);
+    default:
+      throw Invalid_input("Expression_graph: " + in_words(value.function) + " occurs in the formula");
+    }
   }
 };
 

@@ -180,6 +180,8 @@ private:
 
   int vertex_of(const Power_polynomial& polynomial, const Symbol_table* symbols, std::size_t domain)
   {
+    if (symbols != nullptr)
+      symbols->require_no_values(polynomial, "Constraint_tracker");
     return m_graph.store()->composition(polynomial, symbols, m_coordinates[domain], m_known_symbols[domain]);
   }
 };
