@@ -45,6 +45,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/feasibility/Elementary_feasibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/feasibility_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_of_polynomials.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>

@@ -3,8 +3,8 @@
 
 // Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less
 // than unknowns, every curve of solutions, and with two less, every surface. With inequalities alone, or still fewer
-// equalities, it tells whether there is a solution: one of them, or that there is none by proof. With as many
-// equalities as unknowns there may be elementary functions.
+// equalities, it tells whether there is a solution: one of them, or that there is none by proof. With elementary
+// functions there are no curves and surfaces: unless there are as many equalities as unknowns, it tells this, too.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE] [--chord-error E]
@@ -112,7 +112,8 @@ int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& inp
   SC::Solver_options options = arguments.options;
   if (!arguments.has_tolerance)
     options.tolerance = 1e-6;
-  const SC::Feasibility_d answer = SC::Feasibility_solver_d(options)(input.domains, polynomial_constraints(input));
+  const SC::Feasibility_d answer =
+      SC::Feasibility_solver_d(options)(input.domains, polynomial_constraints(input), input.values);
   print_feasibility(input.names, answer);
   return answer.is_complete() ? 0 : 3;
 }
@@ -124,7 +125,7 @@ int print_points(const Arguments& arguments, const std::vector<std::string>& nam
   return solutions.is_complete() ? 0 : 3;
 }
 
-// With elementary functions: as many equalities as unknowns.
+// With elementary functions: all solutions of as many equalities as unknowns; of others, whether there is one.
 int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& input)
 {
   if (arguments.number_type != "certified" || arguments.whole || arguments.test != "graph" || arguments.parallel)
@@ -133,13 +134,8 @@ int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& i
   if (!arguments.output.empty())
     throw SC::Invalid_input("--output is for curves and surfaces, which elementary functions have none of here");
   const auto equalities = std::ranges::count(input.constraints, SC::Relation::EQUAL, &SC::Minibex_constraint::relation);
-  if (equalities != static_cast<long>(input.domains.size())) {
-    try {
-      SC::read_minibex(arguments.file);
-    } catch (const SC::Parse_error& error) {
-      throw SC::Invalid_input(std::string(error.what()) + "; elementary functions take as many equalities as unknowns");
-    }
-  }
+  if (equalities != static_cast<long>(input.domains.size()))
+    return decide_feasibility(arguments, input);
   Progress_bar progress;
   SC::Solver_options options = arguments.options;
   options.visitor = progress;

@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Feasibility_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 
@@ -18,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -579,6 +581,114 @@ TEST(Functions_in_formulas, bad_input)
   EXPECT_TRUE(has(message([&] { SC::solve(constraints); }), "equalities"));
   EXPECT_TRUE(has(message([&] { SC::bounds(exp(x), {{0, 1}, {0, 1}}); }), "the function exp"));
   EXPECT_THROW((x + sin(y)).polynomial(), SC::Invalid_input);
+}
+
+namespace {
+
+SC::Feasibility_d feasibility(const std::vector<SC::Constraint>& constraints, std::size_t node_limit = 3000)
+{
+  return SC::Feasibility_solver_d({.tolerance = 1e-6, .node_limit = node_limit})(
+      std::span<const SC::Constraint>(constraints));
+}
+
+// Whether parts without solutions cover a box: every point of a grid, moved a little, lies in one.
+bool is_covered(const SC::Feasibility_d& answer, double lower, double upper)
+{
+  constexpr int steps = 40;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double x = lower + (i + 0.37) / steps * (upper - lower), y = lower + (k + 0.41) / steps * (upper - lower);
+      if (std::ranges::none_of(answer.excluded(), [&](const auto& part) {
+            return part.place[0].first <= x && x <= part.place[0].second && part.place[1].first <= y &&
+                y <= part.place[1].second;
+          }))
+        return false;
+    }
+  return true;
+}
+
+} // namespace
+
+TEST(Feasibility_with_functions, points)
+{
+  const auto [x, y] = SC::unknowns({-4, 4}, {-4, 4});
+  const SC::Feasibility_d high = feasibility({sin(x) + cos(y) > 1.999, x != y});
+  ASSERT_TRUE(high.is_feasible());
+  ASSERT_TRUE(high.has_point());
+  EXPECT_GT(std::sin(CGAL::to_double(high.point()[0])) + std::cos(CGAL::to_double(high.point()[1])), 1.999 - 1e-15);
+  const SC::Feasibility_d too_high = feasibility({sin(x) + cos(y) > 2.001});
+  EXPECT_TRUE(too_high.is_infeasible());
+  EXPECT_TRUE(is_covered(too_high, -4, 4));
+
+  // on a curve, the values of one unknown being chosen
+  for (const double bound : {3.0, 2.0, 0.5}) {
+    const SC::Feasibility_d on_curve = feasibility({exp(x * y) == 2, x + y < -bound, log(-x) < 0.5});
+    ASSERT_TRUE(on_curve.is_feasible()) << bound;
+    const double a = CGAL::to_double(on_curve.box()[0].first), b = CGAL::to_double(on_curve.box()[1].first);
+    EXPECT_NEAR(a * b, std::log(2.0), 1e-12);
+    EXPECT_LT(a + b, -bound);
+    EXPECT_TRUE(on_curve.box()[0].first == on_curve.box()[0].second ||
+                on_curve.box()[1].first == on_curve.box()[1].second);
+    // the box holds one: the equality has different signs at the ends of the unknown that was not chosen
+    const int other = on_curve.box()[0].first == on_curve.box()[0].second;
+    EXPECT_LT(on_curve.box()[other].first, on_curve.box()[other].second);
+  }
+  EXPECT_TRUE(feasibility({exp(x) + exp(y) == Rational(1, 100), x + y > -8}).is_infeasible());
+  const SC::Feasibility_d none = feasibility({exp(x) + y * y == 1, sin(x) > Rational(1, 100), x > -3});
+  EXPECT_TRUE(none.is_infeasible());
+  EXPECT_TRUE(is_covered(none, -4, 4));
+  // where a function is not defined anywhere, or only beside the solutions
+  EXPECT_TRUE(feasibility({log(-2 - x * x) < 5 * y}).is_infeasible());
+  EXPECT_TRUE(feasibility({sqrt(x - 1) < 2, x * x < Rational(9, 10)}).is_infeasible());
+  EXPECT_TRUE(feasibility({1 / sin(x) > 1000}).is_feasible());
+  // more equalities than unknowns, and sets that touch
+  EXPECT_TRUE(feasibility({sin(x) == 0, cos(x) == 1, exp(y) == 1}).has_point());
+  EXPECT_TRUE(feasibility({sin(x) == 0, cos(x) == Rational(1, 2), exp(y) == 1}).is_infeasible());
+  const SC::Feasibility_d touching = feasibility({sin(x) >= 1, y * y <= 1}, 200);
+  EXPECT_EQ(touching.status(), SC::Feasibility::UNDECIDED);
+  EXPECT_FALSE(touching.undecided().empty());
+  EXPECT_THROW(feasibility({sin(x) == 0, y == 1}), SC::Invalid_input);
+}
+
+// Systems with a planted solution are never infeasible; for most it, or another one, is found.
+TEST(Feasibility_with_functions, planted_solutions)
+{
+  std::mt19937_64 random(20261203);
+  std::size_t feasible = 0, infeasible = 0;
+  constexpr int cases = 24;
+  for (int k = 0; k < cases; ++k) {
+    SCOPED_TRACE(k);
+    const int n = 2 + k % 3, equalities = k % n;
+    Elementary_values values;
+    const std::vector<Rational> root = random_point(random, n);
+    Constraints constraints;
+    std::vector<Planted_equation> planted;
+    for (int i = 0; i < n; ++i) {
+      planted.emplace_back(random, root, values);
+      const Power_polynomial& f = planted.back().function();
+      constraints.emplace_back(i < equalities ? f : f - Rational(1, 10),
+                               i < equalities ? Relation::EQUAL : Relation::LESS);
+    }
+    const Domain domain(n, {-2, 2});
+    const SC::Feasibility_solver_d solver({.tolerance = 1e-6, .node_limit = 150});
+    const SC::Feasibility_d answer = solver(domain, constraints, values);
+    EXPECT_FALSE(answer.is_infeasible());
+    feasible += answer.is_feasible();
+    if (answer.is_feasible()) {
+      std::vector<double> point;
+      for (const auto& [lower, upper] : answer.box())
+        point.push_back(CGAL::to_double(lower));
+      for (int i = 0; i < n; ++i)
+        EXPECT_LT(i < equalities ? std::abs(planted[i](point)) : planted[i](point) - 0.1, 1e-8);
+    }
+    // the first function cannot have two values
+    constraints.emplace_back(planted[0].function() - 1, Relation::GREATER);
+    const SC::Feasibility_d contradiction = solver(domain, constraints, values);
+    EXPECT_FALSE(contradiction.is_feasible());
+    infeasible += contradiction.is_infeasible();
+  }
+  EXPECT_GT(feasible, std::size_t(cases * 9 / 10));
+  EXPECT_GT(infeasible, std::size_t(cases / 4));
 }
 
 } // namespace elementary_functions_test

@@ -63,8 +63,8 @@ public:
     std::vector<Undecided_part::Range> place; ///< a range for each unknown
 
     /// one for each constraint: equalities, then inequalities of the system, then polynomials, in their order. Empty
-    /// where critical points that do not exist, or do not satisfy the constraints, are the proof, or a function that
-    /// must not be zero is zero everywhere.
+    /// where critical points that do not exist, or do not satisfy the constraints, are the proof, or constraint
+    /// propagation is, or a function that must not be zero is zero everywhere.
     std::vector<Exact_rational> multipliers;
   };
 

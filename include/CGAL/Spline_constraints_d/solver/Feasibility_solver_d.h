@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FEASIBILITY_SOLVER_D_H
 
 #include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
@@ -17,9 +18,11 @@
 #include <CGAL/Spline_constraints_d/solver/Feasibility_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/feasibility/Elementary_feasibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/feasibility_of.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <span>
@@ -35,6 +38,11 @@ namespace internal {
 Feasibility_d feasibility_of(const Constraint_system_d& system,
                              const std::vector<std::pair<Power_polynomial, Relation>>& polynomials,
                              const Solver_options& options);
+
+// Defined in feasibility/Elementary_feasibility.h.
+Feasibility_d feasibility_with_values(const std::vector<Constraint_system_d::Domain>& domain,
+                                      const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                                      const Elementary_values& values, const Solver_options& options);
 
 } // namespace internal
 
@@ -101,8 +109,25 @@ public:
     return internal::feasibility_of(Constraint_system_d(domain), constraints, m_options);
   }
 
+  /*!
+  the same of constraints with values of elementary functions, by constraint propagation, and Newton's method for points.
+  There are no critical points here: sets that only touch stay undecided, and more equalities than unknowns, too, unless
+  there is no solution or it is rational by the laws of the functions. `Feasibility_d::excluded()` has no multipliers.
+  \param domain a range for each unknown.
+  \param constraints polynomials in unknowns and values, and how they compare with zero.
+  \param values what the values are.
+  \throws Invalid_input also when a value is missing.
+  */
+  Feasibility_d operator()(const std::vector<Constraint_system_d::Domain>& domain,
+                           const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                           const Elementary_values& values) const
+  {
+    return values.all().empty() ? (*this)(domain, constraints)
+                                : internal::feasibility_with_values(domain, constraints, values, m_options);
+  }
+
   //! the same of formulas in the unknowns of one call of `unknowns()`.
-  //! \throws Invalid_input as `make_system()`.
+  //! \throws Invalid_input as `make_system()`, or with functions as `elementary_constraints()`.
   Feasibility_d operator()(std::span<const Constraint> constraints) const;
 };
 
@@ -130,6 +155,10 @@ Feasibility_d find_feasible_point(const Constraint& first, const Constraints&...
 CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d
 Feasibility_solver_d::operator()(std::span<const Constraint> constraints) const
 {
+  if (std::ranges::any_of(constraints, &Constraint::has_elementary_functions)) {
+    const Elementary_constraints all = elementary_constraints(constraints);
+    return (*this)(all.domain, all.constraints, all.values);
+  }
   const Unknown_domains domain = common_domains(constraints);
   Constraint_system_d splines(domain);
   std::vector<std::pair<Power_polynomial, Relation>> polynomials;

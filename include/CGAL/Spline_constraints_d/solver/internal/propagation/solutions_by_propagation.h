@@ -129,6 +129,11 @@ private:
   void add_settled(Solution solution);
 };
 
+// Throws where an unknown has no range, or a value is missing.
+void check_unknowns_of(const std::vector<Constraint_system_d::Domain>& domain,
+                       const std::vector<Polynomial_constraint>& constraints, const Elementary_values& values,
+                       const std::string& where);
+
 // Throws where they do not fit each other.
 void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
                        const std::vector<Polynomial_constraint>& constraints,
@@ -433,28 +438,34 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_settled(Soluti
   m_solutions.push_back(std::move(solution));
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_unknowns_of(const std::vector<Constraint_system_d::Domain>& domain,
                                                       const std::vector<Polynomial_constraint>& constraints,
-                                                      const Elementary_values& values)
+                                                      const Elementary_values& values, const std::string& where)
 {
   const Constraint_system_d checked(domain); // throws when a range is empty
   const auto check_unknowns = [&](const Power_polynomial& polynomial, std::size_t known_values) {
     constexpr int first = Elementary_values::first_index;
     for (const int unknown : polynomial.variables()) {
       if (unknown < first ? unknown >= static_cast<int>(domain.size()) : values.all().empty())
-        throw Invalid_input("Propagation_solver_d: unknown " + std::to_string(unknown) +
-                            " of a polynomial has no range");
+        throw Invalid_input(where + ": unknown " + std::to_string(unknown) + " of a polynomial has no range");
       if (unknown >= first && unknown - first >= static_cast<int>(known_values))
-        throw Invalid_input("Propagation_solver_d: there is no value " + std::to_string(unknown - first));
+        throw Invalid_input(where + ": there is no value " + std::to_string(unknown - first));
     }
   };
-  std::size_t equalities = 0;
-  for (const auto& [polynomial, relation] : constraints) {
-    equalities += relation == Relation::EQUAL;
+  for (const auto& [polynomial, relation] : constraints)
     check_unknowns(polynomial, values.all().size());
-  }
   for (std::size_t k = 0; k < values.all().size(); ++k)
     check_unknowns(values.all()[k].argument, k);
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                                                      const std::vector<Polynomial_constraint>& constraints,
+                                                      const Elementary_values& values)
+{
+  check_unknowns_of(domain, constraints, values, "Propagation_solver_d");
+  std::size_t equalities = 0;
+  for (const auto& [polynomial, relation] : constraints)
+    equalities += relation == Relation::EQUAL;
   if (equalities != domain.size())
     throw Invalid_input("Propagation_solver_d: " + std::to_string(equalities) + " equalities for " +
                         std::to_string(domain.size()) +

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
+#include <CGAL/Spline_constraints_d/function/internal/elementary/jets.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
@@ -22,7 +23,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,7 +34,7 @@ namespace verification {
 
 /*
 Proves answers with elementary functions once more, by the operator of Krawczyk in intervals of many bits. Nothing is
-shared with the search but the polynomials and what the values are.
+shared with the search for all solutions but the polynomials and what the values are.
 */
 class Elementary_proof
 {
@@ -42,12 +42,7 @@ class Elementary_proof
   using Constraints = std::vector<std::pair<Power_polynomial, Relation>>;
   using Box = std::vector<Mpfr_interval>;
 
-  // A value and its derivatives by the unknowns; those that are zero are left out.
-  struct Jet
-  {
-    Mpfr_interval value;
-    std::map<int, Mpfr_interval> gradient;
-  };
+  using Jet = elementary::Jet<Mpfr_interval>;
 
   const Ranges& m_domain;
   const Constraints& m_constraints;
@@ -82,58 +77,22 @@ private:
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-inline void add_multiple(std::map<int, Mpfr_interval>& sum, const Mpfr_interval& factor,
-                         const std::map<int, Mpfr_interval>& gradient)
-{
-  for (const auto& [unknown, derivative] : gradient)
-    if (const auto [place, is_new] = sum.try_emplace(unknown, factor * derivative); !is_new)
-      place->second += factor * derivative;
-}
+inline Mpfr_interval interval_of(const Exact_rational& x) { return Mpfr_interval(x); }
 
-// By the rule of products, factor for factor.
 CGAL_SPLINE_CONSTRAINTS_INLINE Elementary_proof::Jet
 Elementary_proof::jet_of(const Power_polynomial& polynomial, const Box& box, const std::vector<Jet>& values)
 {
-  const auto jet_of_symbol = [&](int symbol) {
-    return symbol >= Elementary_values::first_index ? values.at(symbol - Elementary_values::first_index)
-                                                    : Jet{box.at(symbol), {{symbol, Mpfr_interval(1)}}};
-  };
-  Jet result{Mpfr_interval(0), {}};
-  for (const auto& [monomial, coefficient] : polynomial.terms()) {
-    Jet term{Mpfr_interval(coefficient), {}};
-    for (const auto& [symbol, exponent] : monomial.powers) {
-      const Jet factor = jet_of_symbol(symbol);
-      for (int e = 0; e < exponent; ++e) {
-        for (auto& [unknown, derivative] : term.gradient)
-          derivative *= factor.value;
-        add_multiple(term.gradient, term.value, factor.gradient);
-        term.value *= factor.value;
-      }
-    }
-    result.value += term.value;
-    add_multiple(result.gradient, Mpfr_interval(1), term.gradient);
-  }
-  return result;
+  return elementary::jet_of<Mpfr_interval>(polynomial, box, values, interval_of);
 }
 
 // Nothing where it is not certain that all of them can be differentiated; numbers need not be.
 CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<std::vector<Elementary_proof::Jet>>
 Elementary_proof::jets_of_values(const Box& box) const
 {
-  std::vector<Jet> result;
-  for (const Elementary_value& value : m_values.all()) {
-    Jet argument = jet_of(value.argument, box, result);
-    const auto known = mpfr_function(value.function, value.exponent, argument.value);
-    if (!known)
-      return std::nullopt;
-    Jet& jet = result.emplace_back(Jet{known->value, {}});
-    if (argument.gradient.empty())
-      continue;
-    if (!known->derivative)
-      return std::nullopt;
-    add_multiple(jet.gradient, *known->derivative, argument.gradient);
-  }
-  return result;
+  return elementary::jets_of_values<Mpfr_interval>(m_values, box, interval_of,
+                                                   [](const Elementary_value& value, const Mpfr_interval& x) {
+                                                     return mpfr_function(value.function, value.exponent, x);
+                                                   });
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<std::vector<Elementary_proof::Jet>>
