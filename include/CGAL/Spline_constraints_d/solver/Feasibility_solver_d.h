@@ -110,9 +110,10 @@ public:
   }
 
   /*!
-  the same of constraints with values of elementary functions, by constraint propagation, and Newton's method for points.
-  There are no critical points here: sets that only touch stay undecided, and more equalities than unknowns, too, unless
-  there is no solution or it is rational by the laws of the functions. `Feasibility_d::excluded()` has no multipliers.
+  the same of constraints with values of elementary functions, by constraint propagation, and Newton's method for
+  points. There are no critical points here: sets that only touch stay undecided, and more equalities than unknowns,
+  too, unless there is no solution or it is rational by the laws of the functions. `Feasibility_d::excluded()` has no
+  multipliers, `Feasibility_d::path()` no points.
   \param domain a range for each unknown.
   \param constraints polynomials in unknowns and values, and how they compare with zero.
   \param values what the values are.

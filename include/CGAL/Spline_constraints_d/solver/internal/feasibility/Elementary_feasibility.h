@@ -15,11 +15,11 @@
 #include <CGAL/Spline_constraints_d/function/internal/elementary/jets.h>
 #include <CGAL/Spline_constraints_d/function/internal/elementary/numbers.h>
 #include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
-#include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/internal/feasibility/Constraints_on_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/Feasibility_run.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Elementary_system.h>
@@ -108,17 +108,6 @@ private:
   std::vector<int> dependent_unknowns(const Point& point) const;
 };
 
-// The same constraints with numbers in place of all unknowns but some, which are numbered anew.
-struct Constraints_on_unknowns
-{
-  std::vector<Polynomial_constraint> constraints;
-  Elementary_values values;
-
-  // Throws where a function is not defined for a number.
-  Constraints_on_unknowns(const std::vector<Polynomial_constraint>& given, const Elementary_values& given_values,
-                          const std::vector<double>& point, const std::vector<int>& unknowns);
-};
-
 inline std::vector<double> middle_of_ranges(const Box_of_ranges& box, std::size_t dimension)
 {
   std::vector<double> result;
@@ -136,35 +125,6 @@ inline std::vector<Undecided_part::Range> places_of(const Box_of_ranges& box, st
 }
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE
-Constraints_on_unknowns::Constraints_on_unknowns(const std::vector<Polynomial_constraint>& given,
-                                                 const Elementary_values& given_values,
-                                                 const std::vector<double>& point, const std::vector<int>& unknowns)
-{
-  std::map<int, Power_polynomial> replacements;
-  for (std::size_t j = 0; j < point.size(); ++j)
-    replacements.emplace(static_cast<int>(j), Power_polynomial(point[j]));
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
-    replacements[unknowns[k]] = Power_polynomial::variable(static_cast<int>(k));
-  const auto replaced = [&](const Power_polynomial& polynomial) {
-    Power_polynomial result;
-    for (const auto& [monomial, coefficient] : polynomial.terms()) {
-      Power_polynomial term(coefficient);
-      for (const auto& [symbol, exponent] : monomial.powers)
-        term *= pow(replacements.at(symbol), exponent);
-      result += term;
-    }
-    return result;
-  };
-  int index = Elementary_values::first_index;
-  for (const auto& [function, exponent, argument] : given_values.all())
-    replacements.emplace(index++,
-                         function == Elementary_function::POWER ? values.power(replaced(argument), exponent)
-                                                                : values.value(function, replaced(argument)));
-  for (const auto& [polynomial, relation] : given)
-    constraints.emplace_back(replaced(polynomial), relation);
-}
-
 CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_outcome Elementary_feasibility::operator()()
 {
   constexpr std::size_t always_tried = 16, tried_every = 8;
