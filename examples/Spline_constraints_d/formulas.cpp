@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Constraints as a paper writes them: the circles that touch three circles, and where a curve meets itself.
+// Constraints as a paper writes them: the circles that touch three circles, where a curve meets itself, and where a
+// planet is at a given time.
 #include <CGAL/Spline_constraints_d.h>
 
 #include <iostream>
@@ -62,8 +63,22 @@ bool meet_itself()
   return solutions.is_complete() && solutions.size() == 1;
 }
 
+// A third of a year after it was next to the sun, on an ellipse of eccentricity 3/5: Kepler's equation for the
+// eccentric anomaly, and the angle at the sun.
+bool follow_planet()
+{
+  auto [anomaly, angle] = SC::unknowns({0, 7}, {0, 3});
+  const std::vector<SC::Constraint> constraints{anomaly - Number(3, 5) * sin(anomaly) == 2 * SC::Expression::pi() / 3,
+                                                tan(angle / 2) == 2 * tan(anomaly / 2)};
+  const auto solutions = SC::solve(constraints);
+  for (const auto& solution : solutions)
+    std::cout << solution.kind() << ": eccentric anomaly " << solution.point()[0] << ", angle " << solution.point()[1]
+              << (SC::verify(constraints, solution) ? ", verified\n" : "\n");
+  return solutions.is_complete() && solutions.size() == 1;
+}
+
 int main()
 {
-  const bool have_touched = touch_three_curves(), has_met_itself = meet_itself();
-  return have_touched && has_met_itself ? 0 : 1;
+  const bool have_touched = touch_three_curves(), has_met_itself = meet_itself(), is_followed = follow_planet();
+  return have_touched && has_met_itself && is_followed ? 0 : 1;
 }

@@ -7,10 +7,11 @@
 // functions there are no curves and surfaces: unless there are as many equalities as unknowns, it tells this, too.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--parallel] [--whole] [--json] [--output FILE] [--chord-error E]
+//                     [--time-limit S] [--parallel] [--whole] [--verify] [--json] [--output FILE] [--chord-error E]
 //
 // --whole solves the system as it is, without decomposing it or eliminating unknowns. --parallel uses all cores, if the
-// program was built with TBB; for the number type certified. --output writes curves of solutions (.svg, .vtp, .txt) or
+// program was built with TBB; for the number type certified. --verify proves points and clusters once more and prints
+// first of how many this succeeds, not with --json. --output writes curves of solutions (.svg, .vtp, .txt) or
 // surfaces (.svg, .vtp, .off, .ply, .stl), these within --chord-error. Exit status: 0 when every solution is accounted
 // for, 3 when not, 2 for bad input.
 #include "curve_output.h"
@@ -39,7 +40,7 @@ struct Arguments
   std::string file, number_type = "certified", test = "graph", output;
   SC::Solver_options options;
   double chord_error = 0; // a five hundredth of the domain
-  bool has_tolerance = false, json = false, parallel = false, whole = false;
+  bool has_tolerance = false, json = false, parallel = false, whole = false, verify = false;
 };
 
 Arguments parse(int argc, char* argv[])
@@ -62,6 +63,8 @@ Arguments parse(int argc, char* argv[])
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
     else if (word == "--parallel") result.parallel = true;
     else if (word == "--whole") result.whole = true;
+    else if (word == "--verify")
+      result.verify = true;
     else if (word == "--json") result.json = true;
     else if (word == "--output") result.output = value();
     else if (word.starts_with("--") || !result.file.empty()) throw SC::Invalid_input("unknown argument " + word);
@@ -69,8 +72,8 @@ Arguments parse(int argc, char* argv[])
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--whole] [--json] "
-                            "[--output FILE.svg|.vtp|.txt|.off|.ply|.stl] [--chord-error E]");
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--whole] [--verify] "
+                            "[--json] [--output FILE.svg|.vtp|.txt|.off|.ply|.stl] [--chord-error E]");
   if (result.parallel && result.number_type != "certified")
     throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
@@ -119,9 +122,18 @@ int decide_feasibility(const Arguments& arguments, const SC::Minibex_system& inp
 }
 
 template <class Solutions>
-int print_points(const Arguments& arguments, const std::vector<std::string>& names, const Solutions& solutions)
+int print_points(const Arguments& arguments, const SC::Minibex_system& input, const Solutions& solutions)
 {
-  arguments.json ? print_json(names, solutions) : print_lines(names, solutions);
+  if (arguments.verify && !arguments.json) {
+    std::size_t answers = 0, verified = 0;
+    for (const auto& solution : solutions)
+      if (solution.kind() == SC::Solution_kind::CERTIFIED || solution.kind() == SC::Solution_kind::CLUSTER) {
+        ++answers;
+        verified += SC::verify(input.domains, polynomial_constraints(input), input.values, solution);
+      }
+    std::cout << "verified: " << verified << " of " << answers << '\n';
+  }
+  arguments.json ? print_json(input.names, solutions) : print_lines(input.names, solutions);
   return solutions.is_complete() ? 0 : 3;
 }
 
@@ -141,7 +153,7 @@ int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& i
   options.visitor = progress;
   const auto solutions = SC::Propagation_solver_d(options)(input.domains, polynomial_constraints(input), input.values);
   progress.clear();
-  return print_points(arguments, input.names, solutions);
+  return print_points(arguments, input, solutions);
 }
 
 // As many equations as unknowns, by the solver that gets on better.
@@ -152,7 +164,7 @@ int solve_for_points(const Arguments& arguments, const SC::Minibex_system& input
   options.visitor = progress;
   const auto solutions = SC::solve_polynomials(input.domains, polynomial_constraints(input), options);
   progress.clear();
-  return print_points(arguments, input.names, solutions);
+  return print_points(arguments, input, solutions);
 }
 
 template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
@@ -220,7 +232,7 @@ int solve(Arguments arguments)
         ? SC::Subdivision_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress)
         : SC::Decomposing_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress);
     progress.clear();
-    return print_points(arguments, input.names, solutions);
+    return print_points(arguments, input, solutions);
   };
   if (arguments.test == "graph")
     return run.template operator()<SC::Graph_box_test>();
