@@ -19,12 +19,12 @@
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/solver/internal/feasibility/Constraints_on_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/Feasibility_run.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Elementary_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/Constraints_on_unknowns.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -416,12 +416,11 @@ Elementary_feasibility::certified_with_equalities(const Point& point)
   if (unknowns.empty())
     return std::nullopt;
   Exact_ranges box;
-  Point chosen = point;
+  std::vector<Exact_rational> chosen;
   for (std::size_t j = 0; j < dimension(); ++j) {
     const Exact_rational x = (std::min)((std::max)(Exact_rational(point[j]), m_domain[j].first), m_domain[j].second);
     box.emplace_back(x, x);
-    if (x != Exact_rational(point[j]) && !std::ranges::binary_search(unknowns, static_cast<int>(j)))
-      return std::nullopt; // an end of the domain that is no double
+    chosen.push_back(x);
   }
   Domain around;
   for (const int j : unknowns) {

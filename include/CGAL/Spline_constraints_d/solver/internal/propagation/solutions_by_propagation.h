@@ -24,8 +24,10 @@
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Elementary_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Explicit_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Precise_zeros.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Propagation_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/check_constraints.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
 #include <CGAL/Spline_constraints_d/solver/internal/union_of_boxes.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -57,7 +59,8 @@ enum class Whereabouts
 /*
 All solutions of polynomial constraints in a box: what the search finds; what it leaves open, multiple roots and roots
 on the boundary, is settled by the solver that has tensors, on boxes around it, where these are small enough. With
-values of elementary functions it stays open, unless the root is rational by the laws of these.
+values of elementary functions, regular roots are settled by numbers of many bits; others stay open, unless they are
+rational by the laws of the functions.
 */
 class Solutions_by_propagation
 {
@@ -124,20 +127,11 @@ private:
   void add_root(const Proved_root& root, const Sparse_system& system, const Explicit_unknowns& explicit_unknowns);
   void add_root(Proved_root root, Whereabouts place);
   std::optional<Whereabouts> exact_place(const Box_of_ranges& enclosure) const;
+  bool settle_by_precision(const Box_of_ranges& box);
   void settle_open();
   void settle(const Box_of_ranges& box);
   void add_settled(Solution solution);
 };
-
-// Throws where an unknown has no range, or a value is missing.
-void check_unknowns_of(const std::vector<Constraint_system_d::Domain>& domain,
-                       const std::vector<Polynomial_constraint>& constraints, const Elementary_values& values,
-                       const std::string& where);
-
-// Throws where they do not fit each other.
-void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                       const std::vector<Polynomial_constraint>& constraints,
-                       const Elementary_values& values = Elementary_values());
 
 // All of it: the answers, with the work.
 Solution_set_d<double> solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
@@ -345,6 +339,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
   if (place == Whereabouts::OPEN)
     place = exact_place(root.enclosure).value_or(Whereabouts::OPEN);
   if (place == Whereabouts::OPEN && m_values != nullptr)
+    if (const auto is_solution = Precise_zeros(m_domain, m_constraints, *m_values, m_control).is_solution(root))
+      place = *is_solution ? Whereabouts::INSIDE : Whereabouts::OUTSIDE;
+  if (place == Whereabouts::OPEN && m_values != nullptr)
     add_undecided(root.enclosure,
                   place_in_domain(root.enclosure, m_domain) == Whereabouts::OPEN ? Undecided_reason::DOMAIN_BOUNDARY
                                                                                  : Undecided_reason::INEQUALITY);
@@ -355,6 +352,16 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
                              Undecided_reason::NONE, 1);
     m_roots.push_back(std::move(root));
   }
+}
+
+// Whether a box is in a region that has one zero, and this is known to be a solution or not.
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Solutions_by_propagation::settle_by_precision(const Box_of_ranges& box)
+{
+  auto zero = Precise_zeros(m_domain, m_constraints, *m_values, m_control).around(box);
+  if (zero && zero->is_solution &&
+      std::ranges::none_of(m_roots, [&](const Proved_root& other) { return are_equal(zero->root, other); }))
+    add_root(std::move(zero->root), Whereabouts::INSIDE);
+  return zero.has_value();
 }
 
 // Boxes that touch are settled together; with functions, whose bounds leave gaps in between, boxes that nearly do.
@@ -390,6 +397,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle_open()
 CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::settle(const Box_of_ranges& box)
 {
   constexpr double most_coefficients = 0x1p18;
+  if (m_values != nullptr && settle_by_precision(box))
+    return;
   if (m_values != nullptr && exact_place(box) == Whereabouts::INSIDE) {
     m_solutions.emplace_back(Solution_kind::CLUSTER, plain(box), Solution::Box(), "rational");
     return;
@@ -436,41 +445,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_settled(Soluti
     m_roots.push_back(std::move(root));
   }
   m_solutions.push_back(std::move(solution));
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE void check_unknowns_of(const std::vector<Constraint_system_d::Domain>& domain,
-                                                      const std::vector<Polynomial_constraint>& constraints,
-                                                      const Elementary_values& values, const std::string& where)
-{
-  const Constraint_system_d checked(domain); // throws when a range is empty
-  const auto check_unknowns = [&](const Power_polynomial& polynomial, std::size_t known_values) {
-    constexpr int first = Elementary_values::first_index;
-    for (const int unknown : polynomial.variables()) {
-      if (unknown < first ? unknown >= static_cast<int>(domain.size()) : values.all().empty())
-        throw Invalid_input(where + ": unknown " + std::to_string(unknown) + " of a polynomial has no range");
-      if (unknown >= first && unknown - first >= static_cast<int>(known_values))
-        throw Invalid_input(where + ": there is no value " + std::to_string(unknown - first));
-    }
-  };
-  for (const auto& [polynomial, relation] : constraints)
-    check_unknowns(polynomial, values.all().size());
-  for (std::size_t k = 0; k < values.all().size(); ++k)
-    check_unknowns(values.all()[k].argument, k);
-}
-
-CGAL_SPLINE_CONSTRAINTS_INLINE void check_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                                                      const std::vector<Polynomial_constraint>& constraints,
-                                                      const Elementary_values& values)
-{
-  check_unknowns_of(domain, constraints, values, "Propagation_solver_d");
-  std::size_t equalities = 0;
-  for (const auto& [polynomial, relation] : constraints)
-    equalities += relation == Relation::EQUAL;
-  if (equalities != domain.size())
-    throw Invalid_input("Propagation_solver_d: " + std::to_string(equalities) + " equalities for " +
-                        std::to_string(domain.size()) +
-                        " unknowns, where it takes as many; see solve(), solve_curves(), solve_surfaces() and "
-                        "find_feasible_point()");
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>

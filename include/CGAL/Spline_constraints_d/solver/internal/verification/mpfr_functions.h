@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,8 +61,9 @@ struct Mpfr_matrix
   const Mpfr_interval& operator()(std::size_t i, std::size_t j) const { return entries[i * size + j]; }
 };
 
-// A matrix of numbers near the inverse of one of numbers; nothing when a pivot is zero.
-std::optional<Mpfr_matrix> approximate_inverse(Mpfr_matrix matrix);
+// A matrix of numbers near the inverse of one of numbers; nothing when a pivot is zero. `check()` may end the work by
+// an exception.
+std::optional<Mpfr_matrix> approximate_inverse(Mpfr_matrix matrix, const std::function<void()>& check);
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 using Function_of_mpfr = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
@@ -183,7 +185,8 @@ mpfr_function(Elementary_function function, const Exact_rational& exponent, cons
 }
 
 // Gauss and Jordan with the largest pivot; after each operation the middle is taken.
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Mpfr_matrix> approximate_inverse(Mpfr_matrix matrix)
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Mpfr_matrix> approximate_inverse(Mpfr_matrix matrix,
+                                                                              const std::function<void()>& check)
 {
   const std::size_t n = matrix.size;
   const Mpfr_interval zero(0);
@@ -192,6 +195,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Mpfr_matrix> approximate_inverse(Mp
     inverse(i, i) = Mpfr_interval(1);
   const auto rounded = [](const Mpfr_interval& x) { return Mpfr_interval::of_ends(x.lower_mpfr(), x.lower_mpfr()); };
   for (std::size_t c = 0; c < n; ++c) {
+    if (check)
+      check();
     std::size_t pivot = c;
     for (std::size_t i = c + 1; i < n; ++i)
       if (mpfr_cmpabs(matrix(i, c).lower_mpfr(), matrix(pivot, c).lower_mpfr()) > 0)
