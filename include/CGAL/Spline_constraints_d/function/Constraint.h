@@ -22,6 +22,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,8 +30,8 @@ namespace Spline_constraints {
 
 namespace internal {
 
-// The names of the symbols of a formula: x0, x1, ... for unknowns, s5(x0,x1) for splines, f6 for formulas, v7 for
-// values of functions.
+// The names of the symbols of a formula: x0, x1, ... for unknowns, s5(x0,x1) for splines, f6 for formulas, and values
+// of functions as they are written, or v7 where that is long.
 std::vector<std::string> symbol_names(const Symbol_table& symbols);
 
 // A function of the unknowns alone; `check()` may end the work by an exception. Defined in internal/expanded.h.
@@ -38,8 +39,18 @@ Spline_function expanded(const Symbol_table* symbols, const Power_polynomial& po
                          const std::function<void()>& check);
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+inline std::string text_of_value(const Symbol& symbol, const std::vector<std::string>& names)
+{
+  const std::string argument = '(' + symbol.formula.to_string(names) + ')';
+  return symbol.function == Elementary_function::RECIPROCAL ? "(1/" + argument + ')'
+      : symbol.function == Elementary_function::POWER
+      ? '(' + argument + "^(" + Power_polynomial(symbol.exponent).to_string() + "))"
+      : std::string(name_of(symbol.function)) + argument;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::string> symbol_names(const Symbol_table& symbols)
 {
+  constexpr std::size_t longest_text = 60;
   std::vector<std::string> names;
   for (int i = 0, size = symbols.size(); i < size; ++i) {
     const Symbol& symbol = symbols[i];
@@ -48,6 +59,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::string> symbol_names(const Symbo
         : symbol.kind == Symbol::Kind::FORMULA                ? "f"
         : symbol.kind == Symbol::Kind::VALUE                  ? "v"
                                                               : "y";
+    if (symbol.kind == Symbol::Kind::VALUE)
+      if (std::string text = text_of_value(symbol, names); text.size() <= longest_text) {
+        names.push_back(std::move(text));
+        continue;
+      }
     std::string& name = names.emplace_back(letter).append(std::to_string(i));
     for (std::size_t j = 0; j < symbol.unknowns.size(); ++j)
       name.append(j == 0 ? "(x" : ",x").append(std::to_string(symbol.unknowns[j]));

@@ -187,7 +187,7 @@ public:
   }
 
   //! writes the formula: unknowns as `x0`, `x1`, ..., splines as `s5(x0)`, divisors as `f6`, values of functions as
-  //! `v7`.
+  //! `sin(x0)`, or as `v7` where that is long.
   friend std::ostream& operator<<(std::ostream& out, const Expression& a);
 
 private:

@@ -71,6 +71,13 @@ public:
 
   //! its range.
   const std::pair<Exact_rational, Exact_rational>& domain() const { return symbols()->domains()[m_index]; }
+
+#ifndef DOXYGEN_RUNNING
+  // Those of formulas, which fit less well than the templates that CGAL has by these names.
+  friend Expression sqrt(const Unknown& x) { return sqrt(static_cast<const Expression&>(x)); }
+  friend Expression abs(const Unknown& x) { return abs(static_cast<const Expression&>(x)); }
+  friend Expression square(const Unknown& x) { return square(static_cast<const Expression&>(x)); }
+#endif
 };
 
 /*!

@@ -93,10 +93,12 @@ public:
   solution.
 
   Exactness: functions and their derivatives are enclosed, by series with bounds of their rests or by MPFR with directed
-  rounding, so solutions are certified as those of polynomials are. There are no exact signs: multiple roots, roots on
-  the boundary of the domain, of an inequality, or of where a function is defined stay undecided, with a box and
-  `Undecided_reason::TOLERANCE`, unless they are rational and all values there are rational by the laws of the
-  functions, as \f$e^0 = 1\f$.
+  rounding, so solutions are certified as those of polynomials are. There are no exact signs. Regular roots on the
+  boundary of the domain or of an inequality are decided, in up to 128 unknowns, where intervals of 256 bits tell on
+  which side they are, or where what is not rational there cancels: coordinates may be rational, and angles may have
+  rational sines and cosines. Others, and roots where a function is not differentiable, stay undecided with a box; so do
+  multiple ones, unless they are rational and all values there are rational by the laws of the functions, as
+  \f$e^0 = 1\f$.
   \param domain a range for each unknown.
   \param constraints polynomials in unknowns and values, and how they compare with zero; as many equalities as unknowns.
   \param values what the values are.

@@ -40,6 +40,9 @@ class Precise_zeros
   const std::vector<Polynomial_constraint>& m_constraints;
   const Elementary_values& m_values;
   Run_control& m_control;
+  int m_failures = 0;
+
+  static constexpr int most_failures = 200; // where so many are open, the rest hardly is of another kind
 
 public:
   struct Zero
@@ -55,21 +58,21 @@ public:
   {}
 
   // Of a root whose enclosure holds no other; it may get a smaller one.
-  std::optional<bool> is_solution(Proved_root& root) const;
+  std::optional<bool> is_solution(Proved_root& root);
 
   // The only zero of a region around a box.
-  std::optional<Zero> around(const Box_of_ranges& box) const;
+  std::optional<Zero> around(const Box_of_ranges& box);
 
 private:
-  std::optional<verification::Elementary_proof::Zero> zero_near(const Box_of_ranges& box) const;
+  std::optional<verification::Elementary_proof::Zero> zero_near(const Box_of_ranges& box);
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<verification::Elementary_proof::Zero>
-Precise_zeros::zero_near(const Box_of_ranges& box) const
+Precise_zeros::zero_near(const Box_of_ranges& box)
 {
   constexpr std::size_t most_unknowns = 128;
-  if (m_domain.size() > most_unknowns || m_control.reason() != Undecided_reason::NONE)
+  if (m_domain.size() > most_unknowns || m_failures >= most_failures || m_control.reason() != Undecided_reason::NONE)
     return std::nullopt;
   verification::Elementary_ranges ranges;
   for (const Interval& range : box)
@@ -77,7 +80,9 @@ Precise_zeros::zero_near(const Box_of_ranges& box) const
   try {
     const verification::Elementary_proof proof(m_domain, m_constraints, m_values, [this] { m_control.check(); });
     auto zero = proof.zero_near(ranges);
-    return zero && zero->is_solution ? std::move(zero) : std::nullopt;
+    const bool is_decided = zero && zero->is_solution;
+    m_failures += !is_decided;
+    return is_decided ? std::move(zero) : std::nullopt;
   } catch (const Run_stopped&) {
     return std::nullopt;
   }
@@ -91,7 +96,7 @@ inline Box_of_ranges enclosure_of_ranges(const verification::Elementary_ranges& 
   return result;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<bool> Precise_zeros::is_solution(Proved_root& root) const
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<bool> Precise_zeros::is_solution(Proved_root& root)
 {
   const auto zero = zero_near(root.enclosure);
   if (!zero)
@@ -101,7 +106,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<bool> Precise_zeros::is_solution(Pr
   return zero->is_solution;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Precise_zeros::Zero> Precise_zeros::around(const Box_of_ranges& box) const
+CGAL_SPLINE_CONSTRAINTS_INLINE std::optional<Precise_zeros::Zero> Precise_zeros::around(const Box_of_ranges& box)
 {
   const auto zero = zero_near(box);
   if (!zero)

@@ -72,6 +72,7 @@ class Solutions_by_propagation
   Run_control& m_control;
   Summary& m_summary;
   const Elementary_values* m_values; // null: none
+  std::optional<Precise_zeros> m_precise_zeros;
   std::vector<Solution> m_solutions;
   std::vector<Proved_root> m_roots; // of the solutions that are certified
   std::vector<Box_of_ranges> m_open;
@@ -82,7 +83,10 @@ public:
                            Run_control& control, Summary& summary, const Elementary_values* values = nullptr)
     : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary),
       m_values(values != nullptr && !values->all().empty() ? values : nullptr)
-  {}
+  {
+    if (m_values != nullptr)
+      m_precise_zeros.emplace(domain, constraints, *m_values, control);
+  }
 
   // In no order.
   std::vector<Solution> operator()()
@@ -339,7 +343,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
   if (place == Whereabouts::OPEN)
     place = exact_place(root.enclosure).value_or(Whereabouts::OPEN);
   if (place == Whereabouts::OPEN && m_values != nullptr)
-    if (const auto is_solution = Precise_zeros(m_domain, m_constraints, *m_values, m_control).is_solution(root))
+    if (const auto is_solution = m_precise_zeros->is_solution(root))
       place = *is_solution ? Whereabouts::INSIDE : Whereabouts::OUTSIDE;
   if (place == Whereabouts::OPEN && m_values != nullptr)
     add_undecided(root.enclosure,
@@ -357,7 +361,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_root(Proved_ro
 // Whether a box is in a region that has one zero, and this is known to be a solution or not.
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Solutions_by_propagation::settle_by_precision(const Box_of_ranges& box)
 {
-  auto zero = Precise_zeros(m_domain, m_constraints, *m_values, m_control).around(box);
+  auto zero = m_precise_zeros->around(box);
   if (zero && zero->is_solution &&
       std::ranges::none_of(m_roots, [&](const Proved_root& other) { return are_equal(zero->root, other); }))
     add_root(std::move(zero->root), Whereabouts::INSIDE);
