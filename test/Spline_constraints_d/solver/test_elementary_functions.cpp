@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/expression_bounds.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
+#include <CGAL/Spline_constraints_d/number/Mpfr_number.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Feasibility_solver_d.h>
@@ -18,6 +19,8 @@
 #include "solver_test_checks.h"
 
 #include <gtest/gtest.h>
+
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cmath>
@@ -409,6 +412,21 @@ TEST(Elementary_functions, roots_on_boundaries)
     const Solutions zeros = SC::solve(sin(u) == 0);
     EXPECT_TRUE(zeros.is_complete());
     EXPECT_EQ(zeros.size(), is_above ? 3u : 2u);
+  }
+
+  // ends of domains that are log(q), rounded down and up to 150 bits
+  std::mt19937_64 random(20261204);
+  for (int k = 0; k < 20; ++k) {
+    const Rational q(std::uniform_int_distribution<int>(2, 99)(random), 100 + k);
+    SC::internal::Mpfr_number number(200), logarithm(150);
+    SC::internal::set_from_rational(number.get(), q, MPFR_RNDN);
+    for (const bool is_above : {false, true}) {
+      mpfr_log(logarithm.get(), number.get(), is_above ? MPFR_RNDU : MPFR_RNDD);
+      const auto [v] = SC::unknowns({-7, SC::internal::rational_of_mpfr<Rational>(logarithm.get())});
+      const Solutions at_end = SC::solve(exp(v) == q);
+      EXPECT_TRUE(at_end.is_complete());
+      EXPECT_EQ(at_end.count(Solution_kind::CERTIFIED), is_above ? 1u : 0u) << q;
+    }
   }
 
   const auto [a, b] = SC::unknowns({0, 2}, {0, 2});
