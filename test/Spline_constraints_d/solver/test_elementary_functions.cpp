@@ -7,8 +7,10 @@
 
 #include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/function/expression_bounds.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
+#include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_number.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Decomposing_solver_d.h>
@@ -661,6 +663,11 @@ TEST(Functions_in_formulas, bad_input)
   EXPECT_TRUE(has(message([&] { SC::solve(constraints); }), "equalities"));
   EXPECT_TRUE(has(message([&] { SC::bounds(exp(x), {{0, 1}, {0, 1}}); }), "the function exp"));
   EXPECT_THROW((x + sin(y)).polynomial(), SC::Invalid_input);
+  EXPECT_TRUE(has(message([&] { divided_exactly(sin(x) * (x - y), x - y); }), "the function sin"));
+  EXPECT_TRUE(has(message([&] { substituted(sin(x + y), x, y); }), "the function sin"));
+  const SC::Vector_expression<2> point(x, y), values(sin(x), y);
+  EXPECT_TRUE(has(message([&] { SC::solve_linear<2>({x + sin(exp(x)) == 1, y == 2}, point); }), "the function exp"));
+  EXPECT_TRUE(has(message([&] { SC::solve_linear<2>({2 * sin(x) == 1, y == 2}, values); }), "not an unknown"));
 }
 
 namespace {

@@ -182,7 +182,7 @@ neighbours have their common end as a solution.
 
 \throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not
 continuous, the factor is no polynomial in unknowns or constant, none of its unknowns has a constant as coefficient of
-its highest power, or the exponent is negative.
+its highest power, the exponent is negative, or an elementary function occurs in the dividend.
 */
 Expression divided_exactly(const Expression& dividend, const Expression& factor, int exponent = 1);
 
@@ -204,6 +204,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Expression divided_exactly(const Expression& divi
   if (exponent < 0)
     throw Invalid_input("divided_exactly: negative exponent " + std::to_string(exponent));
   const auto symbols = internal::common_symbols(dividend.symbols(), factor.symbols());
+  symbols->require_no_values(dividend.numerator(), "divided_exactly");
   Power_polynomial numerator = symbols->without_formulas(dividend.numerator());
   if (!symbols->has_only_unknowns(numerator))
     return Expression(internal::divided_piece_by_piece(numerator, divisor, exponent, *symbols), dividend.denominator(),

@@ -113,8 +113,10 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
     throw Invalid_input("solve_linear: an equation does not use the unknowns that are to be eliminated");
   Power_polynomial rest = table->without_formulas(equation.function);
   std::vector<Power_polynomial> slopes;
-  for (int symbol : symbols)
+  for (int symbol : symbols) {
+    table->require_outside_of_values(symbol, rest, "solve_linear");
     slopes.push_back(rest.derivative(symbol));
+  }
   for (int symbol : symbols) {
     for (const Power_polynomial& slope : slopes)
       if (slope.degree(symbol) > 0)
@@ -130,7 +132,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int symbol_of(const Expression& expression)
 {
   const std::vector<int> symbols = expression.numerator().variables();
   if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) ||
-      !expression.denominator().powers.empty())
+      !expression.denominator().powers.empty() || expression.symbols()->has_values(expression.numerator()))
     throw Invalid_input("solve_linear, substituted: what is to be eliminated is not an unknown");
   return symbols[0];
 }
@@ -151,8 +153,8 @@ auto center = solve_linear({squared_norm(p - c1(u)) == squared_norm(p - c2(v)), 
 squared_norm(p - c3(w))}, p);
 \endcode
 
-\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns or has a
-divisor that may vanish, or the determinant is the zero polynomial.
+\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns, has one
+in the argument of a function or a divisor that may vanish, or the determinant is the zero polynomial.
 */
 template <int d>
 Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, const Vector_expression<d>& unknowns)
@@ -173,8 +175,8 @@ Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, co
 \ingroup PkgSplineConstraintsDFunctions
 
 the formula with another one in the place of an unknown.
-\throws Invalid_input when `unknown` is no unknown, or the parameter of a spline in the formula; or the value is such
-that something is divided by zero.
+\throws Invalid_input when `unknown` is no unknown, or the parameter of a spline or in the argument of a function in
+the formula; or the value is such that something is divided by zero.
 */
 Expression substituted(const Expression& formula, const Expression& unknown, const Expression& value);
 
@@ -194,6 +196,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Expression substituted(const Expression& formula,
   const auto table = internal::common_symbols(formula.symbols(), unknown.symbols());
   const auto in_polynomial = [&](const Power_polynomial& polynomial) {
     const Power_polynomial without_formulas = table->without_formulas(polynomial);
+    table->require_outside_of_values(symbol, without_formulas, "substituted");
     for (int other : without_formulas.variables())
       if (const auto& parameters = (*table)[other].unknowns;
           std::find(parameters.begin(), parameters.end(), symbol) != parameters.end())

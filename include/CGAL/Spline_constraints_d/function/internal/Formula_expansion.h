@@ -165,8 +165,10 @@ private:
     case Symbol::Kind::UNKNOWN: summand.axes[index].degree += exponent; return;
     case Symbol::Kind::SPLINE: break;
     case Symbol::Kind::FORMULA:
-    case Symbol::Kind::VALUE:
       CGAL_assertion(false);
+      return;
+    case Symbol::Kind::VALUE:
+      m_symbols.require_no_values(Power_polynomial::variable(index), "Constraint");
       return;
     case Symbol::Kind::WITHOUT_RANGE:
       throw Invalid_input("Constraint: an unknown without a range is left in a formula, solve_linear() eliminates it");

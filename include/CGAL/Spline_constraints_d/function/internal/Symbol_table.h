@@ -108,6 +108,9 @@ public:
 
   bool has_values(const Power_polynomial& polynomial) const;
 
+  // Throws when an unknown occurs in what a function is taken of, and says where that is not possible.
+  void require_outside_of_values(int unknown, const Power_polynomial& polynomial, const std::string& where) const;
+
   // Throws when a value of an elementary function occurs, and says where that is not possible.
   void require_no_values(const Power_polynomial& polynomial, const std::string& where) const;
 
@@ -292,6 +295,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Symbol_table::has_values(const Power_polynom
     const Symbol& symbol = (*this)[s];
     return symbol.kind == Symbol::Kind::VALUE || (symbol.kind == Symbol::Kind::FORMULA && has_values(symbol.formula));
   });
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void
+Symbol_table::require_outside_of_values(int unknown, const Power_polynomial& polynomial, const std::string& where) const
+{
+  for (const int s : polynomial.variables()) {
+    const Symbol& symbol = (*this)[s];
+    if (symbol.kind == Symbol::Kind::VALUE && symbol.formula.degree(unknown) > 0)
+      throw Invalid_input(where + ": the unknown occurs in " + in_words(symbol.function));
+    if (symbol.kind == Symbol::Kind::VALUE || symbol.kind == Symbol::Kind::FORMULA)
+      require_outside_of_values(unknown, symbol.formula, where);
+  }
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Symbol_table::require_no_values(const Power_polynomial& polynomial,
