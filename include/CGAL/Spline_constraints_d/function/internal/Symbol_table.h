@@ -22,6 +22,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -106,7 +107,7 @@ public:
   // A polynomial in the symbols of a table without unknowns, in those of this one.
   Power_polynomial imported(const Power_polynomial& polynomial, const Symbol_table& from);
 
-  bool has_values(const Power_polynomial& polynomial) const;
+  bool has_values(const Power_polynomial& polynomial) const { return !values_in(polynomial).empty(); }
 
   // Throws when an unknown occurs in what a function is taken of, and says where that is not possible.
   void require_outside_of_values(int unknown, const Power_polynomial& polynomial, const std::string& where) const;
@@ -139,6 +140,9 @@ public:
 
 private:
   Symbol& add(Symbol::Kind kind);
+
+  // The values that a polynomial needs.
+  std::vector<int> values_in(const Power_polynomial& polynomial) const;
 
   template <class NT>
   NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place,
@@ -289,36 +293,40 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::imported(const Pow
   return renamed(polynomial);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Symbol_table::has_values(const Power_polynomial& polynomial) const
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<int> Symbol_table::values_in(const Power_polynomial& polynomial) const
 {
-  return std::ranges::any_of(polynomial.variables(), [&](int s) {
+  std::vector<int> result, waiting = polynomial.variables();
+  std::set<int> seen;
+  while (!waiting.empty()) {
+    const int s = waiting.back();
+    waiting.pop_back();
     const Symbol& symbol = (*this)[s];
-    return symbol.kind == Symbol::Kind::VALUE || (symbol.kind == Symbol::Kind::FORMULA && has_values(symbol.formula));
-  });
+    if (!seen.insert(s).second)
+      continue;
+    if (symbol.kind == Symbol::Kind::VALUE)
+      result.push_back(s);
+    if (symbol.kind == Symbol::Kind::VALUE || symbol.kind == Symbol::Kind::FORMULA)
+      for (const int inner : symbol.formula.variables())
+        waiting.push_back(inner);
+  }
+  return result;
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void
 Symbol_table::require_outside_of_values(int unknown, const Power_polynomial& polynomial, const std::string& where) const
 {
-  for (const int s : polynomial.variables()) {
-    const Symbol& symbol = (*this)[s];
-    if (symbol.kind == Symbol::Kind::VALUE && symbol.formula.degree(unknown) > 0)
-      throw Invalid_input(where + ": the unknown occurs in " + in_words(symbol.function));
-    if (symbol.kind == Symbol::Kind::VALUE || symbol.kind == Symbol::Kind::FORMULA)
-      require_outside_of_values(unknown, symbol.formula, where);
-  }
+  for (const int s : values_in(polynomial))
+    if ((*this)[s].formula.degree(unknown) > 0)
+      throw Invalid_input(where + ": the unknown occurs in " + in_words((*this)[s].function));
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Symbol_table::require_no_values(const Power_polynomial& polynomial,
                                                                     const std::string& where) const
 {
-  for (const int s : polynomial.variables())
-    if (const Symbol& symbol = (*this)[s]; symbol.kind == Symbol::Kind::VALUE)
-      throw Invalid_input(where + ": a formula with " + in_words(symbol.function) +
-                          ", where only polynomials and splines are possible; solve(), Propagation_solver_d and "
-                          "find_feasible_point() take elementary functions");
-    else if (symbol.kind == Symbol::Kind::FORMULA)
-      require_no_values(symbol.formula, where);
+  if (const std::vector<int> values = values_in(polynomial); !values.empty())
+    throw Invalid_input(where + ": a formula with " + in_words((*this)[values.front()].function) +
+                        ", where only polynomials and splines are possible; solve(), Propagation_solver_d and "
+                        "find_feasible_point() take elementary functions");
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE Power_polynomial Symbol_table::without_formulas(Power_polynomial polynomial) const
