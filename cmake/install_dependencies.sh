@@ -5,7 +5,8 @@
 # Installs what building, testing and documenting the package needs and the machine does not have yet (Debian, Ubuntu).
 set -eu
 
-packages="build-essential cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libmpfi-dev libboost-dev libeigen3-dev
+packages="build-essential cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libmpfi-dev libboost-dev libboost-mpi-dev
+  libeigen3-dev
   libtbb-dev libpugixml-dev libgtest-dev libbenchmark-dev doxygen graphviz"
 
 if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg >/dev/null 2>&1; then
@@ -13,7 +14,7 @@ if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg >/dev/null 2>&1; th
 This is no Debian or Ubuntu system: nothing is installed. Install by hand, where they are missing:
   required   a C++20 compiler (g++ 12, clang 14 or newer), CMake 3.25, CGAL 5.5.1, GMP, MPFR, Boost headers, Eigen 3.4
   tests      GoogleTest
-  optional   Ninja, Google Benchmark, Doxygen 1.9.4, Graphviz, TBB, MPFI, pugixml (reading of SVG)
+  optional   Ninja, Google Benchmark, Doxygen 1.9.4, Graphviz, TBB, MPFI, Boost.MPI, pugixml (reading of SVG)
 CMake says which of them it does not find.
 END
   exit 0

@@ -2,175 +2,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*
-soak_solver [count = 10000] [first seed = 1] [seconds per exact run = 0.5]
+soak_solver [count = 10000] [first seed = 1] [nodes of an exact run = 100] [journal]
 
-Solves random systems, one per seed, with Certified_solver_traits and with Exact_solver_traits, and compares the
-answers. A root that one of them certifies is the same as one of the other, or it meets a box that the other one leaves
-undecided or reports as a cluster. Runs that reach their limit leave the rest of the domain undecided; they are compared
-all the same, and counted. Prints
+Solves random and adversarial systems, one per seed, with Certified_solver_traits and with Exact_solver_traits, and
+compares the answers with each other and with the solutions that were planted. Prints a table with a line for each kind
+of systems, as soak_systems.h names them, with the counts of soak_comparison.h, and the seeds of systems with lost or
+extra roots. The exit status is 0 when there are none, else 1.
 
-- matched: roots that both certified;
-- lost: planted solutions, and roots that only Exact_solver_traits certified, for which Certified_solver_traits has no
-  answer at all;
-- extra: the other way round, and answers that count one root twice;
-- the roots that one certified and the other left open, the answers that verify() did not prove, the runs that reached a
-  limit;
-
-after every 1000 systems and at the end, and the seeds of systems with lost or extra roots or answers that were not
-proved. The exit status is 0 when there are none, else 1.
+Where Boost.MPI is found, `mpirun -n 2 soak_solver ...` shares the systems; with a journal, a run that was ended goes on.
 */
 
-#include "soak_systems.h"
+#include "soak_comparison.h"
 
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/verify.h>
-
-#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
-#include <utility>
-#include <vector>
+#include <string>
 
-using namespace solver_benchmark;
-using Solution_kind = SC::Solution_kind;
-using Box = std::vector<std::pair<Rational, Rational>>;
+#ifdef SPLINE_CONSTRAINTS_SOAKS_WITH_MPI
+#include <CGAL/Spline_constraints_d/solver/batch_mpi.h>
 
-struct Answer
+#include <boost/mpi/environment.hpp>
+#endif
+
+using namespace solver_test;
+
+static void print_row(const std::string& kind, const Soak_counts& counts)
 {
-  bool is_certified;
-  Box box, region;
-};
-
-struct Run
-{
-  std::vector<Answer> answers;
-  bool is_limited;
-};
-
-struct Counts
-{
-  std::size_t systems = 0, planted = 0, matched = 0, lost = 0, extra = 0, open_in_certified = 0, open_in_exact = 0,
-              unproved = 0;
-  std::size_t certified_limited = 0, exact_limited = 0, certified_incomplete = 0, exact_incomplete = 0;
-};
-
-static bool meet(const Box& a, const Box& b)
-{
-  for (std::size_t j = 0; j < a.size(); ++j)
-    if (a[j].second < b[j].first || b[j].second < a[j].first)
-      return false;
-  return true;
+  std::cout << std::left << std::setw(16) << kind << std::right;
+  for (const std::uint64_t value : counts.values)
+    std::cout << std::setw(9) << value;
+  std::cout << '\n';
 }
 
-static bool is_inside(const Box& inner, const Box& outer)
+static void print(const Soak_report& report, double seconds)
 {
-  for (std::size_t j = 0; j < inner.size(); ++j)
-    if (inner[j].first < outer[j].first || outer[j].second < inner[j].second)
-      return false;
-  return true;
-}
-
-// Both boxes hold the same root of the equalities: each holds one, and the region of one of them, in which there is no
-// other, holds the other box.
-static bool have_same_root(const Answer& a, const Answer& b)
-{
-  return a.is_certified && b.is_certified && meet(a.box, b.box) &&
-      (is_inside(b.box, a.region) || is_inside(a.box, b.region));
-}
-
-template <class Traits>
-static Run solved(const Soak_system& problem, double seconds, Counts& counts, std::size_t& incomplete)
-{
-  const auto solutions = SC::Subdivision_solver_d<Traits>({.time_limit = seconds})(problem.system);
-  Run run{{}, solutions.summary().why_not == SC::Undecided_reason::TIME};
-  incomplete += !solutions.is_complete();
-  for (const auto& solution : solutions) {
-    run.answers.push_back({solution.is_certified(), solution.exact_box(), solution.exact_uniqueness_region()});
-    counts.unproved += solution.kind() != Solution_kind::UNDECIDED && !verify(problem.system, solution);
-  }
-  return run;
-}
-
-// Looks for the certified roots of one run in another.
-struct Comparison
-{
-  std::size_t matched = 0, open = 0, missing = 0, doubled = 0;
-
-  Comparison(const Run& run, const Run& other)
-  {
-    for (const Answer& answer : run.answers) {
-      if (!answer.is_certified)
-        continue;
-      const auto same = std::count_if(other.answers.begin(), other.answers.end(),
-                                      [&](const Answer& a) { return have_same_root(answer, a); });
-      const bool is_met = std::any_of(other.answers.begin(), other.answers.end(),
-                                      [&](const Answer& a) { return meet(answer.box, a.box); });
-      matched += same == 1;
-      doubled += same > 1;
-      open += same == 0 && is_met;
-      missing += same == 0 && !is_met;
+  std::cout << report.findings << std::setw(16) << ' ';
+  for (int line = 0; line < 2; ++line, std::cout << '\n' << std::setw(line < 2 ? 16 : 0) << (line < 2 ? " " : ""))
+    for (const std::string name : Soak_counts::names) {
+      const std::size_t space = name.rfind(' ') == std::string::npos ? 0 : name.rfind(' ') + 1;
+      std::cout << std::setw(9) << (line == 0 ? name.substr(0, space).substr(0, 8) : name.substr(space).substr(0, 8));
     }
-  }
-};
-
-static std::size_t count_lost(const std::vector<Point>& planted, const Run& run)
-{
-  return std::count_if(planted.begin(), planted.end(), [&](const Point& point) {
-    Box box;
-    for (const Coordinate& c : point)
-      box.emplace_back(c.lower, c.upper);
-    return std::none_of(run.answers.begin(), run.answers.end(),
-                        [&](const Answer& answer) { return meet(answer.box, box); });
-  });
-}
-
-static void compare(std::uint64_t seed, double seconds, Counts& counts)
-{
-  constexpr double seconds_certified = 5;
-  const Soak_system problem = Soak_systems(seed).make();
-  const std::size_t unproved_before = counts.unproved;
-  const Run certified =
-      solved<SC::Certified_solver_traits>(problem, seconds_certified, counts, counts.certified_incomplete);
-  const Run exact = solved<SC::Exact_solver_traits>(problem, seconds, counts, counts.exact_incomplete);
-  const Comparison forth(certified, exact), back(exact, certified);
-  const std::size_t lost = back.missing + count_lost(problem.planted, certified);
-  const std::size_t extra = forth.missing + forth.doubled + back.doubled + count_lost(problem.planted, exact);
-  ++counts.systems;
-  counts.planted += problem.planted.size();
-  counts.matched += forth.matched;
-  counts.lost += lost;
-  counts.extra += extra;
-  counts.open_in_exact += forth.open;
-  counts.open_in_certified += back.open;
-  counts.certified_limited += certified.is_limited;
-  counts.exact_limited += exact.is_limited;
-  if (const std::size_t unproved = counts.unproved - unproved_before; lost + extra + unproved > 0)
-    std::cout << "seed " << seed << " (" << problem.name << ", " << problem.system.dimension() << " unknowns): " << lost
-              << " lost, " << extra << " extra, " << unproved << " not proved" << std::endl;
-}
-
-static void print(const Counts& counts)
-{
-  std::cout << counts.systems << " systems, " << counts.planted << " planted solutions\n"
-            << "matched: " << counts.matched << "\nlost: " << counts.lost << "\nextra: " << counts.extra
-            << "\nopen in certified: " << counts.open_in_certified << "\nopen in exact: " << counts.open_in_exact
-            << "\nnot proved by verify(): " << counts.unproved
-            << "\nincomplete, certified: " << counts.certified_incomplete << " (" << counts.certified_limited
-            << " at the time limit)\nincomplete, exact: " << counts.exact_incomplete << " (" << counts.exact_limited
-            << " at the time limit)" << std::endl;
+  std::cout << '\n';
+  for (const auto& [kind, counts] : report.kinds)
+    print_row(kind, counts);
+  print_row("all", report.sum());
+  std::cout << seconds << " s" << std::endl;
 }
 
 int main(int count_of_arguments, char** arguments)
 {
-  const std::uint64_t count = count_of_arguments > 1 ? std::strtoull(arguments[1], nullptr, 10) : 10000;
-  const std::uint64_t first = count_of_arguments > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
-  const double seconds = count_of_arguments > 3 ? std::strtod(arguments[3], nullptr) : 0.5;
-  Counts counts;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    compare(seed, seconds, counts);
-    if (counts.systems % 1000 == 0 || counts.systems == count)
-      print(counts);
-  }
-  return counts.systems > 0 && counts.lost == 0 && counts.extra == 0 ? 0 : 1;
+#ifdef SPLINE_CONSTRAINTS_SOAKS_WITH_MPI
+  boost::mpi::environment environment(count_of_arguments, arguments);
+#endif
+  const auto number = [&](int i, std::uint64_t otherwise) {
+    return count_of_arguments > i ? std::strtoull(arguments[i], nullptr, 10) : otherwise;
+  };
+  const std::uint64_t count = number(1, 10000), first = number(2, 1), nodes = number(3, 100);
+  const auto start = std::chrono::steady_clock::now();
+  Soak_report all;
+  std::uint64_t received = 0;
+  const auto receive = [&](std::size_t, const std::string& text) {
+    all.add(Soak_report::read(text));
+    if (++received % 10000 == 0 || received == count)
+      print(all, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  };
+  const auto text_of = [&](std::size_t i, const SC::Visitor_reference& visitor) {
+    Soak_report report;
+    report.add(first + i, Soak_comparison(first + i, nodes, visitor));
+    return report.text();
+  };
+#ifdef SPLINE_CONSTRAINTS_SOAKS_WITH_MPI
+  const boost::mpi::communicator world;
+  SC::Mpi_report report;
+  SC::run_tasks_mpi(world, count, text_of, receive,
+                    {.silence = 120, .journal = count_of_arguments > 4 ? arguments[4] : ""},
+                    "soak from " + std::to_string(first) + ", " + std::to_string(nodes) + " nodes", &report);
+  if (world.rank() != 0)
+    return 0;
+  for (int rank = 0; rank < world.size(); ++rank)
+    std::cout << "rank " << rank << ": " << report.tasks[rank] << " systems in " << report.busy_seconds[rank]
+              << " s of the processor\n";
+#else
+  for (std::uint64_t i = 0; i < count; ++i)
+    receive(i, text_of(i, {}));
+#endif
+  const Soak_counts sum = all.sum();
+  return sum[Soak_counts::SYSTEMS] == count && sum[Soak_counts::LOST] == 0 && sum[Soak_counts::EXTRA] == 0 ? 0 : 1;
 }

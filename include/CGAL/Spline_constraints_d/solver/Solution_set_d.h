@@ -71,6 +71,8 @@ namespace internal {
 
 std::string in_words(Undecided_reason reason);
 
+struct Answer_bytes; // sends answers to other processes
+
 // The least range of doubles around a range of numbers.
 template <class Coordinate>
 Undecided_part::Range to_double_range(const std::pair<Coordinate, Coordinate>& range)
@@ -110,6 +112,8 @@ public:
   using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
 private:
+  friend struct internal::Answer_bytes;
+
   // What most answers do not have: they are kept small.
   struct Details
   {
@@ -288,6 +292,8 @@ public:
   using const_iterator = typename std::vector<Solution>::const_iterator;
 
 private:
+  friend struct internal::Answer_bytes;
+
   std::vector<Solution> m_solutions;
   Summary m_summary;
 

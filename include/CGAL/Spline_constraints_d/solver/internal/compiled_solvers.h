@@ -46,14 +46,16 @@ std::vector<Solution_d<Coordinate_of<Traits>>> decomposed_solutions(const Constr
                                                                     const Solver_options& options, Run_control& control,
                                                                     Summary& summary);
 
-// The answers that one of these finds, with the work; defined in subdivision/solution_set.h.
+// The answers that one of these finds, alone or with other processes, with the work; defined in
+// subdivision/solution_set.h.
 template <class Traits>
 using Solutions_finder = std::vector<Solution_d<Coordinate_of<Traits>>> (*)(const Constraint_system_d&,
                                                                             const Solver_options&, Run_control&,
                                                                             Summary&);
 template <class Traits, class Concurrency_tag>
 Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
-                                                   Solutions_finder<Traits> finder);
+                                                   Solutions_finder<Traits> finder,
+                                                   Round_distribution* distribution = nullptr);
 
 // All curves of solutions of a system; defined in curves/all_curves.h.
 template <class Traits, class Concurrency_tag>
@@ -148,7 +150,7 @@ constexpr void check_definitions()
   EXTERN template std::vector<Solution_d<Coordinate_of<TRAITS>>> decomposed_solutions<TRAITS, TAG>(                    \
       const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);                                      \
   EXTERN template Solution_set_d<Coordinate_of<TRAITS>> solution_set<TRAITS, TAG>(                                     \
-      const Constraint_system_d&, const Solver_options&, Solutions_finder<TRAITS>);
+      const Constraint_system_d&, const Solver_options&, Solutions_finder<TRAITS>, Round_distribution*);
 #define CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, TRAITS, TAG)                                                  \
   EXTERN template Curve_solution_set_d all_curves<TRAITS, TAG>(const Constraint_system_d&, const Solver_options&,      \
                                                                Run_control&, const Curve_search&);                     \

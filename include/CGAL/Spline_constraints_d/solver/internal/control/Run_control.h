@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Round_distribution.h>
 
 #include <algorithm>
 #include <atomic>
@@ -43,9 +44,15 @@ class Run_control
   std::atomic<Undecided_reason> m_reason = Undecided_reason::NONE;
   std::mutex m_mutex;
   double m_done = 0;
+  Round_distribution* m_distribution = nullptr;
 
 public:
-  explicit Run_control(const Solver_options& options) : m_visitor(options.visitor), m_time_limit(options.time_limit) {}
+  explicit Run_control(const Solver_options& options, Round_distribution* distribution = nullptr)
+    : m_visitor(options.visitor), m_time_limit(options.time_limit), m_distribution(distribution)
+  {}
+
+  // Other processes that take part; null: none.
+  Round_distribution* distribution() const { return m_distribution; }
 
   // Why the run was stopped, if it was.
   Undecided_reason reason() const { return m_reason.load(std::memory_order_relaxed); }

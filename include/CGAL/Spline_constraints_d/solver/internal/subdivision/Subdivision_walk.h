@@ -16,18 +16,21 @@
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Outcome_of_task.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/clusters.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,14 +51,7 @@ class Subdivision_walk
   using Coordinate = typename Walk::Coordinate;
   using Task = typename Walk::Task;
 
-  struct Outcome
-  {
-    std::vector<Found_root<Coordinate>> roots;
-    std::vector<Open_box<Coordinate>> open, curve_boxes;
-    std::vector<Task> pending;
-    std::vector<Multiple_root> multiple_roots;
-    std::size_t looks = 0, gains = 0;
-  };
+  using Outcome = Outcome_of_task<Coordinate>;
 
   // What a thread needs for itself.
   struct Worker
@@ -351,6 +347,11 @@ private:
       else
         outcomes[i] = worker.run(tasks[i], limits[i]);
     };
+    if constexpr (std::same_as<Traits, Certified_solver_traits>)
+      if (m_control.distribution() != nullptr && tasks.size() > 1) {
+        run_on_all_ranks(tasks, run_task, outcomes);
+        return outcomes;
+      }
     if (is_parallel<Concurrency_tag> && tasks.size() > 1) {
       m_workers.resize((std::max)(m_workers.size(), slots_of<Concurrency_tag>()));
       const std::vector<std::size_t> order = largest_first(tasks);
@@ -368,6 +369,27 @@ private:
     for (std::size_t i = 0; i < tasks.size(); ++i)
       run_task(i, m_worker);
     return outcomes;
+  }
+
+  // The same by several processes, which are in step: each gets all outcomes, and the work of all.
+  template <class Run>
+  void run_on_all_ranks(const std::vector<Task>& tasks, const Run& run_task, std::vector<Outcome>& outcomes)
+  {
+    const std::vector<std::size_t> order = largest_first(tasks);
+    const Summary before = m_worker.summary;
+    const auto run = [&](std::size_t k) {
+      m_worker.summary = {};
+      run_task(order[k], m_worker);
+      return Outcome_bytes<Coordinate>::of(std::exchange(outcomes[order[k]], {}), m_worker.summary);
+    };
+    const std::vector<std::string> results =
+        m_control.distribution()->results_of_round(tasks.size(), run, [&] { return m_control.must_stop(true); });
+    m_worker.summary = before;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      auto [outcome, work] = Outcome_bytes<Coordinate>::outcome(results[k]);
+      outcomes[order[k]] = std::move(outcome);
+      m_worker.summary = sum(m_worker.summary, work);
+    }
   }
 
   // Large parts of the domain take long as a rule; short tasks fill the gaps at the end of a round.

@@ -37,7 +37,7 @@ Solution_set_d<Coordinate> finished_set(std::vector<Solution_d<Coordinate>> solu
 
 template <class Traits, class Concurrency_tag>
 Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& system, const Solver_options& options,
-                                                   Solutions_finder<Traits> finder)
+                                                   Solutions_finder<Traits> finder, Round_distribution* distribution)
 {
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
@@ -49,7 +49,7 @@ Solution_set_d<Coordinate_of<Traits>> solution_set(const Constraint_system_d& sy
   [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(options.precision);
   Summary summary;
-  Run_control control(options);
+  Run_control control(options, distribution);
   auto found = finder(system, options, control, summary);
   return finished_set(std::move(found), summary, control);
 }
