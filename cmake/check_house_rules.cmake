@@ -13,7 +13,7 @@ cmake_minimum_required(VERSION 3.25)
 set(floors number function solver geometry operations output IO)
 set(order_of_geometry . curves surfaces conversions healing)
 set(order_of_solver/internal control exact node certification subdivision curves surfaces meshing verification
-    decomposition propagation feasibility tracking)
+    decomposition propagation feasibility tracking distribution)
 set(order_of_operations/voronoi/internal sites disks candidates envelope offset diagram)
 set(ordered_folders geometry solver/internal operations/voronoi/internal)
 

@@ -102,7 +102,11 @@ public:
   // The exact run ends after some nodes, so that the counts are the same on every machine; what it has not looked at
   // is undecided then.
   Soak_comparison(std::uint64_t seed, std::size_t exact_nodes, const SC::Visitor_reference& visitor = {})
-    : m_problem(Soak_systems(seed).make())
+    : Soak_comparison(Soak_systems(seed).make(), exact_nodes, visitor)
+  {}
+
+  Soak_comparison(Soak_system problem, std::size_t exact_nodes, const SC::Visitor_reference& visitor = {})
+    : m_problem(std::move(problem))
   {
     constexpr std::size_t certified_nodes = 200000;
     const Run certified = solved<SC::Certified_solver_traits>(certified_nodes, visitor);
