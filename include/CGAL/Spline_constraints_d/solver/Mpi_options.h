@@ -32,7 +32,7 @@ struct Mpi_options
 
   //! seconds without a sign of life after which the tasks of a rank are dealt out again. A rank gives one whenever its
   //! solver asks the visitor; one that was only busy goes on, and the first result of a task counts.
-  double silence = 30;
+  double silence = 10;
 
   //! a file of rank 0 to which results are appended as they come; empty: none. When it is there, what it holds is not
   //! computed again, so that a run that was ended goes on where it was.
