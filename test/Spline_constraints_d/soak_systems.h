@@ -186,9 +186,8 @@ private:
         result.planted.push_back({Rational(u + b * k), Rational(v - a * k)});
     else
       factor = square(x[0] - u) + square(x[1] - v) - m_random.ratio(1, 9, 3);
-    std::erase_if(result.planted, [&](const Point& point) {
-      return !is_in({problem.system.domain(0), problem.system.domain(1)}, point);
-    });
+    const std::vector<System::Domain> domain{problem.system.domain(0), problem.system.domain(1)};
+    std::erase_if(result.planted, [&](const Point& point) { return !is_in(domain, point); });
     for (const Polynomial& function : functions)
       result.system.add(factor * function, Relation::EQUAL);
     return result;
