@@ -53,37 +53,43 @@ inline std::string name_of_work(std::size_t count, const Solver_options& options
   return bytes.take();
 }
 
-inline Solution_set_d<double> solve_watched(const Constraint_system_d& system, Solver_options options,
-                                            const Visitor_reference& visitor)
-{
-  options.visitor = visitor;
-  return Decomposing_solver_d<Certified_solver_traits>(options)(system);
-}
+// Solves the system of an index.
+using Solver_at = std::function<Solution_set_d<double>(std::size_t, const Solver_options&)>;
 
-inline std::vector<Solution_set_d<double>>
-solutions_of_batch(const boost::mpi::communicator& ranks, std::size_t count,
-                   const std::function<Constraint_system_d(std::size_t)>& system_at, const Mpi_options& options,
-                   Mpi_report& report)
+inline std::vector<Solution_set_d<double>> solutions_of_batch(const boost::mpi::communicator& ranks, std::size_t count,
+                                                              const Solver_at& solve_at, const Mpi_options& options,
+                                                              Mpi_report& report)
 {
   options.check();
   std::vector<Solution_set_d<double>> results;
   std::vector<char> is_known(count, 0);
   if (ranks.rank() == 0)
     results.resize(count);
+  const auto solve_watched = [&](std::size_t i, const Visitor_reference& visitor) {
+    Solver_options watched = options.solver;
+    watched.visitor = visitor;
+    return solve_at(i, watched);
+  };
   run_tasks(
       ranks, count, "system",
-      [&](std::size_t i, const Visitor_reference& visitor) {
-        return Answer_bytes::of(solve_watched(system_at(i), options.solver, visitor));
+      [&](std::size_t i, const Visitor_reference& visitor) -> std::string {
+        Solution_set_d<double> answers = solve_watched(i, visitor);
+        if (results.empty() || !options.journal.empty())
+          return Answer_bytes::of(answers);
+        if (!is_known[i])
+          results[i] = std::move(answers); // those of rank 0 need not travel
+        return {};
       },
       [&](std::size_t i, const std::string& bytes) {
-        results[i] = Answer_bytes::answers<double>(bytes);
+        if (!bytes.empty())
+          results[i] = Answer_bytes::answers<double>(bytes);
         is_known[i] = 1;
       },
       name_of_work(count, options.solver), options, report);
   Stopping_visitor at_once;
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!is_known[i]) // the visitor has stopped the work
-      results[i] = solve_watched(system_at(i), options.solver, at_once);
+      results[i] = solve_watched(i, at_once);
   return results;
 }
 
@@ -120,7 +126,9 @@ solve_batch_mpi(const boost::mpi::communicator& ranks, std::size_t count, const 
                 const Mpi_options& options = {}, Mpi_report* report = nullptr)
 {
   Mpi_report own;
-  return internal::solutions_of_batch(ranks, count, std::cref(system_at), options, report != nullptr ? *report : own);
+  return internal::solutions_of_batch(
+      ranks, count, [&](std::size_t i, const Solver_options& limits) { return solve(system_at(i), limits); }, options,
+      report != nullptr ? *report : own);
 }
 
 /*!
@@ -134,11 +142,15 @@ requires std::ranges::sized_range<Range> && std::same_as<std::ranges::range_valu
     std::vector<Solution_set_d<double>> solve_batch_mpi(const boost::mpi::communicator& ranks, const Range& systems,
                                                         const Mpi_options& options = {}, Mpi_report* report = nullptr)
 {
+  Mpi_report own;
   const auto first = std::ranges::begin(systems);
-  return solve_batch_mpi(
+  return internal::solutions_of_batch(
       ranks, static_cast<std::size_t>(std::ranges::size(systems)),
-      [&](std::size_t i) { return first[static_cast<std::ranges::range_difference_t<const Range>>(i)]; }, options,
-      report);
+      [&](std::size_t i, const Solver_options& limits) {
+        const Constraint_system_d& system = first[static_cast<std::ranges::range_difference_t<const Range>>(i)];
+        return solve(system, limits);
+      },
+      options, report != nullptr ? *report : own);
 }
 
 /*!
