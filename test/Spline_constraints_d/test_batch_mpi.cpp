@@ -3,7 +3,7 @@
 
 /*
 What the ranks of MPI find together is what one finds alone, bit by bit. It runs as any number of ranks, also without
-`mpirun`. With the argument --dying the last rank kills itself in the middle of a batch.
+`mpirun`. With an argument --dying-... the last rank kills itself in the middle.
 */
 
 #include "solver_test_checks.h"
@@ -320,8 +320,16 @@ TEST(Batch_mpi, TasksOfAnyKind)
     EXPECT_GT(tasks, 0u);
 }
 
+static void report_losses(bool is_equal, const SC::Mpi_report& report)
+{
+  if (mpi::communicator().rank() == 0)
+    std::cout << (is_equal ? "all answers are there" : "answers are missing") << ", " << report.lost.size()
+              << " rank lost, " << (report.repeated > 0 ? "some" : "no") << " tasks dealt out again" << std::endl;
+  exit_after_mpi(report);
+}
+
 // The last rank is killed in its third system; all answers are there.
-static int die_in_the_middle()
+static int die_in_a_batch()
 {
   const mpi::communicator world;
   const SC::Parameter_grid grid = many_parameters();
@@ -335,23 +343,37 @@ static int die_in_the_middle()
         return circle_and_cubic(parameters);
       },
       {.silence = 1.5}, &report);
-  if (world.rank() == 0) {
-    const auto expected = solve(systems_of(grid));
-    bool is_equal = found.size() == expected.size();
-    for (std::size_t i = 0; is_equal && i < found.size(); ++i)
-      is_equal = bits_of(found[i]) == bits_of(expected[i]);
-    std::cout << (is_equal ? "all answers are there" : "answers are missing") << ", " << report.lost.size()
-              << " rank lost, " << (report.repeated > 0 ? "some" : "no") << " systems dealt out again" << std::endl;
-  }
-  exit_after_mpi(report);
+  const auto expected = solve(systems_of(grid));
+  bool is_equal = found.size() == expected.size();
+  for (std::size_t i = 0; is_equal && i < found.size(); ++i)
+    is_equal = bits_of(found[i]) == bits_of(expected[i]);
+  report_losses(is_equal, report);
+  return 0;
+}
+
+// The last rank is killed while it works on the boxes of a system.
+static int die_in_a_box()
+{
+  const mpi::communicator world;
+  const System system = mixed_chebyshev(4, 5).system;
+  if (world.rank() == world.size() - 1)
+    std::thread([] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      std::raise(SIGKILL);
+    }).detach();
+  SC::Mpi_report report;
+  const Answers found = solve_mpi(world, system, {.silence = 1.5}, &report);
+  report_losses(world.rank() == 0 && bits_of(found) == bits_of(solve(system)), report);
   return 0;
 }
 
 int main(int count, char** arguments)
 {
   mpi::environment environment(count, arguments);
-  if (count > 1 && std::string_view(arguments[1]) == "--dying")
-    return die_in_the_middle();
+  if (count > 1 && std::string_view(arguments[1]) == "--dying-in-a-batch")
+    return die_in_a_batch();
+  if (count > 1 && std::string_view(arguments[1]) == "--dying-in-a-box")
+    return die_in_a_box();
   testing::InitGoogleTest(&count, arguments);
   return RUN_ALL_TESTS();
 }

@@ -221,7 +221,8 @@ void run_tasks_mpi(const boost::mpi::communicator& ranks, std::size_t count, con
 \ingroup PkgSplineConstraintsDSolver
 
 ends the program where a rank was lost, and returns otherwise: `MPI_Finalize()` would wait for it. To be called by all
-ranks after the answers have been written, before what ends MPI, with the last report.
+ranks after the answers have been written, before what ends MPI. A function of this header that is called after a rank
+was lost would wait for it, too.
 \param report what the work has told.
 \param status the exit status.
 */
