@@ -12,6 +12,8 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/exception.hpp>
 #include <boost/mpi/request.hpp>
+#include <boost/mpi/status.hpp>
+#include <boost/optional.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -112,7 +114,7 @@ public:
   template <class Receiver>
   void receive(const Receiver& receive)
   {
-    while (const auto status = m_ranks.iprobe(boost::mpi::any_source, tag)) {
+    while (const auto status = next_packet()) {
       const int size = *status->template count<char>();
       Packet& packet = m_received[status->source()].on_the_way.emplace_back();
       packet.bytes.resize(static_cast<std::size_t>(size));
@@ -130,6 +132,16 @@ public:
 private:
   static const std::deque<Packet>& packets(const std::deque<Packet>& sent) { return sent; }
   static const std::deque<Packet>& packets(const Stream& received) { return received.on_the_way; }
+
+  // None as well when MPI only says that a connection has broken, without the rank.
+  boost::optional<boost::mpi::status> next_packet()
+  {
+    try {
+      return m_ranks.iprobe(boost::mpi::any_source, tag);
+    } catch (const boost::mpi::exception&) {
+      return {};
+    }
+  }
 
   template <class Call>
   void guarded(int rank, const Call& call)
