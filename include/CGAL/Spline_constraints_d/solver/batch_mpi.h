@@ -106,6 +106,9 @@ Systems are dealt out in chunks, large ones first and single systems at the end,
 they have; rank 0 solves some, too. Nothing is sent of a system but its index. Answers travel as the bits of their
 doubles and their rationals in words.
 
+Link `CGAL::Spline_constraints_d_MPI`, which CMake makes where Boost.MPI is found: with
+`find_package(Spline_constraints_d COMPONENTS MPI)`, or in the source tree with `SPLINE_CONSTRAINTS_WITH_MPI`.
+
 A rank that dies costs its systems' repetition, if the rest of the job goes on: Open MPI ends it unless it was started
 as `mpirun --enable-recovery`. MPI cannot be ended in the usual way then; see `exit_after_mpi()`. In any case, a run with
 a `Mpi_options::journal` that was ended, whatever ended it, is started again for what is missing. It is for the caller to

@@ -41,7 +41,7 @@ class Mpi_worker : public Round_distribution
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t size_of_results = 1500; // to be sent together
   static constexpr double seconds_of_results = 0.05;
-  static constexpr double silence_of_rank_0 = 10; // times that of others: nobody does its work
+  static constexpr double silence_of_rank_0 = 100;// times that of others: nobody does its work
 
   Mpi_mail& m_mail;
   const Mpi_options& m_options;
