@@ -134,36 +134,45 @@ public:
 
   bool is_stopped() const { return m_is_stopped; }
 
-  // Ends the work of all ranks, and waits until each has left or was silent for long.
+  // Ends the work of all ranks, waits until each has left or was silent for long, and tells them who was lost.
   void end(End_of_work reason, const std::string& message)
   {
     note_silent_ranks();
     Byte_writer bytes = message_about(Subject::END);
     bytes.add(static_cast<int>(reason));
     bytes.add(std::string_view(message));
-    std::vector<int> lost;
-    for (int rank = 1; rank < m_mail.size(); ++rank)
-      if (m_peers[rank].is_silent)
-        lost.push_back(rank);
-    bytes.add(lost);
-    const std::string text = bytes.take();
-    for (int rank = 1; rank < m_mail.size(); ++rank)
-      m_mail.send(rank, text);
+    send_to_all(bytes.take());
     const Clock::time_point start = Clock::now();
     const auto is_awaited = [&](const Peer& peer) { return &peer != &m_peers[0] && !peer.has_left && !peer.is_silent; };
-    while (std::any_of(m_peers.begin(), m_peers.end(), is_awaited) && seconds_since(start) < m_options.silence) {
-      receive_mail();
-      std::this_thread::sleep_for(std::chrono::microseconds(50));
-    }
+    while (std::any_of(m_peers.begin(), m_peers.end(), is_awaited) && seconds_since(start) < m_options.silence)
+      wait();
     for (int rank = 1; rank < m_mail.size(); ++rank)
       if (!m_peers[rank].has_left)
         m_report.lost.push_back(rank);
+    Byte_writer closing = message_about(Subject::CLOSED);
+    closing.add(m_report.lost);
+    send_to_all(closing.take());
+    for (int rank = 1; rank < m_mail.size(); ++rank)
+      while (m_peers[rank].has_left && !m_mail.is_sent(rank) && seconds_since(start) < 2 * m_options.silence)
+        wait();
   }
 
 private:
   static double seconds_since(Clock::time_point time)
   {
     return std::chrono::duration<double>(Clock::now() - time).count();
+  }
+
+  void send_to_all(const std::string& message)
+  {
+    for (int rank = 1; rank < m_mail.size(); ++rank)
+      m_mail.send(rank, message);
+  }
+
+  void wait()
+  {
+    receive_mail();
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
 
   // Now and then.
@@ -177,8 +186,7 @@ private:
     note_silent_ranks();
     if (std::chrono::duration<double>(now - m_last_sign).count() > m_options.silence / 4) {
       m_last_sign = now;
-      for (int rank = 1; rank < m_mail.size(); ++rank)
-        m_mail.send(rank, message_about(Subject::ALIVE).take());
+      send_to_all(message_about(Subject::ALIVE).take());
     }
     if (m_tasks == nullptr)
       return;

@@ -49,7 +49,7 @@ class Mpi_worker : public Round_distribution
   std::size_t m_round = 0;
   std::deque<std::size_t> m_tasks;
   std::vector<std::string> m_results_of_round;
-  bool m_has_results_of_round = false, m_has_ended = false;
+  bool m_has_results_of_round = false, m_has_ended = false, m_is_closed = false;
   End_of_work m_reason = End_of_work::DONE;
   std::string m_message;
   Byte_writer m_results; // that are not sent
@@ -75,7 +75,7 @@ public:
         throw Work_has_ended();
       if (m_tasks.empty()) {
         send_results();
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
+        wait();
         continue;
       }
       const std::size_t task = m_tasks.front();
@@ -114,17 +114,18 @@ public:
   }
   void on_progress(double) {}
 
-  // Waits for the end of the work, if it has not been, and leaves.
+  // Waits for the end of the work, if it has not been, and leaves. A rank that is not told who was lost has come too
+  // late, and is lost itself.
   std::pair<End_of_work, std::string> leave()
   {
-    while (!m_has_ended) {
-      look(true);
-      std::this_thread::sleep_for(std::chrono::microseconds(50));
-    }
+    while (!m_has_ended)
+      wait();
     send(message_about(Subject::LEAVES).take());
     const Clock::time_point start = Clock::now();
-    while (!m_mail.is_sent(0) && seconds_since(start) < m_options.silence)
-      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    while ((!m_is_closed || !m_mail.is_sent(0)) && seconds_since(start) < 2 * m_options.silence)
+      wait();
+    if (!m_is_closed)
+      m_report.lost.push_back(m_mail.rank());
     return {m_reason, m_message};
   }
 
@@ -132,6 +133,12 @@ private:
   static double seconds_since(Clock::time_point time)
   {
     return std::chrono::duration<double>(Clock::now() - time).count();
+  }
+
+  void wait()
+  {
+    look(true);
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
 
   void send(const std::string& message)
@@ -156,6 +163,8 @@ private:
       return;
     m_last_look = now;
     m_mail.receive([&](int, const std::string& message) { receive(message); });
+    if (m_has_ended)
+      return;
     const double since_sign = std::chrono::duration<double>(now - m_last_sign).count();
     if (since_sign > seconds_of_results)
       send_results();
@@ -184,8 +193,11 @@ private:
     case Subject::END:
       m_reason = static_cast<End_of_work>(bytes.get<int>());
       bytes.read(m_message);
-      bytes.read(m_report.lost);
       m_has_ended = true;
+      break;
+    case Subject::CLOSED:
+      bytes.read(m_report.lost);
+      m_is_closed = true;
       break;
     default:
       break;

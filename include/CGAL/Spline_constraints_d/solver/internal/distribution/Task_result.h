@@ -90,7 +90,8 @@ enum class Subject
   LEAVES,  // the last message of a rank
   TASKS,   // the round, and indices
   ROUND,   // the round, and the results of all of its tasks in their order
-  END      // why, and what ranks were lost
+  END,     // why
+  CLOSED   // the last message to a rank: what ranks were lost
 };
 
 enum class End_of_work
