@@ -159,11 +159,14 @@ private:
   static bool is_certified(const Answer& answer) { return answer.kind == Solution_kind::CERTIFIED; }
 
   // Both boxes hold the same root of the equalities: each holds one, and the region of one of them, in which there is
-  // no other, holds the other box.
-  static bool have_same_root(const Answer& a, const Answer& b)
+  // no other, holds the other box; or both hold one and the same planted solution.
+  bool have_same_root(const Answer& a, const Answer& b) const
   {
     return is_certified(a) && is_certified(b) && meet(a.boxes[0], b.boxes[0]) &&
-        (is_inside(b.boxes[0], a.region) || is_inside(a.boxes[0], b.region));
+        (is_inside(b.boxes[0], a.region) || is_inside(a.boxes[0], b.region) ||
+         std::any_of(m_problem.planted.begin(), m_problem.planted.end(), [&](const Point& point) {
+           return is_inside(box_of(point), a.boxes[0]) && is_inside(box_of(point), b.boxes[0]);
+         }));
   }
 
   template <class Traits>
