@@ -66,6 +66,13 @@ static void draw(const std::vector<std::size_t>& classes, std::size_t columns, s
   file << "</svg>\n";
 }
 
+// Tells rank 0 how much is done; it could stop all ranks as well.
+struct Progress
+{
+  void on_progress(double share) { std::cerr << static_cast<int>(100 * share) << " %\r" << std::flush; }
+  bool stop() const { return false; }
+};
+
 int main(int count, char** arguments)
 {
   boost::mpi::environment environment(count, arguments);
@@ -74,10 +81,11 @@ int main(int count, char** arguments)
                     rows = count > 2 ? std::strtoul(arguments[2], nullptr, 10) : 20;
 
   SC::Mpi_report report;
+  Progress progress;
   try {
     const SC::Parameter_grid positions({{Number(1) / 100, 5, columns}, {-Number(399) / 100, 4, rows}});
-    const auto answers =
-        SC::solve_batch_mpi(world, positions, postures, {.journal = count > 3 ? arguments[3] : ""}, &report);
+    const SC::Mpi_options options{.solver = {.visitor = progress}, .journal = count > 3 ? arguments[3] : ""};
+    const auto answers = SC::solve_batch_mpi(world, positions, postures, options, &report);
     if (world.rank() == 0) {
       std::array<std::size_t, 6> counts{};
       std::vector<std::size_t> classes;
