@@ -9,7 +9,8 @@ compares the answers with each other and with the solutions that were planted. P
 of systems, as soak_systems.h names them, with the counts of soak_comparison.h, and the seeds of systems with lost or
 extra roots. The exit status is 0 when there are none, else 1.
 
-Where Boost.MPI is found, `mpirun -n 2 soak_solver ...` shares the systems; with a journal, a run that was ended goes on.
+Where Boost.MPI is found, `mpirun -n 2 soak_solver ...` shares the systems; with a journal, a run that was ended goes
+on.
 */
 
 #include "soak_comparison.h"

@@ -10,8 +10,8 @@ d2, d3, d4, r2, and the second and third angle, the tool is at the distance rho 
 
   rho^2 = (d2 + (d3 + d4 cos3) cos2)^2 + (r2 + d4 sin3)^2,   z = -(d3 + d4 cos3) sin2.
 
-For each position of a grid of rho and z, all postures of the arm that reach it are solved for, by all ranks of MPI: 0, 2
-or 4. Draws them to batch_mpi.svg, the darker the more; dots are undecided, or lie where postures coincide. With a
+For each position of a grid of rho and z, all postures of the arm that reach it are solved for, by all ranks of MPI: 0,
+2 or 4. Draws them to batch_mpi.svg, the darker the more; dots are undecided, or lie where postures coincide. With a
 journal, a run that was ended goes on where it was.
 */
 

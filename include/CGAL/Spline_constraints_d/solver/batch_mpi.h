@@ -110,9 +110,9 @@ Link `CGAL::Spline_constraints_d_MPI`, which CMake makes where Boost.MPI is foun
 `find_package(Spline_constraints_d COMPONENTS MPI)`, or in the source tree with `SPLINE_CONSTRAINTS_WITH_MPI`.
 
 A rank that dies costs its systems' repetition, if the rest of the job goes on: Open MPI ends it unless it was started
-as `mpirun --enable-recovery`. MPI cannot be ended in the usual way then; see `exit_after_mpi()`. In any case, a run with
-a `Mpi_options::journal` that was ended, whatever ended it, is started again for what is missing. It is for the caller to
-take another file for other systems.
+as `mpirun --enable-recovery`. MPI cannot be ended in the usual way then; see `exit_after_mpi()`. In any case, a run
+with a `Mpi_options::journal` that was ended, whatever ended it, is started again for what is missing. It is for the
+caller to take another file for other systems.
 
 \param ranks the processes that take part.
 \param count how many systems there are.
