@@ -245,8 +245,8 @@ private:
     return std::nullopt;
   }
 
-  // The regular points on a plane from the layer of the coefficients there, if its box is the exact one, and if they are
-  // certain; none is then on an edge of the box.
+  // The regular points on a plane from the layer of the coefficients there, if the node's box is the exact one, and if
+  // they are certain; none is then on an edge of the box.
   std::optional<Vertex_indices> points_on_layer(const Node& node, const Exact_ranges& box, int axis, double place,
                                                 const Exact_rational& value, const Vertex_indices& vertices)
   {

@@ -23,8 +23,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The equalities of a node on a face of its box: the first or the last layer of its coefficients along an axis. Blocks that
-are on the same unknowns there become one, of the larger degrees, and so do constants with another one.
+The equalities of a node on a face of its box: the first or the last layer of its coefficients along an axis. Blocks
+that are on the same unknowns there become one, of the larger degrees, and so do constants with another one.
 */
 class Face_restriction
 {
