@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The solver by constraint propagation: planted rational solutions, on faces and close together; multiple ones, and
-// some on faces at irrational places; systems whose tensors would be too large, and of hundreds of unknowns, with known
-// numbers of solutions; a common part as an unknown of its own; inequalities; limits and bad input. Its parts: ranges
-// of polynomials against their values, and sparse elimination against the matrix it is given.
+// some on faces at irrational places; systems whose tensors would be too large, and of hundreds of unknowns, with
+// known numbers of solutions; chains, by windows that grow, with planted solutions that none of their boxes loses; a
+// common part as an unknown of its own; inequalities; limits and bad input. Its parts: ranges of polynomials against
+// their values, and sparse elimination against the matrix it is given.
 
 #include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Chain_order.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Growing_windows.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
@@ -15,7 +18,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -275,6 +280,87 @@ TEST(Propagation, choice_of_solver)
     EXPECT_EQ(solutions.size(), propagation.size());
     EXPECT_GE(solutions.size(), 2u);
   }
+}
+
+// Two substances that react while they pass each other, in m stages: u_{k-1} - u_{k+1} = 2 u_k (1 + 4 v_k) and
+// v_{k-1} - 3 v_{k+1} = 2 v_k (1 + 4 u_k), where u_0, v_0, u_{m+1}, v_{m+1} are given. Moved so that a point is a
+// solution, if one is given.
+Constraints counterflow(int stages, const std::vector<Rational>& solution = {})
+{
+  const auto unknown = [&](int substance, int stage) {
+    if (stage < 0 || stage >= stages)
+      return Power_polynomial(Rational((stage < 0) == (substance == 0) ? 1 : 0));
+    return Power_polynomial::variable(2 * stage + substance);
+  };
+  std::vector<Power_polynomial> result;
+  for (int k = 0; k < stages; ++k)
+    for (int s = 0; s < 2; ++s) {
+      const Power_polynomial flow = unknown(s, k - 1) - Power_polynomial(Rational(s == 0 ? 1 : 3)) * unknown(s, k + 1);
+      const Power_polynomial reaction = Power_polynomial(Rational(2)) * unknown(s, k) *
+          (Power_polynomial(Rational(1)) + Power_polynomial(Rational(4)) * unknown(1 - s, k));
+      result.push_back(flow - reaction);
+      if (!solution.empty())
+        result.back() -= Power_polynomial(result.back()(solution));
+    }
+  return equalities(result);
+}
+
+TEST(Propagation, chains)
+{
+  // the numbers are those that the search finds without windows
+  for (const auto& [stages, solutions] : std::vector<std::pair<int, std::size_t>>{{4, 14}, {5, 18}, {7, 26}}) {
+    const auto found = SC::Propagation_solver_d()(everywhere(2 * stages, 100000), counterflow(stages));
+    EXPECT_TRUE(found.is_complete()) << stages;
+    EXPECT_EQ(found.size(), solutions) << stages;
+  }
+}
+
+TEST(Propagation, windows_lose_no_solution)
+{
+  std::mt19937 engine(561);
+  std::uniform_int_distribution<int> eighths(-8, 8);
+  for (int round = 0; round < 10; ++round) {
+    const int stages = 4 + round % 3;
+    std::vector<Rational> solution;
+    for (int j = 0; j < 2 * stages; ++j)
+      solution.push_back(Rational(eighths(engine)) / 8);
+    const Constraints constraints = counterflow(stages, solution);
+    const SC::internal::Chain_order order(constraints, 2 * stages);
+    EXPECT_EQ(order.largest_frontier(), 4u);
+    Constraints chain;
+    for (const int i : order.order())
+      chain.push_back(constraints[i]);
+    const SC::Upward_rounding_guard guard;
+    const SC::internal::Box_of_ranges domain(2 * stages, SC::internal::Interval(-1000, 1000));
+    SC::internal::Growing_windows windows(chain, domain, [] {});
+    while (!windows.is_done())
+      windows.advance();
+    const auto boxes = windows.boxes(domain);
+    EXPECT_LT(boxes.size(), 1000u);
+    EXPECT_TRUE(std::ranges::any_of(boxes, [&](const SC::internal::Box_of_ranges& box) {
+      for (std::size_t j = 0; j < box.size(); ++j)
+        if (solution[j] < Rational(box[j].inf()) || solution[j] > Rational(box[j].sup()))
+          return false;
+      return true;
+    })) << round;
+  }
+}
+
+TEST(Propagation, chain_order)
+{
+  // a chain whose constraints are shuffled, and a system that is none
+  Constraints chain = counterflow(10);
+  std::shuffle(chain.begin(), chain.end(), std::mt19937(562));
+  const SC::internal::Chain_order order(chain, 20);
+  EXPECT_LE(order.largest_frontier(), 6u);
+  std::vector<int> places = order.order();
+  std::ranges::sort(places);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(places[i], i);
+  Power_polynomial sum;
+  for (int j = 0; j < 12; ++j)
+    sum += Power_polynomial::variable(j);
+  EXPECT_EQ(SC::internal::Chain_order(equalities(std::vector<Power_polynomial>(12, sum)), 12).largest_frontier(), 12u);
 }
 
 TEST(Propagation, limits)

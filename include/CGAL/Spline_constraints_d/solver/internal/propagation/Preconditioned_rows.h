@@ -44,7 +44,7 @@ class Preconditioned_rows
   };
 
   const Sparse_system& m_system;
-  int m_dimension;
+  int m_dimension, m_equalities;
   Affine_enclosures m_enclosures;
   std::vector<Row> m_rows;
   std::optional<Row_elimination<0>> m_dense;
@@ -58,10 +58,11 @@ class Preconditioned_rows
 public:
   // `check()` may end the work by an exception.
   Preconditioned_rows(const Sparse_system& system, const std::function<void()>& check)
-    : m_system(system), m_dimension(system.dimension()), m_enclosures(system), m_rows(m_dimension), m_check(check)
+    : m_system(system), m_dimension(system.dimension()), m_equalities(static_cast<int>(system.equalities().size())),
+      m_enclosures(system), m_rows(m_equalities), m_check(check)
   {
     if (m_dimension <= largest_dense_dimension) {
-      m_dense.emplace(m_dimension, m_dimension);
+      m_dense.emplace(m_equalities, m_dimension);
       m_slopes.resize(static_cast<std::size_t>(m_dimension) * m_dimension);
     } else
       m_sparse.emplace(m_dimension);
@@ -98,7 +99,7 @@ private:
   template <class Add, class Set_radius>
   void visit_equalities(const Add& add, const Set_radius& set_radius)
   {
-    for (int i = 0; i < m_dimension; ++i)
+    for (int i = 0; i < m_equalities; ++i)
       set_radius(i, m_enclosures.visit_slopes(m_system.equalities()[i], [&](int j, double slope) {
         add(i, j, slope * m_enclosures.offset(j).sup());
       }));
@@ -115,11 +116,11 @@ private:
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_densely()
 {
-  m_radii.resize(m_dimension);
+  m_radii.resize(m_equalities);
   std::fill(m_slopes.begin(), m_slopes.end(), 0.0);
   visit_equalities([&](int i, int j, double slope) { m_slopes[i * m_dimension + j] = slope; },
                    [&](int i, double radius) { m_radii[i] = radius; });
-  for (int i = 0; i < m_dimension; ++i) {
+  for (int i = 0; i < m_equalities; ++i) {
     const double* row = m_slopes.data() + i * m_dimension;
     double size = m_radii[i];
     for (int j = 0; j < m_dimension; ++j)
@@ -127,11 +128,11 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_densely()
     m_dense->set_row(i, row, size, m_radii[i]);
   }
   m_dense->run();
-  for (int i = 0; i < m_dimension; ++i) {
+  for (int i = 0; i < m_equalities; ++i) {
     Row& row = m_rows[i];
     row.unknown = i < m_dense->rank() ? m_dense->unknown(i) : -1;
     row.multiples.clear();
-    for (int k = 0; k < m_dimension; ++k)
+    for (int k = 0; k < m_equalities; ++k)
       if (const double part = m_dense->part(i, k); part != 0)
         row.multiples.emplace_back(m_system.equalities()[m_dense->equation(k)], part);
   }

@@ -78,21 +78,54 @@ public:
   // Looks at all of a box.
   void run(const Box_of_ranges& domain)
   {
-    push(domain, -1, 0);
+    begin(domain);
+    if (!advance(m_options.node_limit))
+      end(Undecided_reason::NODES);
+  }
+
+  // The box is to be looked at.
+  void begin(const Box_of_ranges& domain) { push(domain, -1, 0); }
+
+  // These boxes are to be looked at, and nothing else any more.
+  void replace_waiting(const std::vector<Box_of_ranges>& boxes)
+  {
+    m_waiting.clear();
+    m_waiting_boxes.clear();
+    const int depth = static_cast<int>(std::ceil(std::log2((std::max)(boxes.size(), std::size_t(1)))));
+    for (const Box_of_ranges& box : boxes)
+      push(box, -1, depth);
+  }
+
+  // Until no box waits, or so many were looked at in all (0: any number); whether it has ended, by a limit of the run,
+  // too.
+  bool advance(std::size_t most_nodes)
+  {
     while (!m_waiting.empty()) {
-      if (is_at_limit()) {
-        leave_rest();
-        return;
+      if (m_control.must_stop(true)) {
+        end(m_control.reason());
+        return true;
       }
+      if (most_nodes > 0 && m_nodes >= most_nodes)
+        return false;
       const Waiting node = pop();
       try {
         examine(node);
       } catch (const Run_stopped& stopped) {
-        m_reason = stopped.reason;
         m_rest.push_back(m_box);
-        leave_rest();
-        return;
+        end(stopped.reason);
+        return true;
       }
+    }
+    return true;
+  }
+
+  // Leaves all that waits.
+  void end(Undecided_reason reason)
+  {
+    m_reason = reason;
+    while (!m_waiting.empty()) {
+      pop();
+      m_rest.push_back(m_box);
     }
   }
 
@@ -120,23 +153,6 @@ private:
     const Waiting result = m_waiting.back();
     m_waiting.pop_back();
     return result;
-  }
-
-  bool is_at_limit()
-  {
-    if (m_options.node_limit > 0 && m_nodes >= m_options.node_limit)
-      m_reason = Undecided_reason::NODES;
-    else if (m_control.must_stop(true))
-      m_reason = m_control.reason();
-    return m_reason != Undecided_reason::NONE;
-  }
-
-  void leave_rest()
-  {
-    while (!m_waiting.empty()) {
-      pop();
-      m_rest.push_back(m_box);
-    }
   }
 
   void examine(const Waiting& node);

@@ -20,11 +20,11 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Common_part.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Elementary_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Explicit_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Precise_zeros.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Propagation_run.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Propagation_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/check_constraints.h>
@@ -76,6 +76,8 @@ class Solutions_by_propagation
   std::vector<Solution> m_solutions;
   std::vector<Proved_root> m_roots; // of the solutions that are certified
   std::vector<Box_of_ranges> m_open;
+  std::optional<Propagation_run> m_run; // of polynomials
+  bool m_is_stopped = false;            // before there was a search
 
 public:
   Solutions_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
@@ -88,11 +90,28 @@ public:
       m_precise_zeros.emplace(domain, constraints, *m_values, control);
   }
 
+  // Of polynomials: goes on with the search until it has ended, or so many boxes were looked at in all (0: any number);
+  // whether it has ended. The rounding is upward.
+  bool advance(std::size_t most_nodes);
+  // Boxes looked at by the search so far.
+  std::size_t nodes() const { return m_run ? m_run->nodes() : 0; }
+
   // In no order.
   std::vector<Solution> operator()()
   {
+    if (m_values == nullptr)
+      advance(m_options.node_limit);
+    return found();
+  }
+
+  // What the search has found, and what it left: it ends with this.
+  std::vector<Solution> found()
+  {
     try {
-      m_values == nullptr ? search() : search_with_values();
+      if (m_values != nullptr)
+        search_with_values();
+      else if (!m_is_stopped)
+        add_found();
       settle_open();
     } catch (const Run_stopped& stopped) {
       add_undecided(box_of_domain(), stopped.reason);
@@ -124,10 +143,10 @@ private:
     m_solutions.emplace_back(Solution_kind::UNDECIDED, plain(box), Solution::Box(), "interval", reason);
   }
 
-  void search();
-  void search(const Sparse_system& system, const Box_of_ranges& box, const Explicit_unknowns& explicit_unknowns);
+  void add_found();
   void search_with_values();
-  void leave_rest(Propagation_search& search, const std::function<Box_of_ranges(Box_of_ranges)>& expanded);
+  void leave_rest(Propagation_search& search, std::size_t nodes,
+                  const std::function<Box_of_ranges(Box_of_ranges)>& expanded);
   void add_root(const Proved_root& root, const Sparse_system& system, const Explicit_unknowns& explicit_unknowns);
   void add_root(Proved_root root, Whereabouts place);
   std::optional<Whereabouts> exact_place(const Box_of_ranges& enclosure) const;
@@ -205,52 +224,47 @@ inline bool forgets_defined_unknowns(Proved_root& root, const Sparse_system& sys
   return is_found;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search()
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Solutions_by_propagation::advance(std::size_t most_nodes)
 {
-  const auto check = [this] { m_control.check(); };
-  const Explicit_unknowns explicit_unknowns(box_of_domain(), m_constraints, check);
-  const int dimension = explicit_unknowns.dimension();
-  Box_of_ranges box = explicit_unknowns.reduced(box_of_domain());
-  const Common_part common(explicit_unknowns.constraints(), dimension, check);
-  if (common.is_found()) {
-    const Sparse_system system(dimension + 1, common.constraints(), check);
-    box.push_back(Interval(0));
-    box.back() = system.value(system.constraints() - 1, box);
-    if (is_finite(box.back())) {
-      search(system, box, explicit_unknowns);
-      return;
-    }
-    box.pop_back();
+  if (m_is_stopped)
+    return true;
+  try {
+    if (!m_run)
+      m_run.emplace(box_of_domain(), m_constraints, m_options, m_control);
+    return m_run->advance(most_nodes);
+  } catch (const Run_stopped& stopped) {
+    m_is_stopped = true;
+    add_undecided(box_of_domain(), stopped.reason);
+    return true;
   }
-  search(Sparse_system(dimension, explicit_unknowns.constraints(), check), box, explicit_unknowns);
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search(const Sparse_system& system,
-                                                                     const Box_of_ranges& box,
-                                                                     const Explicit_unknowns& explicit_unknowns)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_found()
 {
+  const Explicit_unknowns& explicit_unknowns = m_run->explicit_unknowns();
+  const Sparse_system& system = m_run->system();
   const int dimension = explicit_unknowns.dimension();
   const auto expanded = [&](Box_of_ranges ranges) {
     ranges.resize(dimension);
     return explicit_unknowns.expanded(ranges);
   };
-  Propagation_search search(system, m_options, m_control);
-  search.run(box);
+  Propagation_search& search = m_run->search();
+  search.end(search.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : search.reason());
   for (Proved_root& root : search.roots())
     if (const int common = system.dimension() - dimension;
         common == 0 || forgets_defined_unknowns(root, system, common))
       add_root(root, system, explicit_unknowns);
     else
       m_open.push_back(expanded(root.enclosure));
-  leave_rest(search, expanded);
+  leave_rest(search, m_run->nodes(), expanded);
 }
 
 // What is open, and what a limit left.
 CGAL_SPLINE_CONSTRAINTS_INLINE void
-Solutions_by_propagation::leave_rest(Propagation_search& search,
+Solutions_by_propagation::leave_rest(Propagation_search& search, std::size_t nodes,
                                      const std::function<Box_of_ranges(Box_of_ranges)>& expanded)
 {
-  m_summary.nodes += search.nodes();
+  m_summary.nodes += nodes;
   for (const Box_of_ranges& open : search.undecided())
     m_open.push_back(expanded(open));
   if (!search.rest().empty()) {
@@ -287,7 +301,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search_with_values
     const Whereabouts other = place_in_inequalities(enclosure, system, elementary.constraints());
     add_root(std::move(root), place == Whereabouts::OUTSIDE || other == Whereabouts::INSIDE ? place : other);
   }
-  leave_rest(search, shortened);
+  leave_rest(search, search.nodes(), shortened);
 }
 
 // Where the simplest rational point of an enclosure lies beside the domain and the inequalities, if it is the root.

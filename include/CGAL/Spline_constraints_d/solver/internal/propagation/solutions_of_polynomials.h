@@ -41,7 +41,7 @@ Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_
 /*
 Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, tensors for twice as long,
 each time for four times as many nodes as before: which one is faster is not seen beforehand, nor by how much of the
-domain each has done.
+domain each has done. Propagation goes on where it was; tensors begin anew.
 */
 class Solutions_of_polynomials
 {
@@ -52,24 +52,22 @@ class Solutions_of_polynomials
   const Solver_options& m_options;
   Run_control& m_control;
   Summary& m_summary;
+  Summary m_propagation_summary;
+  Solutions_by_propagation m_propagation; // goes on in each of its turns
 
   // A run with a limit of nodes of its own.
   struct Trial
   {
     std::vector<Solution> solutions;
-
-    bool is_at_limit() const
-    {
-      return std::any_of(solutions.begin(), solutions.end(),
-                         [](const Solution& s) { return s.reason() == Undecided_reason::NODES; });
-    }
+    bool is_at_limit;
   };
 
 public:
   Solutions_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
                            Run_control& control, Summary& summary)
-    : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary)
+    : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary),
+      m_propagation(domain, constraints, options, control, m_propagation_summary)
   {}
 
   std::vector<Solution> operator()()
@@ -102,7 +100,7 @@ private:
   // There is nothing to go on with: it has ended, or the run as a whole has.
   bool is_at_end(const Trial& trial) const
   {
-    return !trial.is_at_limit() || m_control.reason() != Undecided_reason::NONE ||
+    return !trial.is_at_limit || m_control.reason() != Undecided_reason::NONE ||
         (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
   }
 
@@ -161,18 +159,29 @@ private:
     auto solutions = decomposed_solutions<Certified_solver_traits, CGAL::Sequential_tag>(
         system, options_of_trial(nodes), m_control, work);
     add_work(work);
-    return {std::move(solutions)};
+    const bool is_at_limit = std::any_of(solutions.begin(), solutions.end(),
+                                         [](const Solution& s) { return s.reason() == Undecided_reason::NODES; });
+    return {std::move(solutions), is_at_limit};
   }
 
+  // Goes on with the search where it was, until it has looked at so many boxes in all its turns; 0: at any number.
   Trial by_propagation(std::size_t nodes)
   {
-    Summary work;
     m_control.begin_part();
-    const Solver_options options = options_of_trial(nodes);
     const Upward_rounding_guard guard;
-    auto solutions = Solutions_by_propagation(m_domain, m_constraints, options, m_control, work)();
-    add_work(work);
-    return {std::move(solutions)};
+    const std::size_t before = m_propagation.nodes();
+    const Solver_options options = options_of_trial(nodes > before ? nodes - before : nodes);
+    const bool is_ended = m_propagation.advance(options.node_limit > 0 ? before + options.node_limit : 0);
+    const std::size_t own = m_propagation.nodes() - before;
+    if (!is_ended && (m_options.node_limit == 0 || m_summary.nodes + own < m_options.node_limit)) {
+      m_summary.nodes += own;
+      return {{}, true};
+    }
+    m_summary.nodes -= before; // which are in what follows
+    m_propagation_summary = Summary();
+    auto solutions = m_propagation.found();
+    add_work(m_propagation_summary);
+    return {std::move(solutions), false};
   }
 };
 
