@@ -54,7 +54,9 @@ there; a thousand equations in a few unknowns each take time in proportion to th
 
 Boxes are narrowed by one constraint and one unknown after the other, the others being in their ranges (constraint
 propagation), and by affine enclosures of linear combinations of the equalities, whose multipliers come from a sparse
-elimination that leaves out what bounds nothing yet. A box is dropped only on a proof that it holds no solution, and a
+elimination that leaves out what bounds nothing yet. Chains, whose constraints can be put into an order in which at most
+four unknowns connect what is before and after each place, are cut into windows, which have boxes of their own: the work
+is then a sum over these windows. A box is dropped only on a proof that it holds no solution, and a
 solution is certified by the test of Krawczyk. What is left at the tolerance, multiple roots and roots on the boundary,
 is given to `Subdivision_solver_d` on a small box, if its tensors have at most \f$2^{18}\f$ coefficients; otherwise it
 is undecided. \ref Spline_constraints_d_propagation_proofs "Proofs"
@@ -125,8 +127,8 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of polynomials compared with zero, by `Decomposing_solver_d` or `Propagation_solver_d`: where tensors are
-not too large, both are tried in turns, each time for four times as much work as before. Which one ends first depends
-on counted work only, not on the clock.
+not too large, both are tried in turns, each time for four times as much work as before; propagation goes on where it
+was, tensors begin anew. Which one ends first depends on counted work only, not on the clock.
 \param domain a range for each unknown.
 \param constraints polynomials, and how they compare with zero.
 \param options limits and the rest, for all of it.

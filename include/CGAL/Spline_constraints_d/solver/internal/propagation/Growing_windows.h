@@ -150,7 +150,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Growing_windows::narrow_cell(Chain_window& w
 {
   constexpr int most_rounds = 2;
   constexpr double least_gain = 0.1;
-  ++m_work;
+  constexpr std::size_t between_checks = 64;
+  if (++m_work % between_checks == 0)
+    m_check();
   window.propagation->wake_all();
   if (!window.propagation->narrow(m_cell))
     return false;

@@ -113,8 +113,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Propagation_run::advance(std::size_t most_no
 // Of chains with small frontiers: work grows exponentially with these.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
 {
-  constexpr std::size_t shortest = 8, largest_frontier = 4, most_cells = 0x1p18, most_work = 0x1p23;
-  constexpr int largest_dimension = 64; // with dense rows
+  constexpr std::size_t shortest = 8, largest_frontier = 4, most_cells = 0x1p18, most_work = 0x1p23,
+                        most_rounds = 256; // then cells cannot be split any more
+  constexpr int largest_dimension = 64;    // with dense rows
   m_may_be_chain = false;
   const std::vector<Polynomial_constraint>& constraints = m_explicit_unknowns.constraints();
   if (constraints.size() < shortest || m_explicit_unknowns.dimension() > largest_dimension)
@@ -127,8 +128,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
     chain.push_back(constraints[i]);
   try {
     Growing_windows windows(chain, m_box, m_check);
-    while (!windows.is_done() && windows.cells() < most_cells && windows.work() < most_work &&
-           (m_options.node_limit == 0 || m_search->nodes() + windows.work() < m_options.node_limit))
+    for (std::size_t round = 0;
+         round < most_rounds && !windows.is_done() && windows.cells() < most_cells && windows.work() < most_work &&
+         (m_options.node_limit == 0 || m_search->nodes() + windows.work() < m_options.node_limit);
+         ++round)
       windows.advance();
     m_cells = windows.work();
     if (windows.is_done()) {
