@@ -54,12 +54,12 @@ there; a thousand equations in a few unknowns each take time in proportion to th
 
 Boxes are narrowed by one constraint and one unknown after the other, the others being in their ranges (constraint
 propagation), and by affine enclosures of linear combinations of the equalities, whose multipliers come from a sparse
-elimination that leaves out what bounds nothing yet. Chains, whose constraints can be put into an order in which at most
-four unknowns connect what is before and after each place, are cut into windows, which have boxes of their own: the work
-is then a sum over these windows. A box is dropped only on a proof that it holds no solution, and a
-solution is certified by the test of Krawczyk. What is left at the tolerance, multiple roots and roots on the boundary,
-is given to `Subdivision_solver_d` on a small box, if its tensors have at most \f$2^{18}\f$ coefficients; otherwise it
-is undecided. \ref Spline_constraints_d_propagation_proofs "Proofs"
+elimination that leaves out what bounds nothing yet. Long chains, whose constraints can be put into an order in which
+at most four unknowns connect what is before and after each place, are cut into windows, which have boxes of their own:
+the work is then a sum over these windows. A box is dropped only on a proof that it holds no solution, and a solution
+is certified by the test of Krawczyk. What is left at the tolerance, multiple roots and roots on the boundary, is given
+to `Subdivision_solver_d` on a small box, if its tensors have at most \f$2^{18}\f$ coefficients; otherwise it is
+undecided. \ref Spline_constraints_d_propagation_proofs "Proofs"
 
 Exactness: doubles with directed rounding; coefficients that are no doubles are enclosed. Certified solutions are
 refined as far as that goes.

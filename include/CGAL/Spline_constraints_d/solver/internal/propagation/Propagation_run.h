@@ -113,7 +113,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Propagation_run::advance(std::size_t most_no
 // Of chains with small frontiers: work grows exponentially with these.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
 {
-  constexpr std::size_t shortest = 8, largest_frontier = 4, most_cells = 0x1p18, most_work = 0x1p23,
+  constexpr std::size_t shortest = 16, largest_frontier = 4, most_cells = 0x1p18, most_work = 0x1p23,
                         most_rounds = 256; // then cells cannot be split any more
   constexpr int largest_dimension = 64;    // with dense rows
   m_may_be_chain = false;
