@@ -119,7 +119,10 @@ public:
       m_singular_branches(m_system, domain_widths, findings.vertices, control), m_needs_regular(needs_regular),
       m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {
-    if (has_doubles && Face_restriction::has_moderate_degrees(m_layout)) {
+    // of larger functions in two unknowns, roots on lines are found faster exactly than these are built anew
+    constexpr std::size_t largest_in_plane = 128;
+    if (has_doubles && Face_restriction::has_moderate_degrees(m_layout) &&
+        (m_layout.dimension > 2 || m_layout.size <= largest_in_plane)) {
       m_below.allocate(m_layout);
       m_above.allocate(m_layout);
       m_on_layer.resize(static_cast<std::size_t>(m_layout.dimension));
@@ -245,8 +248,8 @@ private:
     return std::nullopt;
   }
 
-  // The regular points on a plane from the layer of the coefficients there, if the node's box is the exact one, and if
-  // they are certain; none is then on an edge of the box.
+  // The regular points on a plane from the layer of the coefficients there, if they are certain, and inside of the box:
+  // the node may be a little larger.
   std::optional<Vertex_indices> points_on_layer(const Node& node, const Exact_ranges& box, int axis, double place,
                                                 const Exact_rational& value, const Vertex_indices& vertices)
   {
@@ -254,7 +257,7 @@ private:
       const auto& [lower, upper] = m_vertices[i].box[axis];
       return lower <= value && value <= upper;
     };
-    if (m_on_layer.empty() || !this->has_box(node, box, axis) || std::any_of(vertices.begin(), vertices.end(), is_near))
+    if (m_on_layer.empty() || std::any_of(vertices.begin(), vertices.end(), is_near))
       return std::nullopt;
     m_below.copy_from(node);
     m_below.split(m_layout, axis, place, m_above);
@@ -264,17 +267,53 @@ private:
     if (on_layer == nullptr)
       on_layer = std::make_unique<Face_points>(m_layout, axis);
     ++m_summary.nodes;
-    const auto roots = (*on_layer)(m_below, true);
+    auto roots = (*on_layer)(m_below, true);
     if (!roots)
       return std::nullopt;
-    Vertex_indices result;
-    for (const Layer_points::Root& root : *roots) {
+    std::vector<Plane_point> points;
+    for (Layer_points::Root& root : *roots) {
+      if (!is_narrow(root.box, axis) && !narrowed(root.box, axis, *on_layer))
+        return std::nullopt;
       std::vector<bool> is_fixed(box.size(), false);
       is_fixed[static_cast<std::size_t>(axis)] = true;
-      result.push_back(m_vertices.add(
-          {Plane_point::REGULAR, exact_ranges(root.box), exact_ranges(root.region), std::move(is_fixed)}));
+      points.push_back({Plane_point::REGULAR, exact_ranges(root.box), exact_ranges(root.region), std::move(is_fixed)});
+      for (std::size_t j = 0; j < box.size(); ++j)
+        if (static_cast<int>(j) != axis &&
+            !(box[j].first < points.back().box[j].first && points.back().box[j].second < box[j].second))
+          return std::nullopt;
     }
+    Vertex_indices result;
+    for (Plane_point& point : points)
+      result.push_back(m_vertices.add(std::move(point)));
     return result;
+  }
+
+  // Whether a point is known as well as those who ask for curves may expect; for those who need to know that they are
+  // regular any box will do.
+  bool is_narrow(const Layer_points::Box& box, int axis) const
+  {
+    constexpr double narrow = 0x1p-48;
+    for (std::size_t j = 0; j < box.size() && !m_needs_regular; ++j)
+      if (static_cast<int>(j) != axis && box[j].second - box[j].first > narrow * this->m_domain_widths[j])
+        return false;
+    return true;
+  }
+
+  // The same after the exact functions were asked near the point, where coefficients and their errors are small.
+  bool narrowed(Layer_points::Box& box, int axis, Face_points& on_layer)
+  {
+    double widest = 0;
+    for (const auto& [lower, upper] : box)
+      widest = (std::max)(widest, upper - lower);
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const auto& [lower, upper] = box[static_cast<std::size_t>(j)];
+      m_above.lower[j] = (std::max)(lower - widest, m_below.lower[j]);
+      m_above.upper[j] = j == axis ? upper : (std::min)(upper + widest, m_below.upper[j]);
+    }
+    m_analysis.rebuild(Cell(box.size(), 0), m_above);
+    m_analysis.look_at(m_above);
+    on_layer.refine(m_above, box);
+    return is_narrow(box, axis);
   }
 
   // Finishes a box where the solutions are a graph over one unknown; false when something cannot be decided.

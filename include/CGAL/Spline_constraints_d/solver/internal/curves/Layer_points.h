@@ -91,6 +91,23 @@ public:
     return std::move(m_roots);
   }
 
+  // Shrinks a box that has one root, and around which the functions are written to the node.
+  void refine(Box& box)
+  {
+    Node& around = node();
+    m_analysis.look_at(around);
+    m_analysis.linear.precondition(m_analysis.view);
+    Local_box part;
+    part.reset(m_layout.dimension);
+    if (!m_analysis.linear.has_inverse() || !m_analysis.linear.contract_by_image(part))
+      return;
+    for (std::size_t j = 0; j < box.size(); ++j) {
+      auto& [lower, upper] = box[j];
+      lower = (std::max)(lower, place_below(around.lower[j], around.upper[j], part.lower[j] + 0.5));
+      upper = (std::min)(upper, place_above(around.lower[j], around.upper[j], part.upper[j] + 0.5));
+    }
+  }
+
   // For the driver.
 
   bool goes_on(const Node&, const State&, int)
@@ -241,6 +258,16 @@ public:
       for (Layer_points::Box* ranges : {&(*roots)[i].box, &(*roots)[i].region})
         ranges->insert(ranges->begin() + m_axis, {value, value});
     return roots;
+  }
+
+  // Shrinks the box of a root on the upper face of a small node that holds it.
+  void refine(const Box_node<double>& around, Layer_points::Box& box)
+  {
+    m_face(around, true, m_points.node());
+    const std::pair<double, double> place = box[static_cast<std::size_t>(m_axis)];
+    box.erase(box.begin() + m_axis);
+    m_points.refine(box);
+    box.insert(box.begin() + m_axis, place);
   }
 };
 

@@ -74,6 +74,7 @@ protected:
   Run_control& m_control;
   Depth_first_subdivision<NT> m_driver;
   std::vector<std::size_t> m_open_inequalities; // of the node
+  const std::vector<double>& m_domain_widths;
 
 private:
   typename Traits::Splitter m_splitter;
@@ -81,7 +82,6 @@ private:
   Local_box m_part; // of the node: what may hold solutions
   bool m_has_rows = false, m_is_combined = false;
   std::vector<double> m_combination; // that was applied last
-  const std::vector<double>& m_domain_widths;
 
 protected:
   // `parameters`: of the graphs, the number of unknowns that they are over.
@@ -186,16 +186,6 @@ protected:
     const std::vector<Exact_rational> combination(m_combination.begin(), m_combination.end());
     return m_graph.sign_of_minor() *
         (m_is_combined ? sign_of_determinant(combination, static_cast<std::size_t>(m_layout.equalities)) : 1);
-  }
-
-  // Whether a node has these ends, but for those of an axis.
-  static bool has_box(const Node& node, const Exact_ranges& box, int axis)
-  {
-    for (int j = 0; j < static_cast<int>(box.size()); ++j)
-      if (j != axis &&
-          !(box[j].first == Exact_rational(node.lower[j]) && box[j].second == Exact_rational(node.upper[j])))
-        return false;
-    return true;
   }
 
   static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }

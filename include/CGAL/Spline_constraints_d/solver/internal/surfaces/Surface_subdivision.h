@@ -299,7 +299,7 @@ private:
   std::optional<Plane_arcs> arcs_on_layer(const Exact_ranges& box, const Arc_indices& arcs, int axis,
                                           const Exact_rational& value)
   {
-    if (m_layers.empty() || !this->has_box(m_below, box, axis))
+    if (m_layers.empty() || !has_box(m_below, box, axis))
       return std::nullopt;
     auto& own_layer = m_layers[static_cast<std::size_t>(axis)];
     if (own_layer == nullptr)
@@ -328,6 +328,16 @@ private:
     for (const Layer_curves::Piece& piece : layer.pieces())
       result.pieces.push_back({exact_ranges(piece.box), piece.parameter, piece.ends});
     return result;
+  }
+
+  // Whether a node has these ends, but for those of an axis.
+  static bool has_box(const Node& node, const Exact_ranges& box, int axis)
+  {
+    for (int j = 0; j < static_cast<int>(box.size()); ++j)
+      if (j != axis &&
+          !(box[j].first == Exact_rational(node.lower[j]) && box[j].second == Exact_rational(node.upper[j])))
+        return false;
+    return true;
   }
 
   static Plane_point point_on_layer(const Layer_curves::Point& point, int axis, const Exact_rational& value)
