@@ -473,14 +473,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_with_values(
     Exact_ranges box(domain.begin(), domain.end());
     outcome = {Feasibility::UNDECIDED, {}, {}, {{place_of(box), {}, in_words(stopped.reason)}}};
   }
-  const bool is_complete = outcome.status != Feasibility::UNDECIDED;
-  return {outcome.status,
-          std::move(outcome.box),
-          std::move(outcome.certificate),
-          std::move(outcome.undecided),
-          std::move(run.excluded()),
-          std::move(run.path()),
-          run.summary(is_complete)};
+  return run.ended_with(std::move(outcome));
 }
 #endif
 

@@ -105,7 +105,18 @@ public:
   std::vector<Feasibility_d::Excluded_part>& excluded() { return m_excluded; }
   std::vector<std::vector<double>>& path() { return m_path; }
 
-  Summary summary(bool is_complete) const { return summary_of(m_control, m_nodes, reason(), is_complete); }
+  // The answer, with what was collected on the way. It is the last call.
+  Feasibility_d ended_with(Feasibility_outcome&& outcome)
+  {
+    const bool is_complete = outcome.status != Feasibility::UNDECIDED;
+    return {outcome.status,
+            std::move(outcome.box),
+            std::move(outcome.certificate),
+            std::move(outcome.undecided),
+            std::move(m_excluded),
+            std::move(m_path),
+            summary_of(m_control, m_nodes, reason(), is_complete)};
+  }
 
 private:
   bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_nodes >= m_options.node_limit; }

@@ -227,14 +227,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Feasibility_d feasibility_of(const Constraint_sys
     if (is_stopped)
       break;
   } while (outcome.status != Feasibility::FEASIBLE && advance(cell, ranges));
-  const bool is_complete = outcome.status != Feasibility::UNDECIDED;
-  return {outcome.status,
-          std::move(outcome.box),
-          std::move(outcome.certificate),
-          std::move(outcome.undecided),
-          std::move(run.excluded()),
-          std::move(run.path()),
-          run.summary(is_complete)};
+  return run.ended_with(std::move(outcome));
 }
 
 } // namespace internal
