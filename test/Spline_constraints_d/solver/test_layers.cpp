@@ -222,7 +222,7 @@ TEST(Layers, PointsAreAllThatTheSolverFinds)
   EXPECT_GE(found, 30);
 }
 
-// Where nothing is known on the boundary, closed curves alone are found, and graphs that end are no answer.
+// No point is on the boundary: what is found is a closed curve.
 TEST(Layers, CurvesOnAPlaneThroughAnEllipsoid)
 {
   auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 0});

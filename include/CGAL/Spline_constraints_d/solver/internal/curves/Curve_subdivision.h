@@ -307,7 +307,7 @@ private:
       widest = (std::max)(widest, upper - lower);
     for (int j = 0; j < m_layout.dimension; ++j) {
       const auto& [lower, upper] = box[static_cast<std::size_t>(j)];
-      m_above.lower[j] = (std::max)(lower - widest, m_below.lower[j]);
+      m_above.lower[j] = (std::max)((std::min)(lower - widest, next_below(lower)), m_below.lower[j]);
       m_above.upper[j] = j == axis ? upper : (std::min)(upper + widest, m_below.upper[j]);
     }
     m_analysis.rebuild(Cell(box.size(), 0), m_above);

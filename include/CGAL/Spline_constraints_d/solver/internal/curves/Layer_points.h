@@ -52,6 +52,7 @@ private:
   Node_analysis<double> m_analysis;
   Depth_first_subdivision<double> m_driver;
   Simple_roots_on_line m_on_line{largest_width};
+  Local_box m_part; // of a node: what may hold roots
   std::vector<double> m_widths;
   double m_widest = 0;
   std::vector<Root> m_roots;
@@ -97,14 +98,13 @@ public:
     Node& around = node();
     m_analysis.look_at(around);
     m_analysis.linear.precondition(m_analysis.view);
-    Local_box part;
-    part.reset(m_layout.dimension);
-    if (!m_analysis.linear.has_inverse() || !m_analysis.linear.contract_by_image(part))
+    m_part.reset(m_layout.dimension);
+    if (!m_analysis.linear.has_inverse() || !m_analysis.linear.contract_by_image(m_part))
       return;
     for (std::size_t j = 0; j < box.size(); ++j) {
       auto& [lower, upper] = box[j];
-      lower = (std::max)(lower, place_below(around.lower[j], around.upper[j], part.lower[j] + 0.5));
-      upper = (std::min)(upper, place_above(around.lower[j], around.upper[j], part.upper[j] + 0.5));
+      lower = (std::max)(lower, place_below(around.lower[j], around.upper[j], m_part.lower[j] + 0.5));
+      upper = (std::min)(upper, place_above(around.lower[j], around.upper[j], m_part.upper[j] + 0.5));
     }
   }
 
@@ -129,20 +129,19 @@ public:
       add_root(node);
       return Box_verdict::DONE;
     }
-    Local_box part;
-    part.reset(m_layout.dimension);
-    if (!m_analysis.linear.contract_by_equations(m_analysis.view, part) ||
-        !m_analysis.linear.contract_by_preconditioned(part))
+    m_part.reset(m_layout.dimension);
+    if (!m_analysis.linear.contract_by_equations(m_analysis.view, m_part) ||
+        !m_analysis.linear.contract_by_preconditioned(m_part))
       return Box_verdict::DONE;
     // in thinner nodes rounding errors matter, and there may be several roots beyond one another
     const auto share = [&](int j) {
       constexpr double thinnest = 0x1p-12;
       return (std::max)(Box_contraction::thinnest, thinnest * m_widths[j] / (node.upper[j] - node.lower[j]));
     };
-    if (is_small(node) || !Box_contraction::is_worth_a_pass(part, share))
+    if (is_small(node) || !Box_contraction::is_worth_a_pass(m_part, share))
       return Box_verdict::SPLIT;
-    Box_contraction::widen(part, share);
-    node.restrict_to(m_layout, part, Box_contraction::least_gain);
+    Box_contraction::widen(m_part, share);
+    node.restrict_to(m_layout, m_part, Box_contraction::least_gain);
     return Box_verdict::AGAIN;
   }
 
@@ -184,11 +183,11 @@ private:
     constexpr double least_gain = 0.5;
     Root root{{}, box_of(node)};
     for (int step = 0; step < most_steps; ++step) {
-      Local_box part;
-      part.reset(m_layout.dimension);
-      if (!m_analysis.linear.has_inverse() || !m_analysis.linear.contract_by_image(part) || !gains(part, least_gain))
+      m_part.reset(m_layout.dimension);
+      if (!m_analysis.linear.has_inverse() || !m_analysis.linear.contract_by_image(m_part) ||
+          !gains(m_part, least_gain))
         break;
-      node.restrict_to(m_layout, part, least_gain);
+      node.restrict_to(m_layout, m_part, least_gain);
       m_analysis.look_at(node);
       m_analysis.linear.precondition(m_analysis.view);
     }

@@ -139,7 +139,7 @@ public:
   bool goes_on(const Node&, const State&, int)
   {
     constexpr std::size_t most_nodes = 512;
-    m_is_certain = m_is_certain && ++m_nodes <= most_nodes;
+    m_is_certain = m_is_certain && ++m_nodes <= most_nodes && limit() == Undecided_reason::NONE;
     return m_is_certain;
   }
 
