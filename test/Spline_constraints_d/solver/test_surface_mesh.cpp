@@ -349,6 +349,15 @@ TEST(Surface_mesh, singular_points)
   EXPECT_EQ(std::count(result.mesh.points().begin(), result.mesh.points().end(), Mesh::Point(0, 0, 0)), 2);
   EXPECT_NEAR(PMP::area(result.mesh), 2 * std::sqrt(2.0) * CGAL_PI, 0.1);
 
+  const SC::Solution_surface_mesh half = // each side has a corner there
+      SC::to_surface_mesh(SC::solve_surfaces(square(x) + square(y) == square(z), 3 * x >= y), {.chord_error = 0.01});
+  EXPECT_TRUE(half.is_complete());
+  EXPECT_LE(half.error, 0.012);
+  EXPECT_EQ(characteristic(half.mesh), 2);
+  EXPECT_EQ(number_of_boundaries(half.mesh), 2u);
+  EXPECT_EQ(std::count(half.mesh.points().begin(), half.mesh.points().end(), Mesh::Point(0, 0, 0)), 2);
+  EXPECT_NEAR(PMP::area(half.mesh), std::sqrt(2.0) * CGAL_PI, 0.05);
+
   const auto [p, q, r] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
   const SC::Surface_solution_set_d cayley =
       SC::solve_surfaces(square(p) + square(q) - square(p) * r + square(q) * r + square(r) == 1);

@@ -175,6 +175,43 @@ TEST(Surface_singularities, apex_on_a_face)
   }
 }
 
+// Faces of the domain, and of inequalities, that cross cones in lines through the apex: disks have a corner there.
+TEST(Surface_singularities, faces_through_apexes)
+{
+  const Power_polynomial cone = square(x) + square(y) - square(z);
+  const Counts two{{1, 1}, {1, 1}};
+  for (const Rational& least : {Rational(0), Rational(-2)}) { // a half and a quarter, of both sides
+    const SC::Surface_solution_set_d part = SC::solve_surfaces(system({{0, 2}, {least, 2}, {-1, 1}}, {cone}));
+    EXPECT_EQ(disks_at_points(part), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(counts_of(part), two);
+    ASSERT_EQ(part.singular_points().size(), 1u);
+    EXPECT_EQ(part.vertices()[part.singular_points()[0]].point(), (std::vector<double>{0, 0, 0}));
+  }
+  const auto solved = [&](const Power_polynomial& f, const Power_polynomial& positive) {
+    SC::Constraint_system_d result = system({{-2, 2}, {-2, 2}, {-1, 1}}, {f});
+    result.add(positive, SC::Relation::GREATER_EQUAL);
+    return SC::solve_surfaces(result);
+  };
+  for (const Power_polynomial& positive : {x, number(3) * x + number(2) * y, x - ratio(1, 2) * z, x - square(y)}) {
+    const SC::Surface_solution_set_d part = solved(cone, positive);
+    EXPECT_EQ(disks_at_points(part), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(counts_of(part), two);
+  }
+  const Power_polynomial ball = square(x) + square(y) + square(z) - x; // has a part of each side, up to the apex
+  const SC::Surface_solution_set_d outside = solved(cone, ball), inside = solved(cone, -ball);
+  EXPECT_EQ(disks_at_points(outside), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(counts_of(outside), (Counts{{0, 2}, {0, 2}}));
+  EXPECT_EQ(disks_at_points(inside), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(counts_of(inside), two);
+  std::mt19937 random(5);
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b, c] = rotated(random);
+    const SC::Surface_solution_set_d part =
+        solved(square(a) + number(2) * square(b) - square(c) + ratio(k, 5) * a * b * c, a + ratio(1, 3) * c);
+    EXPECT_EQ(disks_at_points(part), (std::vector<std::size_t>{2})) << k;
+  }
+}
+
 TEST(Surface_singularities, isolated_points)
 {
   const SC::Surface_solution_set_d set = SC::solve_surfaces(
@@ -264,18 +301,16 @@ static void expect_open_region(const SC::Surface_solution_set_d& set, std::size_
   }
 }
 
-// Whitney's umbrella, whose handle is a line; a cone with a plane through two of its lines, and one along a line.
+// Whitney's umbrella, whose handle is a line; a cone with a plane that it touches along a line.
 TEST(Surface_singularities, singular_curves_are_undecided)
 {
   expect_open_region(SC::solve_surfaces(system(cube(1), {square(x) - square(y) * z})), 2);
-  for (const Power_polynomial& plane : {x, x + z}) {
-    SC::Constraint_system_d part = system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)});
-    part.add(plane, SC::Relation::GREATER_EQUAL);
-    const SC::Surface_solution_set_d set = SC::solve_surfaces(part);
-    EXPECT_FALSE(set.is_complete());
-    check_complex(set);
-    EXPECT_FALSE(set.undecided_regions().empty());
-  }
+  SC::Constraint_system_d part = system({{-2, 2}, {-2, 2}, {-1, 1}}, {square(x) + square(y) - square(z)});
+  part.add(x + z, SC::Relation::GREATER_EQUAL);
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(part);
+  EXPECT_FALSE(set.is_complete());
+  check_complex(set);
+  EXPECT_FALSE(set.undecided_regions().empty());
 }
 
 } // namespace surface_singularities_test

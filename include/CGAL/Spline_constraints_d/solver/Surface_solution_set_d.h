@@ -82,8 +82,9 @@ struct Surface_patch
   //! index of the surface that it belongs to.
   std::size_t surface = 0;
 
-  //! index of the vertex in which all solutions in the box meet, the only singular one, if the patch has an apex. It is
-  //! a vertex of no arc; the solutions but for it are a cylinder over the boundary.
+  //! index of the vertex in which all solutions in the box meet, the only singular one, if the patch has an apex. If no
+  //! arc ends there, the solutions but for it are a cylinder over the boundary. Otherwise faces of the domain cross
+  //! there: the boundary goes through it, and the solutions are a cone over the arcs that do not lie on these faces.
   std::optional<std::size_t> apex = std::nullopt;
 };
 

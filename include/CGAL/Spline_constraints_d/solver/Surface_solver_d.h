@@ -41,7 +41,8 @@ are decided for three unknowns. Inequalities cut surfaces as faces of the domain
 Vertices where surfaces meet are told. Of one equality in three unknowns, isolated singular points inside of the domain,
 and of the cells of splines, are decided with the disks that end in them: where the second derivative is regular, as at
 the apex of a cone, and rational ones where weights of the unknowns exist such that the terms of least weight have no
-other singular point, as where spheres touch. Repeated factors of equalities are left out. Polynomials in up to three
+other singular point, as where spheres touch. Faces of the domain and inequalities may cut through rational ones of the
+first kind, across the cone. Repeated factors of equalities are left out. Polynomials in up to three
 unknowns are factored over the rational numbers: surfaces of different factors have no common cells, and the curves
 where they meet are told. The same holds for faces of the domain, and planes of breaks, on which an equality is zero.
 With features this is not done. Other singular points and curves, and edges of the domain that are solutions, are left

@@ -65,6 +65,9 @@ public:
       add_vertices();
     for (std::size_t a = 0; a < m_chains.size(); ++a)
       make_chain(a);
+    for (const Surface_patch& patch : m_set.patches())
+      if (patch.apex)
+        straighten_chains(patch);
     triangulate_all();
     for (std::size_t p = 0; p < m_triangles.size(); ++p)
       orient(p);
@@ -111,6 +114,38 @@ private:
     const auto& [first, last] = m_set.arcs()[a].ends;
     m_chains[a] = {first};
     append(a, first, last, 0);
+  }
+
+  // Arcs on faces of the domain that end in an apex are one chord up to the next patch, which the first of them has:
+  // triangles with the apex and two points of such a curve would have no area where it is straight.
+  void straighten_chains(const Surface_patch& patch)
+  {
+    const std::size_t sides = patch.boundary.size();
+    for (std::size_t first = 0; first < sides; ++first)
+      for (const bool is_forward : {true, false}) {
+        const auto side = [&](std::size_t k) {
+          return patch.boundary[(is_forward ? first + k : first + sides - k) % sides];
+        };
+        const auto end_of = [&](std::size_t k) {
+          return m_set.arcs()[side(k).arc].ends[side(k).is_reversed == is_forward ? 0 : 1];
+        };
+        const auto& ends = m_set.arcs()[side(0).arc].ends;
+        if (end_of(0) == patch.apex || ends[end_of(0) == ends[0] ? 1 : 0] != patch.apex || !is_on_domain(side(0).arc))
+          continue;
+        std::size_t count = 1;
+        for (; count < sides && is_on_domain(side(count).arc); ++count)
+          m_chains[side(count).arc].clear();
+        m_chains[side(0).arc] = {*patch.apex, end_of(count - 1)};
+        if (ends[0] != patch.apex)
+          std::reverse(m_chains[side(0).arc].begin(), m_chains[side(0).arc].end());
+      }
+  }
+
+  bool is_on_domain(std::size_t a) const
+  {
+    const auto& [lower, upper] = m_set.system().domain(m_set.arcs()[a].plane);
+    const Exact_rational& value = m_set.arcs()[a].box[static_cast<std::size_t>(m_set.arcs()[a].plane)].first;
+    return value == lower || value == upper;
   }
 
   // The points of an arc behind one up to another; chords are halved once at least.
@@ -162,7 +197,8 @@ private:
       std::vector<std::size_t> chain = m_chains[side.arc];
       if (side.is_reversed)
         std::reverse(chain.begin(), chain.end());
-      result.insert(result.end(), chain.begin(), chain.end() - 1);
+      if (!chain.empty())
+        result.insert(result.end(), chain.begin(), chain.end() - 1);
     }
     return result;
   }
@@ -187,7 +223,8 @@ private:
     return coarse;
   }
 
-  // A triangle for each chord of a patch with an apex, the orientation of which is that along its boundary.
+  // A triangle for each chord of a patch with an apex that does not end there, the orientation of which is that along
+  // its boundary.
   std::vector<Triangle> cone_of(std::size_t patch)
   {
     const std::size_t apex = *m_set.patches()[patch].apex;
@@ -196,6 +233,8 @@ private:
     double turn = 0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const std::size_t a = loop[k], b = loop[(k + 1) % loop.size()];
+      if (a == apex || b == apex)
+        continue;
       result.push_back({apex, a, b});
       const Surface_image::Vector normal = m_points.image().normal(patch, m_points[a].unknowns);
       turn +=
@@ -226,6 +265,8 @@ private:
   // Puts points in the middle of some chords of an arc; whether it has one of them.
   bool halve(std::size_t a, const std::set<Patch_triangulation::Chord>& chords)
   {
+    if (m_chains[a].empty())
+      return false;
     std::vector<std::size_t> finer{m_chains[a].front()};
     for (std::size_t k = 1; k < m_chains[a].size(); ++k) {
       const std::size_t from = m_chains[a][k - 1], to = m_chains[a][k];

@@ -194,14 +194,11 @@ private:
         continue;
       const std::vector<std::size_t>& chain = m_mesher.chains()[a];
       for (std::size_t k = 1; k < chain.size(); ++k) {
-        const Vertex from = m_vertex_of[chain[k - 1]], to = m_vertex_of[chain[k]];
-        if (from == Mesh::null_vertex() || to == Mesh::null_vertex())
-          continue;
-        const auto h = result.mesh.halfedge(from, to);
+        const auto h = edge_between(result.mesh, chain[k - 1], chain[k], copies);
         if (h == Mesh::null_halfedge())
           continue;
         result.is_feature[result.mesh.edge(h)] = true;
-        for (const Vertex v : {from, to}) {
+        for (const Vertex v : {result.mesh.source(h), result.mesh.target(h)}) {
           ++edges_at[v];
           std::vector<int>& fixed = m_vertices[v].fixed;
           if (std::find(fixed.begin(), fixed.end(), m_set.arcs()[a].plane) == fixed.end())
@@ -217,6 +214,25 @@ private:
     for (const std::size_t i : apexes)
       if (const Vertex v = m_vertex_of[i]; v != Mesh::null_vertex())
         m_vertices[v].is_corner = true;
+  }
+
+  // The edge between two points, or a copy of one; null if there is none.
+  Mesh::Halfedge_index edge_between(const Mesh& mesh, std::size_t from, std::size_t to,
+                                    const std::vector<std::size_t>& copies) const
+  {
+    const auto vertices_at = [&](std::size_t point) {
+      std::vector<Vertex> result{m_vertex_of[point]};
+      for (std::size_t k = 0; k < copies.size(); ++k)
+        if (copies[k] == point)
+          result.push_back(m_vertex_of[m_points.size() + k]);
+      return result;
+    };
+    for (const Vertex a : vertices_at(from))
+      for (const Vertex b : vertices_at(to))
+        if (a != Mesh::null_vertex() && b != Mesh::null_vertex())
+          if (const auto h = mesh.halfedge(a, b); h != Mesh::null_halfedge())
+            return h;
+    return Mesh::null_halfedge();
   }
 
   bool is_on_break(const Surface_arc& arc) const

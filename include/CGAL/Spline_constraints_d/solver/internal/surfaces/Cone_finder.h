@@ -100,10 +100,21 @@ public:
     if (!known_in(box))
       search(box);
     const Cone_point* const result = known_in(box);
-    return result && is_smaller(box, result->is_quadratic() ? small : moderate) &&
+    return result && is_smaller(box, result->is_quadratic() && !is_on_face(*result, domain) ? small : moderate) &&
             m_space->is_free_but_for(result->point, whole, m_cell, domain)
         ? result
         : nullptr;
+  }
+
+  // Whether the face of the domain on which an unknown is as at a singular point crosses the cone in lines that meet
+  // there alone.
+  bool is_crossed(const Cone_point& point, const Exact_ranges& whole, int unknown) const
+  {
+    const Exact_ranges box = m_space->part_of(whole);
+    return point.is_quadratic() && m_equation &&
+        Quadratic_cone_test(*m_equation, point.middle)
+            .is_crossed(point, box, m_lengths, m_space->gradient_of(unknown, point.point),
+                        m_space->gradient_of(unknown, box));
   }
 
   // Whether a plane through a box comes near to a singular point in it, for a box of that width.
@@ -119,6 +130,17 @@ public:
   }
 
 private:
+  // Whether a point is on a face of the domain, near which planes do not cross the curves that end there.
+  bool is_on_face(const Cone_point& point, const Exact_ranges& domain) const
+  {
+    const Exact_ranges place = m_space->with_values(point.point);
+    for (std::size_t j = 0; j < place.size(); ++j)
+      if (const auto& [least, most] = place[j];
+          least == most && (least == domain[j].first || least == domain[j].second))
+        return true;
+    return false;
+  }
+
   bool is_smaller(const Exact_ranges& box, double share) const
   {
     for (std::size_t j = 0; j < box.size(); ++j)

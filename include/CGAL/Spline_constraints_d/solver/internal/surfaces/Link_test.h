@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Arc_store.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_crossings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_point.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Space_equation.h>
 
@@ -18,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,19 +35,25 @@ leads into the box: its flow takes all points to p, each along a line that begin
 phi has no critical point. On a face with the outward normal n there is no such vector only where
 grad phi = a grad f + b n with b <= 0, on an edge only where grad phi = a grad f + b n + c m with b <= 0 and c <= 0
 (Gordan's theorem).
+
+Faces of the domain through p may cross the cone (see Quadratic_cone_test). There the flow stays on the face, and the
+lines begin on the others; so where such a face with the normal N meets another one, c must be positive in
+grad phi = a grad f + b N + c n.
 */
 class Link_test
 {
   const Cone_point& m_point;
   const Space_equation& m_space;
-  Exact_ranges m_box; // in space
+  Exact_ranges m_box;                  // in space
+  std::vector<Domain_face> m_crossing; // that cross the cone
 
   using Ends = std::array<std::array<double, 2>, 3>; // of a box, in the differences
 
 public:
   // A box over which the other unknowns are a graph.
-  Link_test(const Cone_point& point, const Space_equation& space, const Exact_ranges& box)
-    : m_point(point), m_space(space), m_box(space.part_of(box))
+  Link_test(const Cone_point& point, const Space_equation& space, const Exact_ranges& box,
+            std::vector<Domain_face> crossing)
+    : m_point(point), m_space(space), m_box(space.part_of(box)), m_crossing(std::move(crossing))
   {}
 
   // `arcs`: all curves on the boundary.
@@ -54,8 +62,10 @@ public:
     const Upward_rounding_guard guard;
     return std::all_of(arcs.begin(), arcs.end(), [&](std::size_t a) {
       const Stored_arc& arc = store.arcs()[a];
-      return arc.parameter >= 0 && is_regular(store.vertex(arc.ends[0])) && is_regular(store.vertex(arc.ends[1])) &&
-          is_good_arc(arc, store);
+      return std::any_of(m_crossing.begin(), m_crossing.end(),
+                         [&](const Domain_face& face) { return face.has(arc); }) ||
+          (arc.parameter >= 0 && is_regular(store.vertex(arc.ends[0])) && is_regular(store.vertex(arc.ends[1])) &&
+           is_good_arc(arc, store));
     });
   }
 
@@ -77,6 +87,9 @@ private:
       const bool is_fixed = vertex.is_fixed[static_cast<std::size_t>(m_space.unknowns()[j])];
       (is_fixed && side(j, box[j].first) != 0 ? faces : others).push_back(j);
     }
+    for (const Domain_face& face : m_crossing)
+      if (face.has(vertex))
+        return is_regular_on(face.unknown, box, faces);
     if (faces.size() != 2)
       return faces.size() == 1;
     const Interval_box place = m_point.difference(box), own = m_point.equation(place).gradient,
@@ -86,6 +99,27 @@ private:
     const Interval factor = slope[others[0]] / own[others[0]];
     return std::any_of(faces.begin(), faces.end(),
                        [&](std::size_t j) { return is_outward(slope[j] - factor * own[j], side(j, box[j].first)); });
+  }
+
+  // On a face that crosses the cone, and one other.
+  bool is_regular_on(int unknown, const Exact_ranges& box, std::vector<std::size_t> faces) const
+  {
+    if (const std::optional<std::size_t> own = m_space.place_of(unknown))
+      faces.erase(std::remove(faces.begin(), faces.end(), *own), faces.end());
+    if (faces.size() != 1)
+      return false;
+    const Interval_box place = m_point.difference(box), normal = m_space.gradient_of(unknown, box),
+                       own = m_point.equation(place).gradient, slope = m_point.slope(place);
+    Interval_box other{Interval(0), Interval(0), Interval(0)};
+    other[faces[0]] = Interval(1);
+    const Interval below = determinant(other, own, normal);
+    return !contains_zero(below) &&
+        is_outward(determinant(slope, own, normal) / below, side(faces[0], box[faces[0]].first));
+  }
+
+  static Interval determinant(const Interval_box& a, const Interval_box& b, const Interval_box& c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
 
   static bool is_outward(const Interval& x, int side) { return side > 0 ? x.inf() > 0 : x.sup() < 0; }

@@ -12,6 +12,8 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_point.h>
 
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,6 +34,16 @@ In a convex box around p let f(x) = d' Q d / 2 and grad f(x) = Q' d with d = x -
 second derivative in the box. In coordinates in which these are S + E and S + E', S a diagonal of +-1 and the norms of E
 and E' at most e < 1/3, let phi = |d|^2. Where f is zero and grad f = lambda d, |d' S d| <= e |d|^2 and so
 |lambda| <= 2 e; as S d = lambda d - E' d, |d| <= 3 e |d| and d = 0. The same holds where grad f = 0.
+
+Let g = 0 be a surface through p with the unit normal w there, of which the gradient of g over its length at p differs
+by eta < 1/4 at most, and d = v + t w with v perpendicular to w. As a mean of gradients is perpendicular to d,
+|t| <= eta |d| and |d| <= k |v| with k = 1 / (1 - eta); so d is no multiple of grad g. Where f and g are zero and
+alpha d + grad f + gamma grad g = 0, let A be S on the plane perpendicular to w. The share in that plane is
+alpha v + A v + r = 0. Along w one has |gamma| <= k (|alpha| eta + 1 + e) |d|, so that
+|r| <= k (e + eta + k eta (1 + e) + k eta^2 |alpha|) |v|. And |alpha| |v|^2 <= |v' A v| + |r| |v|, where
+|v' A v| <= k^2 (e + 3 eta) |v|^2 as f = 0. If |A v| is always greater than |alpha| |v| + |r|, there is no such point
+but p: the curve f = g = 0 is regular but for p, and phi has no critical point on it. The eigenvalues of A are s and
+s (2 c^2 - 1), where -s is the sign in S that is there once and c the component of w that belongs to it.
 */
 class Quadratic_cone_test
 {
@@ -74,7 +86,47 @@ public:
     return std::nullopt;
   }
 
+  // Whether a surface through p crosses the cone within a convex box around p as above. `normal`: its gradient at p;
+  // `normals`: those in the box.
+  bool is_crossed(const Cone_point& point, const Exact_ranges& box, const std::vector<double>& lengths,
+                  const Interval_box& normal, const Interval_box& normals) const
+  {
+    const Upward_rounding_guard guard;
+    const auto [basis, signs] = normal_form(second_derivative(point.difference(point.point)), lengths);
+    const int sum = signs[0] + signs[1] + signs[2];
+    if (signs[0] == 0 || std::abs(sum) == 3)
+      return false;
+    const std::size_t single = static_cast<std::size_t>(std::find(signs.begin(), signs.end(), -sum) - signs.begin());
+    const Interval_box w = in_basis(basis, normal), others = in_basis(basis, normals);
+    Interval length(0), difference(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      length += CGAL::square(w[k]);
+      difference += CGAL::square(others[k] - w[k]);
+    }
+    const Interval e(error(second_derivative(point.difference(box)), basis, signs));
+    if (!(length.inf() > 0 && e.sup() < largest_error))
+      return false;
+    constexpr double largest_turn = 0.25;
+    const Interval eta = CGAL::sqrt(Interval((difference / length).sup())), one(1);
+    if (!(eta.sup() < largest_turn))
+      return false;
+    const Interval k = one / (one - eta), share = CGAL::square(k * eta);
+    const Interval rest = k * (e + eta) + CGAL::square(k) * eta * (one + e);
+    const Interval alpha = (CGAL::square(k) * (e + Interval(3) * eta) + rest) / (one - share);
+    const Interval second = Interval(2) * CGAL::square(w[single]) / length - one;
+    return (alpha + rest + share * alpha).sup() < (std::min)((std::max)(second.inf(), -second.sup()), 1.0);
+  }
+
 private:
+  static Interval_box in_basis(const Matrix& basis, const Interval_box& gradient)
+  {
+    Interval_box result{Interval(0), Interval(0), Interval(0)};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        result[k] += Interval(basis[j][k]) * gradient[j];
+    return result;
+  }
+
   std::array<Interval_box, 3> second_derivative(const Interval_box& box) const
   {
     std::array<Interval_box, 3> result;

@@ -140,9 +140,7 @@ public:
         point.push_back(lower);
     }
     const Upward_rounding_guard guard;
-    Interval_box box;
-    for (std::size_t k = 0; k < 3; ++k)
-      box[k] = Interval(interval_of(box_in_space[k].first).inf(), interval_of(box_in_space[k].second).sup());
+    const Interval_box box = intervals_of(box_in_space);
     for (std::size_t i = 0; i < m_given.size(); ++i) {
       auto& range = result[static_cast<std::size_t>(m_given[i].unknown)];
       if (point.size() == 3) {
@@ -156,7 +154,30 @@ public:
     return result;
   }
 
+  // Of an unknown as a function in space, bounded in a box there.
+  Interval_box gradient_of(int unknown, const Exact_ranges& box_in_space) const
+  {
+    Interval_box result{Interval(0), Interval(0), Interval(0)};
+    if (const std::optional<std::size_t> place = place_of(unknown))
+      result[*place] = Interval(1);
+    else {
+      const Upward_rounding_guard guard;
+      const auto given =
+          std::find_if(m_given.begin(), m_given.end(), [&](const Given& own) { return own.unknown == unknown; });
+      result = m_values[static_cast<std::size_t>(given - m_given.begin())](intervals_of(box_in_space)).gradient;
+    }
+    return result;
+  }
+
 private:
+  static Interval_box intervals_of(const Exact_ranges& box)
+  {
+    Interval_box result;
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = Interval(interval_of(box[k].first).inf(), interval_of(box[k].second).sup());
+    return result;
+  }
+
   // The unknown that an equality gives: it is in no other, and here in a term of its own, of degree one.
   static std::optional<Given> given_by(const Constraint_system_d& system, std::size_t equality)
   {

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_crossings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_finder.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Layer_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Link_test.h>
@@ -198,19 +199,25 @@ private:
   }
 
   // Finishes a box where the solutions are the cone over its arcs, with a singular point as the apex: a disk for each
-  // loop. Faces of the domain that the box reaches have no solutions there, but the apex may be on them.
+  // loop. Faces of the domain that the box reaches have no solutions there but the apex, or they cross the cone.
   bool is_cone(const Exact_ranges& box, const Arc_indices& arcs)
   {
     if (!m_cones.space() || !may_gradient_vanish() || touches_open_part(box))
       return false;
     const Cone_point* const point = m_cones(box, m_environment->domain);
-    if (!point || is_reached(box, arcs, m_cones.space()->with_values(point->point)) ||
-        !Link_test(*point, *m_cones.space(), box)(*m_store, arcs))
+    if (!point)
       return false;
-    std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(*m_store, arcs);
+    const Exact_ranges place = m_cones.space()->with_values(point->point);
+    const std::optional<Cone_crossings> crossings = Cone_crossings::of(*m_store, arcs, m_environment->domain, place);
+    if (!crossings || touches_elsewhere(box, place) ||
+        !std::all_of(crossings->faces.begin(), crossings->faces.end(),
+                     [&](const Domain_face& face) { return m_cones.is_crossed(*point, box, face.unknown); }) ||
+        !Link_test(*point, *m_cones.space(), box, crossings->faces)(*m_store, arcs))
+      return false;
+    std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(*m_store, arcs, crossings->apex);
     if (!loops)
       return false;
-    const std::size_t apex = m_store->add_vertex(Plane_point::singular(m_cones.space()->with_values(point->point)));
+    const std::size_t apex = crossings->apex ? *crossings->apex : m_store->add_vertex(Plane_point::singular(place));
     if (loops->empty())
       m_found->points.push_back(apex);
     for (Arc_loop& loop : *loops)
@@ -218,18 +225,11 @@ private:
     return true;
   }
 
-  // Whether solutions in a box, but for a point, lie on faces of the domain.
-  bool is_reached(const Exact_ranges& box, const Arc_indices& arcs, const Exact_ranges& point) const
+  // Whether there may be solutions on faces of the domain where no curve ends but a point.
+  bool touches_elsewhere(const Exact_ranges& box, const Exact_ranges& point) const
   {
-    return std::any_of(arcs.begin(), arcs.end(),
-                       [&](std::size_t a) {
-                         const Stored_arc& arc = m_store->arcs()[a];
-                         const auto& [lower, upper] = m_environment->domain[arc.plane];
-                         const Exact_rational& value = arc.box()[arc.plane].first;
-                         return value == lower || value == upper;
-                       }) ||
-        std::any_of(m_environment->touching.begin(), m_environment->touching.end(),
-                    [&](const Plane_point& other) { return touch(other.box, box) && !is_at(other, point); });
+    return std::any_of(m_environment->touching.begin(), m_environment->touching.end(),
+                       [&](const Plane_point& other) { return touch(other.box, box) && !is_at(other, point); });
   }
 
   // Of the equality in space.
