@@ -7,11 +7,10 @@
 #define RANDOM_SWEPT_SOLIDS_H
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/internal/aabb_trees.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/swept_volumes.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Side_of_triangle_mesh.h>
@@ -81,7 +80,7 @@ inline Comparison compare(const Random_sweep& sweep, const SC::Swept_volume_3& s
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  using Tree = SC::internal::Aabb_tree_3<Kernel, Primitive>;
   Mesh mesh;
   CGAL::copy_face_graph(swept.mesh(), mesh);
   const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(mesh);

@@ -9,11 +9,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_ARRANGEMENT_SHELL_SAMPLES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SWEPT_VOLUMES_INTERNAL_ARRANGEMENT_SHELL_SAMPLES_H
 
+#include <CGAL/Spline_constraints_d/internal/aabb_trees.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Triangle_shells.h>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -66,7 +65,7 @@ class Shell_samples
     Id id() const { return index; }
   };
   template <class Kernel>
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive<Kernel>>>;
+  using Tree = Aabb_tree_3<Kernel, Primitive<Kernel>>;
 
   std::vector<Exact_kernel::Triangle_3> m_exact;
   std::vector<Double_kernel::Triangle_3> m_rounded;
