@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces that geometry makes: bisectors and sectors of two surfaces, and the envelope of an ellipsoid that turns
-// about an axis, each with its topology; and triangles of the envelope.
+// Surfaces that geometry makes: bisectors and sectors of two surfaces, also trimmed, and the envelope of an ellipsoid
+// that turns about an axis, each with its topology; and triangles of the envelope.
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/alpha_sector_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/trimmed_surface_bisectors.h>
 
 #include <benchmark/benchmark.h>
 
@@ -56,6 +57,33 @@ void bisector(benchmark::State& state, const Surface& first, const Surface& seco
   count(state, SC::surface_bisector(first, second, 2));
 }
 
+// z = 1 - 2 x^2
+Surface trough()
+{
+  return Surface(
+      {2, 1}, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1},
+      {{-0.5, -0.5, 0.5}, {-0.5, 0.5, 0.5}, {0, -0.5, 1.5}, {0, 0.5, 1.5}, {0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}});
+}
+
+// Between both surfaces.
+void trimmed_bisector(benchmark::State& state, const Surface& first, const Surface& second)
+{
+  const auto run = [&] {
+    return SC::trimmed_surface_bisector(first, second, 2, {SC::Touched_side::POSITIVE, SC::Touched_side::NEGATIVE});
+  };
+  for (auto _ : state)
+    benchmark::DoNotOptimize(run());
+  const SC::Trimmed_envelope_surface_3 trimmed = run();
+  using SC::Nearest_feet_label;
+  const auto count_label = [&](const char* name, Nearest_feet_label label) {
+    state.counters[name] = static_cast<double>(trimmed.number_of_cells(label));
+  };
+  count_label("kept", Nearest_feet_label::NEAREST);
+  count_label("removed", Nearest_feet_label::NOT_NEAREST);
+  count_label("divided", Nearest_feet_label::BOTH);
+  count_label("undecided", Nearest_feet_label::UNDECIDED);
+}
+
 void sector(benchmark::State& state, const Surface& first, const Surface& second)
 {
   for (auto _ : state)
@@ -95,6 +123,12 @@ BENCHMARK_CAPTURE(bisector, bicubics_of_height_0_01, random_surface(3, 0, 0.01, 
 BENCHMARK_CAPTURE(bisector, bicubics_of_height_0_1, random_surface(3, 0, 0.1, 1), random_surface(3, 1, 0.1, 2))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sector, bicubics_of_height_0_1, random_surface(3, 0, 0.1, 1), random_surface(3, 1, 0.1, 2))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(trimmed_bisector, plane_and_trough, plane(0), trough())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(trimmed_bisector, bicubics_of_height_0_01, random_surface(3, 0, 0.01, 1),
+                  random_surface(3, 1, 0.01, 2))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(trimmed_bisector, bicubics_of_height_0_1, random_surface(3, 0, 0.1, 1), random_surface(3, 1, 0.1, 2))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(ellipsoid_on_circle)->Unit(benchmark::kMillisecond);
 BENCHMARK(triangles_of_ellipsoid_on_circle)->Unit(benchmark::kMillisecond);

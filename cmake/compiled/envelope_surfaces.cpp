@@ -11,6 +11,8 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/envelopes_of_two_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/offset_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/sweep_envelopes.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/trimmed_mesh.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/internal/trimmed_sheets.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/contacts_of_regions.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/internal/solids/contacts_of_solids.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/swept_volume_of.h>

@@ -12,9 +12,12 @@
 #include <CGAL/Spline_constraints_d/IO/write_surface_mesh.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Trimmed_envelope_surface_3.h>
 
 #include <CGAL/IO/Color.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <string>
@@ -122,11 +125,39 @@ inline int print_envelope(const CGAL::Spline_constraints::Envelope_surface_3& su
   return is_complete ? 0 : 3;
 }
 
+// Of a trimmed surface: prints what is undecided, and in the last line the areas of triangles that are kept, removed
+// and undecided, and the numbers of cells. Exit status: 0 when nothing is undecided, or 3.
+inline int print_trimmed(const CGAL::Spline_constraints::Trimmed_envelope_surface_3& surface,
+                         const CGAL::Spline_constraints::Solution_surface_mesh& trimmed,
+                         const CGAL::Spline_constraints::Solution_surface_mesh& untrimmed)
+{
+  using Mesh = CGAL::Spline_constraints::Solution_surface_mesh::Mesh;
+  using CGAL::Spline_constraints::Nearest_feet_label;
+  const auto area = [](const Mesh& mesh, Mesh::Face_index f) {
+    std::vector<Kernel_of_operands::Point_3> corners;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(mesh.point(v));
+    return std::sqrt(CGAL::squared_area(corners[0], corners[1], corners[2]));
+  };
+  const auto labels = trimmed.mesh.property_map<Mesh::Face_index, Nearest_feet_label>("f:label").first;
+  double kept = 0, undecided = 0, all = 0;
+  for (const auto f : trimmed.mesh.faces())
+    (labels[f] == Nearest_feet_label::NEAREST ? kept : undecided) += area(trimmed.mesh, f);
+  for (const auto f : untrimmed.mesh.faces())
+    all += area(untrimmed.mesh, f);
+  for (const auto& part : surface.undecided())
+    std::cout << part << '\n';
+  std::cout << "area kept " << kept << ", removed " << std::max(0.0, all - kept - undecided) << ", undecided "
+            << undecided << "; " << surface << '\n';
+  return surface.is_complete() ? 0 : 3;
+}
+
 // Two surfaces below and above what lies between them, from the side.
 inline void draw_between(std::ostream& out, const Surface_operand& below, const Surface_operand& above,
-                         const std::vector<CGAL::Spline_constraints::Solution_surface_mesh>& meshes)
+                         const std::vector<CGAL::Spline_constraints::Solution_surface_mesh>& meshes,
+                         double height_of_viewer = 0.3)
 {
-  CGAL::Spline_constraints::Scene_3 scene({.to_viewer = {-0.45, -0.85, 0.3}, .most_splits = 20000});
+  CGAL::Spline_constraints::Scene_3 scene({.to_viewer = {-0.45, -0.85, height_of_viewer}, .most_splits = 20000});
   scene.add(grid_on(below), {.color = CGAL::IO::Color(215, 215, 215)});
   scene.add(grid_on(above), {.color = CGAL::IO::Color(230, 120, 110)});
   for (const auto& mesh : meshes) {

@@ -45,12 +45,14 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Touched_sides.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Trimmed_envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/alpha_sector_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/curve_surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/envelope_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/sweep_envelope.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/trimmed_surface_bisectors.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_2.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_3.h>
 #include <CGAL/Spline_constraints_d/operations/first_contacts/Contact_state.h>

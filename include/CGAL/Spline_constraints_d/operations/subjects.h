@@ -102,6 +102,7 @@ namespace Envelope_surfaces {
 using namespace Common;
 using namespace Intersections;
 using namespace Surface_curves;
+using namespace Rational_bisectors;
 }
 namespace Swept_volumes {
 using namespace Common;

@@ -76,6 +76,10 @@ struct Envelope_part_3
 
   //! of bisectors and sectors: the points of the operands where spheres around the point of space touch them.
   std::vector<Vector_expression<3>> feet = {};
+
+  //! of bisectors and sectors of two surfaces: 1 if the spheres are on the sides of the normals of both or of neither,
+  //! -1 if they are on that of one.
+  int product_of_sides = 0;
 };
 
 /*!

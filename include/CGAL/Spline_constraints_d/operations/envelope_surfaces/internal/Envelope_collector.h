@@ -63,7 +63,7 @@ public:
            const Vector_expression<3>& image, std::vector<int> closed_unknowns, std::vector<Envelope_pole> poles,
            const std::function<Surface_solution_set_d(const Surface_solution_set_d&)>& part_of_interest = {},
            const std::optional<std::pair<int, Exact_rational>>& constant_unknown = std::nullopt,
-           std::vector<Vector_expression<3>> feet = {})
+           std::vector<Vector_expression<3>> feet = {}, int product_of_sides = 0)
   {
     if (m_budget.must_stop()) {
       add_undecided(domain_of(system), in_words(m_budget.reason()));
@@ -79,6 +79,7 @@ public:
     m_parts.push_back({std::move(found), image, std::move(closed_unknowns), std::move(poles)});
     m_parts.back().constant_unknown = constant_unknown;
     m_parts.back().feet = std::move(feet);
+    m_parts.back().product_of_sides = product_of_sides;
     if (!feature || m_parts.back().solutions.patches().empty())
       return;
     if (const Spline_function cusps = feature(); !is_zero_everywhere(cusps)) {

@@ -218,7 +218,7 @@ inline Envelope_surface_3 sector_of(const Exact_map<3>& first, const Exact_map<3
           const Sector_of_parts sector(part, other, ratio, radius, own_sides);
           result.add(sector.system(result.budget()), {}, sector.image(),
                      closed_unknowns(part.surface(), other.surface()), poles(part.surface(), other.surface()), {}, {},
-                     sector.feet());
+                     sector.feet(), own_sides.product);
         }
   } catch (const Run_stopped& stop) {
     result.add_undecided({a.domain(0), a.domain(1), b.domain(0), b.domain(1)}, in_words(stop.reason));

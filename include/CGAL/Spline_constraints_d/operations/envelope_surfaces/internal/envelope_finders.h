@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Rational_motion_3.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Touched_sides.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/Trimmed_envelope_surface_3.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
@@ -48,6 +49,16 @@ Envelope_surface_3 surface_bisector_of(const Exact_map<3>& first, const Exact_ma
 Envelope_surface_3 alpha_sector_surface_of(const Exact_map<3>& first, const Exact_map<3>& second,
                                            const Exact_rational& alpha, const Touched_sides& sides,
                                            const Solver_options& options);
+
+Trimmed_envelope_surface_3 trimmed_surface_bisector_of(const Exact_map<3>& first, const Exact_map<3>& second,
+                                                       const Exact_rational& radius, const Touched_sides& sides,
+                                                       const Solver_options& options);
+Trimmed_envelope_surface_3 trimmed_curve_surface_bisector_of(const Exact_map<3>& curve, const Exact_map<3>& surface,
+                                                             const Exact_rational& radius,
+                                                             const Solver_options& options);
+Trimmed_envelope_surface_3 trimmed_alpha_sector_surface_of(const Exact_map<3>& first, const Exact_map<3>& second,
+                                                           const Exact_rational& alpha, const Touched_sides& sides,
+                                                           const Solver_options& options);
 
 } // namespace Envelope_surfaces
 } // namespace internal

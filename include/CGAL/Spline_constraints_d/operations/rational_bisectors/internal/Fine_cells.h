@@ -8,8 +8,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_FINE_CELLS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RATIONAL_BISECTORS_INTERNAL_FINE_CELLS_H
 
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Distance_derivatives.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_grid.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Interval_net.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Power_nets.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Touching_balls.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/rational_bisector_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -26,8 +28,6 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-using Parameter_box = std::array<std::array<double, 2>, 2>;
-
 inline std::array<Parameter_box, 4> quarters_of(const Parameter_box& box)
 {
   std::array<Parameter_box, 4> result{box, box, box, box};
@@ -37,13 +37,6 @@ inline std::array<Parameter_box, 4> quarters_of(const Parameter_box& box)
   }
   return result;
 }
-
-// A box of parameters of a piece.
-struct Part_of_piece
-{
-  std::size_t piece;
-  Parameter_box box;
-};
 
 // The cells of a grid, their quarters, theirs and so on, made when they are asked for.
 class Fine_cells
@@ -60,25 +53,20 @@ private:
     Interval_vector sample; // of a point in the middle
     int depth;
     std::optional<std::array<std::size_t, 4>> quarters = {};
+    std::optional<Distance_derivatives::Bounds> derivatives = {};
   };
 
   Foot_grid& m_grid;
-  std::vector<std::vector<Interval_net>> m_products; // of the pieces: <X,X>, w X, w^2
+  Power_nets m_powers;
+  Distance_derivatives m_derivatives;
   std::vector<Node> m_nodes;
   std::unordered_map<std::size_t, std::size_t> m_node_of_cell;
 
 public:
   // \pre rounding is upwards, here and below
-  Fine_cells(Foot_grid& grid, const std::vector<Polynomial_piece>& surface) : m_grid(grid)
-  {
-    for (const Polynomial_piece& piece : surface) {
-      const Polynomial_vector x = piece.numerators();
-      const Power_polynomial& w = piece.weight();
-      auto& products = m_products.emplace_back();
-      for (const Tensor& f : tensors_of({dot(x, x), w * x[0], w * x[1], w * x[2], w * w}))
-        products.emplace_back(f);
-    }
-  }
+  Fine_cells(Foot_grid& grid, const std::vector<Polynomial_piece>& surface)
+    : m_grid(grid), m_powers(surface), m_derivatives(surface)
+  {}
 
   std::size_t of_cell(const Foot_grid::Cell& cell)
   {
@@ -111,45 +99,22 @@ public:
     return *m_nodes[node].quarters;
   }
 
-  // The sign of the least power of points of a part with respect to one ball, zero if it is not known. Upper bounds of
-  // it, times squared weights, make `least` less.
+  // Whether the squared distance from all points of a box is strictly convex in the parameters.
+  bool is_distance_convex(std::size_t node, const Interval_vector& center)
+  {
+    Node& own = m_nodes[node];
+    if (!own.derivatives)
+      own.derivatives = m_derivatives.bounds(own.part);
+    return Distance_derivatives::is_convex(*own.derivatives, own.bounds.point, center);
+  }
+
+  // See `Power_nets`.
   int sign_of_power(const Part_of_piece& part, const Touching_ball& ball, double& least) const
   {
-    constexpr std::size_t most_parts = 2000;
-    const Parameter_box& box = part.box;
-    std::vector<Interval_net> open{
-        power(part.piece, ball).restricted(0, box[0][0], box[0][1]).restricted(1, box[1][0], box[1][1])};
-    for (std::size_t count = 0; !open.empty(); ++count) {
-      if (count > most_parts)
-        return 0;
-      const Interval_net own = std::move(open.back());
-      open.pop_back();
-      const double upper = own.least_corner();
-      least = (std::min)(least, upper);
-      if (upper < 0)
-        return -1;
-      if (own.bounds().inf() > 0)
-        continue;
-      for (const double a : {0., 0.5})
-        for (const double b : {0., 0.5})
-          open.push_back(own.restricted(0, a, a + 0.5).restricted(1, b, b + 0.5));
-    }
-    return 1;
+    return m_powers.sign_of_power(part, ball, least);
   }
 
 private:
-  // The squared distance of points X / w from the center P of a ball minus its squared radius, times w^2:
-  // <X,X> - 2 <P, w X> + (<P,P> - x^2) w^2. There is one ball, up to rounding.
-  Interval_net power(std::size_t piece, const Touching_ball& ball) const
-  {
-    const std::vector<Interval_net>& products = m_products[piece];
-    Interval_net result = products[0];
-    result.add(dot(ball.center, ball.center) - CGAL::square(ball.x), products[4]);
-    for (const std::size_t c : {0, 1, 2})
-      result.add(Interval(-2) * ball.center[c], products[c + 1]);
-    return result;
-  }
-
   void add_node(const Part_of_piece& part, std::vector<Interval_net> nets, int depth)
   {
     Interval_vector sample;

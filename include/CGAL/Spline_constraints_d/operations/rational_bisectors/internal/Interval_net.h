@@ -56,6 +56,7 @@ public:
   }
 
   const std::vector<Interval>& values() const { return m_values; }
+  int degree(std::size_t axis) const { return m_degrees[axis]; }
 
   // Adds a multiple of another polynomial of the same degrees.
   void add(const Interval& factor, const Interval_net& other)

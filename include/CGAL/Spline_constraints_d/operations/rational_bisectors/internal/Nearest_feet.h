@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Fine_cells.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_charts.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_grid.h>
+#include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Foot_rectangles.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Lines_of_spheres.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Touching_balls.h>
 #include <CGAL/Spline_constraints_d/operations/rational_bisectors/internal/Touching_spheres.h>
@@ -87,12 +88,14 @@ private:
   Fine_cells m_fine;
   Lines_of_spheres m_lines;
   Foot_charts m_charts;
+  Foot_rectangles m_rectangles;
   Cell_tree m_tree;
 
 public:
   // \pre rounding is upwards, here and below; the size of the grid is a power of two.
   Nearest_feet(Foot_grid& grid, const std::vector<Polynomial_piece>& surface, const Operation_budget& budget)
-    : m_grid(grid), m_fine(grid, surface), m_lines(grid, surface, budget), m_charts(grid), m_tree(grid, budget)
+    : m_grid(grid), m_fine(grid, surface), m_lines(grid, surface, budget), m_charts(grid), m_rectangles(grid, m_fine),
+      m_tree(grid, budget)
   {}
 
   Verdict operator()(const Touching_balls& balls)
@@ -111,7 +114,10 @@ public:
       return by_lines;
     if (m_charts.is_nearest(balls, *near))
       return {Answer::YES};
-    return by_lines.is_known() ? by_lines : verdict_by_chart(balls, *near);
+    if (by_lines.is_known())
+      return by_lines;
+    const Verdict by_chart = verdict_by_chart(balls, *near);
+    return by_chart.is_known() ? by_chart : verdict_by_rectangle(balls, *near);
   }
 
   // The sign of the least power of what decides a label, for one ball, and a number that is near to it; zero if it is
@@ -181,6 +187,19 @@ private:
         parts.push_back(m_fine.of_cell(cell));
     const bool is_proved = !next_to_feet.empty() && !parts.empty() && m_charts.is_nearest(balls, next_to_feet);
     return is_proved ? verdict_on_parts(balls, parts, {}) : Verdict();
+  }
+
+  // Where the squared distance is convex in the parameters.
+  Verdict verdict_by_rectangle(const Touching_balls& balls, const std::vector<Cell>& near)
+  {
+    const std::optional<Foot_rectangles::Others> others = m_rectangles.others(balls, near);
+    if (!others)
+      return {};
+    if (others->has_point_inside)
+      return {Answer::NO};
+    if (others->parts.empty())
+      return {Answer::YES};
+    return verdict_on_parts(balls, others->parts, {});
   }
 
   // Spheres that touch along lines, or none: then what is near to the feet is outside.

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,20 +62,29 @@ struct Touching_ball
   Interval_vector center;
 };
 
-// Those of feet in a box of a piece, with derivatives by the parameters of the piece.
+// Feet, their unit normals, and the derivatives of both by the parameters of the piece.
+struct Foot_frame
+{
+  Interval_vector point, normal;
+  std::array<Interval_vector, 2> tangents, normals;
+};
+
+// Those of feet in a box of a piece, with derivatives by two parameters of the balls: those of the piece, as a rule.
 struct Touching_balls : Touching_ball
 {
   bool is_bounded = false;                        // else only the next two are known
   CGAL::Interval_nt<false> height;                // <E,n>, zero at poles
   CGAL::Interval_nt<false> distance;              // |x + r|, of the centers from the center of the sphere
-  std::array<Interval_vector, 2> tangents;        // derivatives of the feet
-  std::array<Interval_vector, 2> normals;         // of the normal
+  std::array<Interval_vector, 2> tangents;        // derivatives of the feet by the parameters of the piece
+  std::array<Interval_vector, 2> normals;         // of the normal by them
+  // of the parameters of the piece, each by those of the balls
+  std::array<std::array<CGAL::Interval_nt<false>, 2>, 2> foot_slopes{{{1, 0}, {0, 1}}};
   std::array<CGAL::Interval_nt<false>, 2> slopes; // of x
   std::array<Interval_vector, 2> centers;         // of the center
   Touching_ball middle;                           // of the foot in the middle of the box
   std::size_t piece = 0;
   std::array<std::array<double, 2>, 2> box{}; // in the unit box of the piece
-  std::array<double, 2> half_widths{};        // of the box
+  std::array<double, 2> half_widths{};        // of the parameters of the balls
 
   // Whether the distance has certainly no local minimum at the feet: 1 - x k < 0 for the normal curvature in one of
   // some directions.
@@ -145,12 +155,20 @@ public:
     return result;
   }
 
+  // Over the box; none if a normal may be zero, or a point has no bounds.
+  std::optional<Foot_frame> frame() const
+  {
+    return frame_of([](const Interval_net& net) { return net.bounds(); }, Foot_grid::hull_of_quotients(m_coordinates));
+  }
+
+  Foot_grid::Bounds bounds() const { return Foot_grid::Bounds::of(m_coordinates); }
+
   // Of a sphere.
   Touching_balls balls(const Interval_vector& center, const Interval& radius) const
   {
     Touching_balls result = first_bounds([](const Interval_net& net) { return net.bounds(); },
                                          Foot_grid::hull_of_quotients(m_coordinates), center, radius);
-    result.foot = Foot_grid::Bounds::of(m_coordinates);
+    result.foot = bounds();
     result.half_widths = m_half_widths;
     if (!result.is_bounded)
       return result;
@@ -190,19 +208,13 @@ private:
                               const Interval& radius) const
   {
     Touching_balls result;
-    const auto vector = [&](const std::vector<Interval_net>& nets) {
-      return Interval_vector{bounds(nets[0]), bounds(nets[1]), bounds(nets[2])};
-    };
-    const Interval_vector direction = vector(m_normal);
-    const Interval length = square_root(dot_of_squares(direction));
-    if (!(length.inf() > 0) || !std::isfinite(foot[0].sup() + foot[1].sup() + foot[2].sup()) ||
-        !std::isfinite(foot[0].inf() + foot[1].inf() + foot[2].inf())) {
+    const std::optional<Foot_frame> frame = frame_of(bounds, foot);
+    if (!frame) {
       result.height = Interval::largest();
       result.distance = Interval(0, std::numeric_limits<double>::infinity());
       return result;
     }
-    const Interval_vector zero{0, 0, 0};
-    result.normal = combination(zero, Interval(1) / length, direction);
+    result.normal = frame->normal;
     const Interval_vector e = combination(combination(foot, Interval(-1), q), -radius, result.normal);
     result.height = dot(e, result.normal);
     const Interval square = dot_of_squares(e), twice = Interval(2) * result.height;
@@ -217,16 +229,36 @@ private:
     result.x = distance - radius;
     result.center = combination(foot, result.x, result.normal);
     result.is_bounded = true;
+    result.tangents = frame->tangents;
+    result.normals = frame->normals;
+    for (const std::size_t axis : {0, 1}) {
+      const Interval_vector e_slope = combination(result.tangents[axis], -radius, result.normals[axis]);
+      result.slopes[axis] = -Interval(2) * (dot(e, e_slope) + distance * dot(e, result.normals[axis])) / twice;
+      result.centers[axis] = combination(combination(result.tangents[axis], result.slopes[axis], result.normal),
+                                         result.x, result.normals[axis]);
+    }
+    return result;
+  }
+
+  template <class Bounds_of_net>
+  std::optional<Foot_frame> frame_of(const Bounds_of_net& bounds, const Interval_vector& foot) const
+  {
+    const auto vector = [&](const std::vector<Interval_net>& nets) {
+      return Interval_vector{bounds(nets[0]), bounds(nets[1]), bounds(nets[2])};
+    };
+    const Interval_vector direction = vector(m_normal);
+    const Interval length = square_root(dot_of_squares(direction));
+    if (!(length.inf() > 0) || !std::isfinite(foot[0].sup() + foot[1].sup() + foot[2].sup()) ||
+        !std::isfinite(foot[0].inf() + foot[1].inf() + foot[2].inf()))
+      return std::nullopt;
+    const Interval_vector zero{0, 0, 0};
+    Foot_frame result{foot, combination(zero, Interval(1) / length, direction), {}, {}};
     for (const std::size_t axis : {0, 1}) {
       result.tangents[axis] = tangent(axis, bounds);
       const Interval_vector change = vector(m_normals[axis]);
       // without the part along the normal
       result.normals[axis] =
           combination(zero, Interval(1) / length, combination(change, -dot(result.normal, change), result.normal));
-      const Interval_vector e_slope = combination(result.tangents[axis], -radius, result.normals[axis]);
-      result.slopes[axis] = -Interval(2) * (dot(e, e_slope) + distance * dot(e, result.normals[axis])) / twice;
-      result.centers[axis] = combination(combination(result.tangents[axis], result.slopes[axis], result.normal),
-                                         result.x, result.normals[axis]);
     }
     return result;
   }

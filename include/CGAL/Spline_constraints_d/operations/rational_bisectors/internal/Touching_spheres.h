@@ -147,7 +147,8 @@ public:
     const Interval side(radius.inf() > 0 ? 1 : -1);
     result.gap = side * (radius - balls.x);
     for (const std::size_t axis : {0, 1})
-      result.slopes[axis] = side * ((axis == m_along ? Interval(0) : dot(change, balls.normal)) - balls.slopes[axis]);
+      result.slopes[axis] =
+          side * (balls.foot_slopes[1 - m_along][axis] * dot(change, balls.normal) - balls.slopes[axis]);
     // from the middle of the box on
     for (const std::size_t c : {0, 1, 2})
       way[c] = center[c](0.5, 0.5) / center[3](0.5, 0.5) - balls.middle.foot.point[c];

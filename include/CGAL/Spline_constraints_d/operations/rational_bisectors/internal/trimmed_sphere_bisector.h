@@ -40,27 +40,6 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-// The pieces of a surface, and how many of them there are along both axes.
-struct Foot_pieces
-{
-  std::vector<Foot_piece> pieces;
-  std::array<std::size_t, 2> shape;
-
-  //! \pre no piece is a curve.
-  static Foot_pieces of(const std::vector<Polynomial_piece>& all, const Operation_budget& budget)
-  {
-    Foot_pieces result;
-    for (const Polynomial_piece& piece : all) {
-      budget.check();
-      result.pieces.push_back(Foot_piece::of(piece.coordinates).value());
-    }
-    const auto is_in_first_row = [&](const Polynomial_piece& piece) { return piece.domain[0] == all[0].domain[0]; };
-    result.shape[1] = static_cast<std::size_t>(std::ranges::count_if(all, is_in_first_row));
-    result.shape[0] = all.size() / result.shape[1];
-    return result;
-  }
-};
-
 // What is known of the labels of all pieces.
 class Face_trimming
 {
