@@ -251,7 +251,8 @@ TEST(Trimmed_surface_bisectors, curve_and_surface)
   const Curve line(1, {0, 0, 1, 1}, {Point(-0.4, 0, 0), Point(0.4, 0, 0)});
   const Curve arch(2, {0, 0, 0, 1, 1, 1}, {Point(-0.5, 0, -0.5), Point(0, 0, 1), Point(0.5, 0, -0.5)});
   for (const Curve& curve : {line, arch}) {
-    const SC::Trimmed_envelope_surface_3 trimmed = SC::trimmed_curve_surface_bisector(curve, roof, 1);
+    const SC::Trimmed_envelope_surface_3 trimmed =
+        SC::trimmed_curve_surface_bisector(curve, roof, 1, {.tolerance = 1e-8, .node_limit = 6000});
     const Counts counts = checked_labels(trimmed, roof, curve, [&](const std::vector<double>& x, const Point& p) {
       return std::array{length(p, at(roof, x[0], x[1])), length(p, curve(std::clamp(x[2], 0.0, 1.0)))};
     });

@@ -246,10 +246,10 @@ private:
   // If the label has a trend.
   void set_arc(Leaf& leaf, Both& both)
   {
+    leaf.competitors = both.competitors;
     for (const std::size_t axis : {0, 1}) {
-      if (both.trends[axis] == 0 || !(both.trends[1 - axis] != 0 || changes_once_on_sides(leaf.cell, axis)))
+      if (both.trends[axis] == 0 || !(both.trends[1 - axis] != 0 || changes_once_on_sides(leaf, axis)))
         continue;
-      leaf.competitors = both.competitors;
       std::array<int, 4> corners{};
       std::size_t k = 0;
       const std::array<Interval, 2> ranges{leaf.cell.box()[leaf.cell.parameters()[0]],
@@ -269,21 +269,54 @@ private:
   }
 
   // Whether the label changes once at most along both sides where the parameter of an axis is constant.
-  bool changes_once_on_sides(const Cell& cell, std::size_t axis)
+  bool changes_once_on_sides(const Leaf& leaf, std::size_t axis)
   {
-    const Interval range = cell.box()[cell.parameters()[axis]], other = cell.box()[cell.parameters()[1 - axis]];
-    return std::ranges::all_of(std::array{range.inf(), range.sup()}, [&](double at) {
-      Cell side = cell.part(axis == 0 ? std::array{Interval(at), other} : std::array{other, Interval(at)});
-      side.contract(m_pair);
-      if (side.state() != Cell::State::GRAPH)
-        return false;
-      const auto graph = side.graph(m_pair);
-      const auto balls = graph ? m_pair.balls(*graph) : std::nullopt;
-      if (!balls)
-        return false;
-      const Both both = verdict(*balls);
-      return both.answer != Answer::UNKNOWN || both.trends[1 - axis] != 0;
-    });
+    const Interval range = leaf.cell.box()[leaf.cell.parameters()[axis]];
+    return changes_once_on_side(leaf, axis, range.inf()) && changes_once_on_side(leaf, axis, range.sup());
+  }
+
+  // In parts that are halved a few times, until they have one label or a trend.
+  bool changes_once_on_side(const Leaf& leaf, std::size_t axis, double at)
+  {
+    constexpr int most_depth = 3;
+    struct Part
+    {
+      Interval range;
+      int depth;
+    };
+    const auto values = [&](const Interval& along) {
+      return axis == 0 ? std::array{Interval(at), along} : std::array{along, Interval(at)};
+    };
+    std::vector<Part> open{{leaf.cell.box()[leaf.cell.parameters()[1 - axis]], 0}};
+    int changes = 0, last = sign_at(leaf, values(Interval(open[0].range.inf())));
+    while (!open.empty() && changes <= 1) {
+      const auto [range, depth] = open.back();
+      open.pop_back();
+      const Both both = verdict_on_part(leaf.cell.part(values(range)));
+      int next = both.answer == Answer::YES ? 1 : both.answer == Answer::NO ? -1 : 0;
+      if (next == 0 && both.trends[1 - axis] != 0)
+        next = sign_at(leaf, values(Interval(range.sup())));
+      if (next == 0) {
+        if (depth == most_depth)
+          return false;
+        const double middle = Foot_grid::midpoint(range);
+        open.push_back({Interval(middle, range.sup()), depth + 1});
+        open.push_back({Interval(range.inf(), middle), depth + 1});
+        continue;
+      }
+      if (last != 0 && next != last)
+        ++changes;
+      last = next;
+    }
+    return changes <= 1;
+  }
+
+  Both verdict_on_part(Cell part)
+  {
+    part.contract(m_pair);
+    const auto graph = part.state() == Cell::State::GRAPH ? part.graph(m_pair) : std::nullopt;
+    const auto balls = graph ? m_pair.balls(*graph) : std::nullopt;
+    return balls ? verdict(*balls) : Both();
   }
 
   // Of the least power for these values of the parameters: 1 if feet are nearest, -1 if they are not, or 0.
