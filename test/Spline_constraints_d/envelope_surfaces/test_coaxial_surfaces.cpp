@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/alpha_sector_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/offset_surface.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_surfaces/surface_bisector.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_surfaces/trimmed_surface_bisectors.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 
@@ -116,6 +117,9 @@ TEST(Coaxial_surfaces, bisectors_and_sectors)
     const Mesh mesh = bisector.mesh({.chord_error = 0.01});
     expect_in_half_planes(mesh, a, b);
     expect_on(mesh, points);
+    // what is nearest in the plane is kept in space, or undecided
+    const SC::Solver_options limits{.tolerance = 1e-8, .node_limit = bisector.summary().nodes + 2000};
+    expect_on(SC::trimmed_surface_bisector(a, b, 1, between, limits).mesh({.chord_error = 0.01}), points);
 
     const auto planar_sector = SC::trimmed_alpha_sector(low, high, 0.25);
     ASSERT_TRUE(planar_sector.is_complete());

@@ -93,8 +93,8 @@ public:
         std::ranges::count_if(m_cells, [&](const Trimmed_cell_3& cell) { return cell.label == label; }));
   }
 
-  //! the label of the solution of a part that is nearest to unknowns, as of a vertex of a mesh, by proof: `NEAREST`,
-  //! `NOT_NEAREST` or `UNDECIDED`.
+  //! the label of the solution of a part that is nearest to unknowns, as of a vertex of a mesh, by proof up to the
+  //! rounding of these numbers: `NEAREST`, `NOT_NEAREST` or `UNDECIDED`.
   Nearest_feet_label label(std::size_t part, std::span<const double> unknowns) const { return m_label(part, unknowns); }
 
   //! whether all of the surface is there, and all cells have a label, by proof.

@@ -255,6 +255,8 @@ Trimmed_envelope_surface_3::mesh(const Surface_mesh_options& options, const Solv
     for (std::size_t k = 0; k < trimmed.labels().size(); ++k)
       labels[Solution_surface_mesh::Mesh::Face_index(first + static_cast<unsigned>(k))] = trimmed.labels()[k];
   }
+  if (budget.must_stop())
+    result.undecided_parts.push_back({{}, {}, internal::in_words(budget.reason())});
   if (!is_complete())
     result.undecided_parts.insert(result.undecided_parts.end(), m_undecided.begin(), m_undecided.end());
   result.work.is_complete = result.undecided_parts.empty();

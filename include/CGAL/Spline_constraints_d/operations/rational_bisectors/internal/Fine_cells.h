@@ -28,9 +28,9 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-inline std::array<Parameter_box, 4> quarters_of(const Parameter_box& box)
+inline std::array<Parameter_rectangle, 4> quarters_of(const Parameter_rectangle& box)
 {
-  std::array<Parameter_box, 4> result{box, box, box, box};
+  std::array<Parameter_rectangle, 4> result{box, box, box, box};
   for (std::size_t k = 0; k < 4; ++k) {
     result[k][0][k < 2 ? 1 : 0] = 0.5 * (box[0][0] + box[0][1]);
     result[k][1][k % 2 == 0 ? 1 : 0] = 0.5 * (box[1][0] + box[1][1]);

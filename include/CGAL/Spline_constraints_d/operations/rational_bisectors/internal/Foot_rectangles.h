@@ -90,16 +90,16 @@ private:
     return result;
   }
 
-  static bool touch(const Parameter_box& a, const Parameter_box& b)
+  static bool touch(const Parameter_rectangle& a, const Parameter_rectangle& b)
   {
     return a[0][0] <= b[0][1] && b[0][0] <= a[0][1] && a[1][0] <= b[1][1] && b[1][0] <= a[1][1];
   }
 
   // Around the feet and all parts that touch it; others go to a list.
-  Parameter_box rectangle_around_feet(const Touching_balls& balls, std::vector<std::size_t> parts,
-                                      std::vector<std::size_t>& others) const
+  Parameter_rectangle rectangle_around_feet(const Touching_balls& balls, std::vector<std::size_t> parts,
+                                            std::vector<std::size_t>& others) const
   {
-    Parameter_box result = balls.box;
+    Parameter_rectangle result = balls.box;
     const auto take = [&](std::size_t part) {
       const Part_of_piece& own = m_fine.part(part);
       if (own.piece != balls.piece || !touch(own.box, result))

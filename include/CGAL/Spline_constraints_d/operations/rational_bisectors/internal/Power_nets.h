@@ -26,13 +26,13 @@ namespace Spline_constraints {
 namespace internal {
 namespace Rational_bisectors {
 
-using Parameter_box = std::array<std::array<double, 2>, 2>;
+using Parameter_rectangle = std::array<std::array<double, 2>, 2>;
 
 // A box of parameters of a piece.
 struct Part_of_piece
 {
   std::size_t piece;
-  Parameter_box box;
+  Parameter_rectangle box;
 };
 
 // The powers of points of the pieces of a surface, or of a curve, with respect to one ball.
@@ -60,7 +60,7 @@ public:
   int sign_of_power(const Part_of_piece& part, const Touching_ball& ball, double& least) const
   {
     constexpr std::size_t most_parts = 2000;
-    const Parameter_box& box = part.box;
+    const Parameter_rectangle& box = part.box;
     std::vector<Interval_net> open{
         power(part.piece, ball).restricted(0, box[0][0], box[0][1]).restricted(1, box[1][0], box[1][1])};
     for (std::size_t count = 0; !open.empty(); ++count) {
