@@ -6,11 +6,15 @@
 #include "compare_in_turns.h"
 
 #include <CGAL/Spline_constraints_d/function/Expression.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surface_fitting.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
 
 namespace SC = CGAL::Spline_constraints;
 using Rational = SC::Exact_rational;
@@ -100,6 +104,35 @@ void solve_surfaces(benchmark::State& state, const SC::Constraint_system_d& syst
   state.counters["complete"] = is_complete;
 }
 
+// An atlas of B-spline surfaces, with the tolerance 10^-e.
+void fit_surfaces(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(system);
+  SC::Surface_atlas_d atlas;
+  for (auto _ : state)
+    atlas = SC::fit_bspline_surfaces(set, {.tolerance = std::pow(10.0, -static_cast<double>(state.range(0)))});
+  std::size_t pieces = 0;
+  for (const SC::Fitted_surface_d& chart : atlas.charts)
+    pieces += chart.number_of_pieces();
+  state.counters["charts"] = static_cast<double>(atlas.charts.size());
+  state.counters["pieces"] = static_cast<double>(pieces);
+  state.counters["error"] = atlas.error;
+  state.counters["complete"] = atlas.is_complete();
+}
+
+// The part above a plane.
+SC::Constraint_system_d
+half(const std::function<SC::Constraint(const SC::Expression&, const SC::Expression&, const SC::Expression&)>& surface)
+{
+  auto [a, b, c] = SC::unknowns({-2, 2}, {-2, 2}, {0, 2});
+  return SC::make_system(std::array{surface(a, b, c)});
+}
+
+SC::Constraint sphere(const SC::Expression& a, const SC::Expression& b, const SC::Expression& c)
+{
+  return square(a) + square(b) + square(c) == 1;
+}
+
 #define SURFACES(name, system) BENCHMARK_CAPTURE(solve_surfaces, name, system)->Unit(benchmark::kMillisecond)
 
 SURFACES(sphere, SC::make_system(std::array{square(x) + square(y) + square(z) == 1}));
@@ -119,3 +152,12 @@ SURFACES(touching_spheres,
              (square(x - 1) + square(y) + square(z) - 1) * (square(x + 1) + square(y) + square(z) - 1) == 0}));
 
 } // namespace
+
+#define FITTED(name, system)                                                                                           \
+  BENCHMARK_CAPTURE(fit_surfaces, name, system)->DenseRange(2, 5)->Unit(benchmark::kMillisecond)
+
+FITTED(half_sphere, half(sphere));
+FITTED(half_torus, half(torus));
+FITTED(sphere, SC::make_system(std::array{sphere(x, y, z)}));
+FITTED(torus, SC::make_system(std::array{torus(x, y, z)}));
+FITTED(tangle_cube, SC::make_system(std::array{tangle_cube()}));

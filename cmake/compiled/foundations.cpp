@@ -33,6 +33,7 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surface_fitting.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/internal/scratch_memory.h>
 #include <CGAL/Spline_constraints_d/number.h>

@@ -52,6 +52,7 @@
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/Simplex_function_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Surface_atlas_d.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/dupin_cyclides.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>

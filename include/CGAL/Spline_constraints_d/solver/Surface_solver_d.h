@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/united_surfaces.h>

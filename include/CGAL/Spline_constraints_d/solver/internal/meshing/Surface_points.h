@@ -152,6 +152,18 @@ public:
     return true;
   }
 
+  // The places where splines of the equalities have breaks, of each unknown that has some.
+  static std::map<int, std::set<double>> breaks_of(const Constraint_system_d& system)
+  {
+    std::map<int, std::set<double>> result;
+    for (const Spline_function& function : system.equalities())
+      for (const Spline_term& term : function.terms())
+        for (std::size_t j = 0; j < term.variables.size(); ++j)
+          for (const Exact_rational& at : term.breaks[j])
+            result[term.variables[j]].insert(CGAL::to_double(at));
+    return result;
+  }
+
 private:
   // Whether a point is between the same breaks of splines as a patch, up to rounding.
   bool is_in_cell(std::size_t patch, const Point& point)
@@ -166,18 +178,6 @@ private:
           return false;
     }
     return true;
-  }
-
-  // The places where splines of the equalities have breaks, of each unknown that has some.
-  static std::map<int, std::set<double>> breaks_of(const Constraint_system_d& system)
-  {
-    std::map<int, std::set<double>> result;
-    for (const Spline_function& function : system.equalities())
-      for (const Spline_term& term : function.terms())
-        for (std::size_t j = 0; j < term.variables.size(); ++j)
-          for (const Exact_rational& at : term.breaks[j])
-            result[term.variables[j]].insert(CGAL::to_double(at));
-    return result;
   }
 
   double distance(std::size_t patch, const Point& point)

@@ -274,6 +274,14 @@ private:
   }
 };
 
+// The ranges of the unknowns of the problem.
+inline Exact_ranges domain_of_problem(const Surface_solution_set_d& set)
+{
+  Exact_ranges result = domain_of(set.system());
+  result.resize(static_cast<std::size_t>(set.dimension()));
+  return result;
+}
+
 CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh mesh_of_solutions(const Surface_solution_set_d& set,
                                                                        const Vector_expression<3>* image,
                                                                        const Surface_mesh_options& options,
@@ -282,11 +290,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Solution_surface_mesh mesh_of_solutions(const Sur
   if (!(options.chord_error > 0) || !(options.angle > 0) || !(options.edge_length > 0))
     throw Invalid_input("to_surface_mesh: chord error, angle and edge length must be positive");
   std::optional<Image_functions> functions;
-  if (image != nullptr) {
-    Exact_ranges domain = domain_of(set.system());
-    domain.resize(static_cast<std::size_t>(set.dimension()));
-    functions = image_functions(*image, domain);
-  }
+  if (image != nullptr)
+    functions = image_functions(*image, domain_of_problem(set));
   Run_control control(run);
   return Mesh_of_solutions(set, functions ? &*functions : nullptr, options, control)();
 }
