@@ -60,26 +60,32 @@ public:
       m_control(control), m_charts(mesh, projection)
   {}
 
-  // Charts whose surfaces have folds are divided, and all is done again.
+  // Charts whose surfaces have folds are divided, and all is done again; the best of these atlases is the answer.
   Surface_atlas_d operator()()
   {
-    constexpr int most_rounds = 4;
+    constexpr int most_rounds = 2;
+    std::optional<Surface_atlas_d> best;
+    std::size_t folds = 0;
     for (int round = 0;; ++round) {
       find_charts();
       fit_edges();
       const std::set<std::size_t> folded = fit_charts();
+      add_edges();
+      const std::pair own(m_result.undecided_parts.size(), folded.size());
+      if (!best || own < std::pair(best->undecided_parts.size(), folds)) {
+        best = std::move(m_result);
+        folds = folded.size();
+      }
       if (folded.empty() || round == most_rounds || m_control.must_stop(false) || !m_charts.refine(folded))
-        break;
+        return *std::move(best);
     }
-    add_edges();
-    return std::move(m_result);
   }
 
 private:
   // Divides charts until all have a first surface.
   void find_charts()
   {
-    constexpr int most_rounds = 8;
+    constexpr int most_rounds = 12;
     for (int round = 0;; ++round) {
       find_edges();
       m_squares.assign(m_charts.size(), std::nullopt);
