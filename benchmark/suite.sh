@@ -6,7 +6,8 @@
 #
 #   sh benchmark/suite.sh FOLDER [SECONDS [PROGRAM]]
 #
-# SECONDS (10) is the limit of time of each file, PROGRAM is solve_system (build/release/...). Prints a line for each
+# SECONDS (10) is the limit of time of each file, PROGRAM is solve_system (build/release/...), which uses all cores of the
+# machine where it was built with TBB. Prints a line for each
 # file: how it ended, the seconds of the whole process, and the line that sums up; then how many are complete,
 # incomplete, refused (with the reason), past the limit by more than 0.3 s, or failed otherwise. Exit status: 0 when none
 # failed.

@@ -87,6 +87,10 @@ template class Homogeneous_spline<Exact_rational, 2>;
 template class Homogeneous_spline<Exact_rational, 3>;
 
 CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS()
+CGAL_SPLINE_CONSTRAINTS_PROPAGATION(, CGAL::Sequential_tag)
+#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
+CGAL_SPLINE_CONSTRAINTS_PROPAGATION(, CGAL::Parallel_tag)
+#endif
 
 } // namespace internal
 } // namespace CGAL::Spline_constraints

@@ -7,13 +7,13 @@
 // functions there are no curves and surfaces: unless there are as many equalities as unknowns, it tells this, too.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--parallel] [--whole] [--verify] [--json] [--output FILE] [--chord-error E]
+//                     [--time-limit S] [--sequential] [--whole] [--verify] [--json] [--output FILE] [--chord-error E]
 //
-// --whole solves the system as it is, without decomposing it or eliminating unknowns. --parallel uses all cores, if the
-// program was built with TBB; for the number type certified. --verify proves points and clusters once more and prints
-// first of how many this succeeds, not with --json. --output writes curves of solutions (.svg, .vtp, .txt) or
-// surfaces (.svg, .vtp, .off, .ply, .stl), these within --chord-error. Exit status: 0 when every solution is accounted
-// for, 3 when not, 2 for bad input.
+// If the program was built with TBB, all cores are used for the number type certified, with the same answers;
+// --sequential uses one. --whole solves the system as it is, without decomposing it or eliminating unknowns. --verify
+// proves points and clusters once more and prints first of how many this succeeds, not with --json. --output writes
+// curves of solutions (.svg, .vtp, .txt) or surfaces (.svg, .vtp, .off, .ply, .stl), these within --chord-error. Exit
+// status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
 #include "curve_output.h"
 #include "solve_system_output.h"
 #include "surface_output.h"
@@ -40,7 +40,7 @@ struct Arguments
   std::string file, number_type = "certified", test = "graph", output;
   SC::Solver_options options;
   double chord_error = 0; // a five hundredth of the domain
-  bool has_tolerance = false, json = false, parallel = false, whole = false, verify = false;
+  bool has_tolerance = false, json = false, sequential = false, whole = false, verify = false;
 };
 
 Arguments parse(int argc, char* argv[])
@@ -61,7 +61,8 @@ Arguments parse(int argc, char* argv[])
     else if (word == "--chord-error") result.chord_error = number(word, value());
     else if (word == "--test") result.test = value();
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
-    else if (word == "--parallel") result.parallel = true;
+    else if (word == "--sequential")
+      result.sequential = true;
     else if (word == "--whole") result.whole = true;
     else if (word == "--verify")
       result.verify = true;
@@ -72,10 +73,8 @@ Arguments parse(int argc, char* argv[])
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--whole] [--verify] "
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--sequential] [--whole] [--verify] "
                             "[--json] [--output FILE.svg|.vtp|.txt|.off|.ply|.stl] [--chord-error E]");
-  if (result.parallel && result.number_type != "certified")
-    throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
 }
 
@@ -138,11 +137,11 @@ int print_points(const Arguments& arguments, const SC::Minibex_system& input, co
 }
 
 // With elementary functions: all solutions of as many equalities as unknowns; of others, whether there is one.
+template <class Concurrency_tag>
 int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& input)
 {
-  if (arguments.number_type != "certified" || arguments.whole || arguments.test != "graph" || arguments.parallel)
-    throw SC::Invalid_input("elementary functions go with --number-type certified and --test graph, on one core, "
-                            "without --whole");
+  if (arguments.number_type != "certified" || arguments.whole || arguments.test != "graph")
+    throw SC::Invalid_input("elementary functions go with --number-type certified and --test graph, without --whole");
   if (!arguments.output.empty())
     throw SC::Invalid_input("--output is for curves and surfaces, which elementary functions have none of here");
   const auto equalities = std::ranges::count(input.constraints, SC::Relation::EQUAL, &SC::Minibex_constraint::relation);
@@ -151,18 +150,20 @@ int solve_with_functions(const Arguments& arguments, const SC::Minibex_system& i
   Progress_bar progress;
   SC::Solver_options options = arguments.options;
   options.visitor = progress;
-  const auto solutions = SC::Propagation_solver_d(options)(input.domains, polynomial_constraints(input), input.values);
+  const SC::Propagation_solver_d<Concurrency_tag> solver(options);
+  const auto solutions = solver(input.domains, polynomial_constraints(input), input.values);
   progress.clear();
   return print_points(arguments, input, solutions);
 }
 
 // As many equations as unknowns, by the solver that gets on better.
+template <class Concurrency_tag>
 int solve_for_points(const Arguments& arguments, const SC::Minibex_system& input)
 {
   Progress_bar progress;
   SC::Solver_options options = arguments.options;
   options.visitor = progress;
-  const auto solutions = SC::solve_polynomials(input.domains, polynomial_constraints(input), options);
+  const auto solutions = SC::solve_polynomials<Concurrency_tag>(input.domains, polynomial_constraints(input), options);
   progress.clear();
   return print_points(arguments, input, solutions);
 }
@@ -178,7 +179,7 @@ int solve(Arguments arguments)
   };
   if (!input.values.all().empty()) {
     use_rest_of_time();
-    return solve_with_functions(arguments, input);
+    return solve_with_functions<Concurrency_tag>(arguments, input);
   }
   const auto equalities = std::count_if(input.constraints.begin(), input.constraints.end(), [](const auto& constraint) {
     return constraint.relation == SC::Relation::EQUAL;
@@ -189,12 +190,11 @@ int solve(Arguments arguments)
     use_rest_of_time();
     return decide_feasibility(arguments, input);
   }
-  if constexpr (std::is_same_v<Number, double> && tracks_rounding &&
-                std::is_same_v<Concurrency_tag, CGAL::Sequential_tag>)
+  if constexpr (std::is_same_v<Number, double> && tracks_rounding)
     if (equalities == static_cast<long>(input.domains.size()) && !arguments.whole && arguments.test == "graph" &&
         arguments.output.empty()) {
       use_rest_of_time();
-      return solve_for_points(arguments, input);
+      return solve_for_points<Concurrency_tag>(arguments, input);
     }
   SC::Constraint_system_d system(input.domains);
   for (const auto& constraint : input.constraints)
@@ -249,7 +249,8 @@ int main(int argc, char* argv[])
 try {
   const Arguments arguments = parse(argc, argv);
   if (arguments.number_type == "fast") return solve<double, false>(arguments);
-  if (arguments.parallel) return solve<double, true, CGAL::Parallel_if_available_tag>(arguments);
+  if (arguments.number_type == "certified" && arguments.test == "graph" && !arguments.sequential)
+    return solve<double, true, CGAL::Parallel_if_available_tag>(arguments);
   if (arguments.number_type == "certified") return solve<double>(arguments);
   if (arguments.number_type == "interval") return solve<CGAL::Interval_nt<false>>(arguments);
   if (arguments.number_type == "multiprecision") return solve<SC::Mpfr_interval>(arguments);

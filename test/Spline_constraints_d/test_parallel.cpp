@@ -7,11 +7,14 @@
 #define CGAL_LINKED_WITH_TBB
 #endif
 
+#include "counterflow_system.h"
+#include "planted_simple_roots.h"
 #include "solver_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
 #include <CGAL/Spline_constraints_d/solver/own_traits.h>
@@ -63,6 +66,68 @@ TEST(Parallel, SameAnswers)
     expect_solved(problem, solve<CGAL::Parallel_tag>(problem.system));
   }
   EXPECT_GT(solve(cyclic_chebyshev(8, 2).system).summary().nodes, 1000u);
+}
+
+// Both ways through sums of monomials, and through turns with tensors.
+static void check_polynomials(const std::vector<SC::Constraint_system_d::Domain>& domain,
+                              const std::vector<std::pair<SC::Power_polynomial, SC::Relation>>& constraints,
+                              const SC::Solver_options& options = {})
+{
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  expect_equal(SC::Propagation_solver_d(options)(domain, constraints),
+               SC::Propagation_solver_d<CGAL::Parallel_tag>(options)(domain, constraints));
+  expect_equal(SC::solve_polynomials(domain, constraints, options),
+               SC::solve_polynomials<CGAL::Parallel_tag>(domain, constraints, options));
+}
+
+TEST(Parallel, Propagation)
+{
+  // random quadrics, also where a limit is reached
+  Random_numbers random(56);
+  for (int round = 0; round < 30; ++round) {
+    SCOPED_TRACE(round);
+    const int n = 2 + round % 3;
+    std::vector<std::pair<SC::Power_polynomial, SC::Relation>> constraints;
+    for (int i = 0; i < n; ++i) {
+      SC::Power_polynomial f(random.integer(-9, 9));
+      for (int j = 0; j < n; ++j) {
+        f += random.integer(-5, 5) * SC::Power_polynomial::variable(j);
+        for (int k = j; k < n; ++k)
+          f += random.integer(-5, 5) * SC::Power_polynomial::variable(j) * SC::Power_polynomial::variable(k);
+      }
+      constraints.emplace_back(f, SC::Relation::EQUAL);
+    }
+    const std::vector<SC::Constraint_system_d::Domain> domain(n, {Rational(-20), Rational(20)});
+    check_polynomials(domain, constraints);
+    check_polynomials(domain, constraints, {.node_limit = static_cast<std::size_t>(random.integer(1, 200))});
+  }
+  // close pairs and roots on faces
+  Planted_simple_roots planted(5605);
+  for (int round = 0; round < 30; ++round) {
+    SCOPED_TRACE(round);
+    const auto [problem, polynomials] = planted.make_polynomials(1 + round % 3);
+    std::vector<SC::Constraint_system_d::Domain> domain;
+    std::vector<std::pair<SC::Power_polynomial, SC::Relation>> constraints;
+    for (int j = 0; j < problem.system.dimension(); ++j)
+      domain.push_back(problem.system.domain(j));
+    for (const SC::Power_polynomial& polynomial : polynomials)
+      constraints.emplace_back(polynomial, SC::Relation::EQUAL);
+    check_polynomials(domain, constraints);
+  }
+  // a chain with windows
+  check_polynomials(std::vector<SC::Constraint_system_d::Domain>(18, {Rational(-1000), Rational(1000)}),
+                    counterflow(9));
+}
+
+TEST(Parallel, PropagationWithFunctions)
+{
+  auto [x, y, z] = SC::unknowns({-9, 9}, {-9, 9}, {-9, 9});
+  const std::array constraints{sin(x * y) + z == Rational(1, 3), cos(y - z) == x / 7,
+                               exp(-x * x / 9) + sin(z) == y / 5};
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  const auto solutions = SC::Propagation_solver_d()(constraints);
+  EXPECT_GT(solutions.size(), 20u);
+  expect_equal(solutions, SC::Propagation_solver_d<CGAL::Parallel_tag>()(constraints));
 }
 
 TEST(Parallel, Curves)
@@ -284,6 +349,28 @@ TEST(Parallel, Visitor)
   EXPECT_EQ(stopped.summary().why_not, SC::Undecided_reason::STOPPED);
   EXPECT_TRUE(impatient.is_alone);
   expect_nothing_lost(problem.known, stopped);
+}
+
+TEST(Parallel, LimitsOfPropagation)
+{
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  const std::vector<SC::Constraint_system_d::Domain> domain(18, {Rational(-1000), Rational(1000)});
+  for (const int limit : {3, 30, 3000}) {
+    Counting_visitor impatient(limit);
+    const SC::Propagation_solver_d<CGAL::Parallel_tag> solver({.visitor = impatient});
+    const auto stopped = solver(domain, counterflow(9));
+    EXPECT_FALSE(stopped.is_complete());
+    EXPECT_EQ(stopped.summary().why_not, SC::Undecided_reason::STOPPED);
+    EXPECT_TRUE(impatient.is_alone);
+    Counting_visitor other(limit);
+    const auto turns = SC::solve_polynomials<CGAL::Parallel_tag>(domain, counterflow(9), {.visitor = other});
+    EXPECT_FALSE(turns.is_complete());
+    EXPECT_EQ(turns.summary().why_not, SC::Undecided_reason::STOPPED);
+    EXPECT_TRUE(other.is_alone);
+  }
+  const auto late = SC::solve_polynomials<CGAL::Parallel_tag>(domain, counterflow(9), {.time_limit = 1e-3});
+  EXPECT_FALSE(late.is_complete());
+  EXPECT_EQ(late.summary().why_not, SC::Undecided_reason::TIME);
 }
 
 TEST(Parallel, VoronoiDiagram)

@@ -4,15 +4,17 @@
 // The solver by constraint propagation: planted rational solutions, on faces and close together; multiple ones, and
 // some on faces at irrational places; systems whose tensors would be too large, and of hundreds of unknowns, with
 // known numbers of solutions; chains, by windows that grow, with planted solutions that none of their boxes loses; a
-// common part as an unknown of its own; inequalities; limits and bad input. Its parts: ranges of polynomials against
-// their values, and sparse elimination against the matrix it is given.
+// common part as an unknown of its own; inequalities; limits and bad input. Its parts: slices of boxes, ranges of
+// polynomials against their values, and sparse elimination against the matrix it is given.
 
 #include <CGAL/Spline_constraints_d/solver/Propagation_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Box_shaving.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Chain_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Growing_windows.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
+#include "counterflow_system.h"
 #include "planted_simple_roots.h"
 #include "solver_test_checks.h"
 
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <utility>
@@ -282,29 +285,6 @@ TEST(Propagation, choice_of_solver)
   }
 }
 
-// Two substances that react while they pass each other, in m stages: u_{k-1} - u_{k+1} = 2 u_k (1 + 4 v_k) and
-// v_{k-1} - 3 v_{k+1} = 2 v_k (1 + 4 u_k), where u_0, v_0, u_{m+1}, v_{m+1} are given. Moved so that a point is a
-// solution, if one is given.
-Constraints counterflow(int stages, const std::vector<Rational>& solution = {})
-{
-  const auto unknown = [&](int substance, int stage) {
-    if (stage < 0 || stage >= stages)
-      return Power_polynomial(Rational((stage < 0) == (substance == 0) ? 1 : 0));
-    return Power_polynomial::variable(2 * stage + substance);
-  };
-  std::vector<Power_polynomial> result;
-  for (int k = 0; k < stages; ++k)
-    for (int s = 0; s < 2; ++s) {
-      const Power_polynomial flow = unknown(s, k - 1) - Power_polynomial(Rational(s == 0 ? 1 : 3)) * unknown(s, k + 1);
-      const Power_polynomial reaction = Power_polynomial(Rational(2)) * unknown(s, k) *
-          (Power_polynomial(Rational(1)) + Power_polynomial(Rational(4)) * unknown(1 - s, k));
-      result.push_back(flow - reaction);
-      if (!solution.empty())
-        result.back() -= Power_polynomial(result.back()(solution));
-    }
-  return equalities(result);
-}
-
 TEST(Propagation, chains)
 {
   // the numbers are those that the search finds without windows
@@ -332,7 +312,8 @@ TEST(Propagation, windows_lose_no_solution)
       chain.push_back(constraints[i]);
     const SC::Upward_rounding_guard guard;
     const SC::internal::Box_of_ranges domain(2 * stages, SC::internal::Interval(-1000, 1000));
-    SC::internal::Growing_windows windows(chain, domain, [] {});
+    SC::internal::Growing_windows windows(
+        chain, domain, [] {}, SC::internal::Parallel_loop::of<CGAL::Sequential_tag>());
     while (!windows.is_done())
       windows.advance();
     const auto boxes = windows.boxes(domain);
@@ -343,6 +324,44 @@ TEST(Propagation, windows_lose_no_solution)
           return false;
       return true;
     })) << round;
+  }
+}
+
+// Of x = y = -x propagation alone says nothing; slices leave the one beside zero on each side. Planted solutions stay.
+TEST(Propagation, slices_of_boxes)
+{
+  using SC::internal::Interval;
+  const SC::Upward_rounding_guard guard;
+  const std::function<void()> check = [] {};
+  const auto narrow = [&](const Constraints& constraints, int unknown, SC::internal::Box_of_ranges& box) {
+    const SC::internal::Sparse_system system(static_cast<int>(box.size()), constraints, check);
+    SC::internal::Constraint_propagation propagation(system);
+    return SC::internal::Box_shaving(propagation, check)(unknown, box);
+  };
+  const Power_polynomial x = Power_polynomial::variable(0), y = Power_polynomial::variable(1);
+  SC::internal::Box_of_ranges square(2, Interval(-1, 1));
+  EXPECT_TRUE(narrow(equalities({x - y, x + y}), 0, square));
+  for (const Interval& range : square) {
+    EXPECT_LE(range.sup(), 0.21);
+    EXPECT_GE(range.inf(), -0.21);
+  }
+  square.assign(2, Interval(0.5, 1));
+  EXPECT_FALSE(narrow(equalities({x - y, x + y}), 1, square));
+
+  std::mt19937 engine(563);
+  std::uniform_int_distribution<int> eighths(-8, 8);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Rational> solution;
+    SC::internal::Box_of_ranges box;
+    for (int j = 0; j < 8; ++j) {
+      solution.push_back(Rational(eighths(engine)) / 8);
+      const double at = CGAL::to_double(solution.back());
+      box.emplace_back(at - 0.125 * (8 + eighths(engine)), at + 0.125 * (8 + eighths(engine)));
+    }
+    for (int j = 0; j < 8; ++j)
+      ASSERT_TRUE(narrow(counterflow(4, solution), j, box));
+    for (int j = 0; j < 8; ++j)
+      EXPECT_TRUE(solution[j] >= Rational(box[j].inf()) && solution[j] <= Rational(box[j].sup())) << round;
   }
 }
 

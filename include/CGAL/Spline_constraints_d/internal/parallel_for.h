@@ -38,6 +38,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #endif // CGAL_LINKED_WITH_TBB
@@ -113,7 +114,10 @@ void run_on_all_threads(std::size_t count, const Body& body)
   const auto work = [&](std::size_t) {
     indices.run(body, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
   };
-  tbb::parallel_for(std::size_t(0), (std::min)(count, number_of_slots()), work, tbb::simple_partitioner());
+  // All threads round as the calling one does: TBB would take the mode of when its threads were made.
+  tbb::task_group_context context(tbb::task_group_context::bound,
+                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::parallel_for(std::size_t(0), (std::min)(count, number_of_slots()), work, tbb::simple_partitioner(), context);
 }
 
 #endif
@@ -132,7 +136,7 @@ std::size_t slots_of()
 }
 
 // Calls body(i, slot) for i = 0, ..., count - 1, each once: in order and with slot 0, or in parallel, begun in order.
-// Calls with the same slot do not run at the same time.
+// Calls with the same slot do not run at the same time. All round as the caller does.
 template <class Concurrency_tag, class Body>
 void parallel_for(std::size_t count, const Body& body)
 {

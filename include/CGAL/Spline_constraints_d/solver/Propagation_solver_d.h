@@ -14,13 +14,17 @@
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/internal/compiled_tags.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_of_polynomials.h>
 #endif
+
+#include <CGAL/tags.h>
 
 #include <span>
 #include <utility>
@@ -32,16 +36,27 @@ namespace Spline_constraints {
 namespace internal {
 
 // Defined in propagation/solutions_by_propagation.h.
+template <class Concurrency_tag>
 Solution_set_d<double>
 solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                             const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
                             const Solver_options& options, const Elementary_values& values);
 
 // Defined in propagation/solutions_of_polynomials.h.
+template <class Concurrency_tag>
 Solution_set_d<double>
 solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
                             const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
                             const Solver_options& options);
+
+#define CGAL_SPLINE_CONSTRAINTS_PROPAGATION(EXTERN, TAG)                                                               \
+  EXTERN template Solution_set_d<double> solution_set_by_propagation<TAG>(                                             \
+      const std::vector<Constraint_system_d::Domain>&, const std::vector<std::pair<Power_polynomial, Relation>>&,      \
+      const Solver_options&, const Elementary_values&);                                                                \
+  EXTERN template Solution_set_d<double> solution_set_of_polynomials<TAG>(                                             \
+      const std::vector<Constraint_system_d::Domain>&, const std::vector<std::pair<Power_polynomial, Relation>>&,      \
+      const Solver_options&);
+CGAL_SPLINE_CONSTRAINTS_DECLARE_COMPILED(CGAL_SPLINE_CONSTRAINTS_PROPAGATION)
 
 } // namespace internal
 
@@ -54,9 +69,10 @@ there; a thousand equations in a few unknowns each take time in proportion to th
 
 Boxes are narrowed by one constraint and one unknown after the other, the others being in their ranges (constraint
 propagation), and by affine enclosures of linear combinations of the equalities, whose multipliers come from a sparse
-elimination that leaves out what bounds nothing yet. Long chains, whose constraints can be put into an order in which
-at most four unknowns connect what is before and after each place, are cut into windows, which have boxes of their own:
-the work is then a sum over these windows. A box is dropped only on a proof that it holds no solution, and a solution
+elimination that leaves out what bounds nothing yet; where a trial shows that it pays, also by slices of the range of
+each unknown that propagation leaves nothing of. Long chains, whose constraints can be put into an order in which at
+most four unknowns connect what is before and after each place, are cut into windows, which have boxes of their own: the
+work is then a sum over these windows. A box is dropped only on a proof that it holds no solution, and a solution
 is certified by the test of Krawczyk. What is left at the tolerance, multiple roots and roots on the boundary, is given
 to `Subdivision_solver_d` on a small box, if its tensors have at most \f$2^{18}\f$ coefficients; otherwise it is
 undecided. \ref Spline_constraints_d_propagation_proofs "Proofs"
@@ -68,8 +84,14 @@ Complexity: per box, in the terms of the constraints for each pass, and for the 
 \f$O(n^3)\f$, as the equalities are sparse; the number of boxes may grow exponentially with \f$n\f$.
 
 Sources: F. Benhamou, F. Goualard, L. Granvilliers, J.-F. Puget, *Revising hull and box consistency*, ICLP 1999; R.
-Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969).
+Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969); O. Lhomme,
+*Consistency techniques for numeric CSPs*, IJCAI 1993; G. Trombettoni, G. Chabert, *Constructive interval disjunction*,
+CP 2007.
+
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all
+cores through TBB. The answers are the same, in the same order, except where a time limit or the visitor ends the run.
 */
+template <class Concurrency_tag = CGAL::Sequential_tag>
 class Propagation_solver_d
 {
   Solver_options m_options;
@@ -87,7 +109,7 @@ public:
   Solution_set_d<double> operator()(const std::vector<Constraint_system_d::Domain>& domain,
                                     const std::vector<std::pair<Power_polynomial, Relation>>& constraints) const
   {
-    return internal::solution_set_by_propagation(domain, constraints, m_options, Elementary_values());
+    return internal::solution_set_by_propagation<Concurrency_tag>(domain, constraints, m_options, Elementary_values());
   }
 
   /*!
@@ -111,7 +133,7 @@ public:
                                     const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
                                     const Elementary_values& values) const
   {
-    return internal::solution_set_by_propagation(domain, constraints, m_options, values);
+    return internal::solution_set_by_propagation<Concurrency_tag>(domain, constraints, m_options, values);
   }
 
   //! the same of formulas in the unknowns of one call of `unknowns()`.
@@ -127,19 +149,23 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of polynomials compared with zero, by `Decomposing_solver_d` or `Propagation_solver_d`: where tensors are
-not too large, both are tried in turns, each time for four times as much work as before; propagation goes on where it
-was, tensors begin anew. Which one ends first depends on counted work only, not on the clock.
+not too large, both are tried in turns, of more and more work, and go on where they were. Which one ends first depends
+on counted work only, not on the clock.
 \param domain a range for each unknown.
 \param constraints polynomials, and how they compare with zero.
+\tparam Concurrency_tag as for these solvers.
 \param options limits and the rest, for all of it.
 \throws Invalid_input as these solvers.
 */
-inline Solution_set_d<double> solve_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                                                const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
-                                                const Solver_options& options = {})
+template <class Concurrency_tag = CGAL::Sequential_tag>
+Solution_set_d<double> solve_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                                         const std::vector<std::pair<Power_polynomial, Relation>>& constraints,
+                                         const Solver_options& options = {})
 {
   options.check();
-  return internal::solution_set_of_polynomials(domain, constraints, options);
+  internal::check_definitions<Certified_solver_traits,
+                              internal::are_points_compiled<Certified_solver_traits, Concurrency_tag>>();
+  return internal::solution_set_of_polynomials<Concurrency_tag>(domain, constraints, options);
 }
 
 } // namespace Spline_constraints

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Round_distribution.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Search_in_turns.h>
 
 #include <algorithm>
 #include <atomic>
@@ -45,6 +46,7 @@ class Run_control
   std::mutex m_mutex;
   double m_done = 0;
   Round_distribution* m_distribution = nullptr;
+  Search_in_turns* m_turns = nullptr;
 
 public:
   explicit Run_control(const Solver_options& options, Round_distribution* distribution = nullptr)
@@ -53,6 +55,10 @@ public:
 
   // Other processes that take part; null: none.
   Round_distribution* distribution() const { return m_distribution; }
+
+  // The subdivision that is done now takes turns with something else; null: it does not.
+  Search_in_turns* turns() const { return m_turns; }
+  void set_turns(Search_in_turns* turns) { m_turns = turns; }
 
   // Why the run was stopped, if it was.
   Undecided_reason reason() const { return m_reason.load(std::memory_order_relaxed); }

@@ -430,8 +430,8 @@ Elementary_feasibility::certified_with_equalities(const Point& point)
   }
   try {
     const Constraints_on_unknowns rest(m_constraints, m_values, chosen, unknowns);
-    const auto solutions =
-        solution_set_by_propagation(around, rest.constraints, m_run.options_of_system(most_nodes), rest.values);
+    const auto solutions = solution_set_by_propagation<CGAL::Sequential_tag>(
+        around, rest.constraints, m_run.options_of_system(most_nodes), rest.values);
     m_run.add_nodes(solutions.summary().nodes);
     for (const auto& solution : solutions)
       if (solution.is_certified()) {

@@ -11,8 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/internal/renumbered.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
-#include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Cell_narrowing.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
@@ -38,7 +37,8 @@ public:
   explicit Box_list(std::size_t dimension) : m_dimension(dimension) {}
 
   std::size_t size() const { return m_ranges.size() / m_dimension; }
-  void push_back(const Box_of_ranges& box) { m_ranges.insert(m_ranges.end(), box.begin(), box.end()); }
+  void push_back(const Box_of_ranges& box) { push_back(box.data()); }
+  void push_back(const Interval* box) { m_ranges.insert(m_ranges.end(), box, box + m_dimension); }
   const Interval* operator[](std::size_t i) const { return m_ranges.data() + i * m_dimension; }
   void get(std::size_t i, Box_of_ranges& box) const { box.assign((*this)[i], (*this)[i] + m_dimension); }
   void set(std::size_t i, const Box_of_ranges& box)
@@ -57,8 +57,7 @@ struct Chain_window
   std::vector<int> unknowns; // increasing
   std::vector<Polynomial_constraint> constraints;
   std::unique_ptr<Sparse_system> system; // in its own unknowns
-  std::unique_ptr<Constraint_propagation> propagation;
-  std::unique_ptr<Preconditioned_rows> rows;
+  std::vector<std::unique_ptr<Cell_narrowing>> narrowings; // per slot of the threads; null: not used yet
   Box_list cells;
   std::vector<char> is_left;  // of each cell
   std::vector<double> weight; // of unknowns, for splits
@@ -93,8 +92,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Chain_window chain_window_of(std::vector<Polynomi
   for (const auto& [polynomial, relation] : constraints)
     own.emplace_back(renumbered(polynomial, unknowns), relation);
   auto system = std::make_unique<Sparse_system>(static_cast<int>(unknowns.size()), own, check);
-  auto propagation = std::make_unique<Constraint_propagation>(*system);
-  auto rows = std::make_unique<Preconditioned_rows>(*system, check);
   Box_list cells(unknowns.size());
   std::vector<double> weight(unknowns.size(), weight_of_linear);
   for (int i = 0; i < system->constraints(); ++i)
@@ -106,8 +103,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Chain_window chain_window_of(std::vector<Polynomi
           std::move(unknowns),
           std::move(constraints),
           std::move(system),
-          std::move(propagation),
-          std::move(rows),
+          {},
           std::move(cells),
           {},
           std::move(weight)};

@@ -9,7 +9,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_GROWING_WINDOWS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_GROWING_WINDOWS_H
 
+#include <CGAL/Spline_constraints_d/internal/Parallel_loop.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Chain_window.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
@@ -19,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -49,9 +53,10 @@ class Growing_windows
   };
 
   std::function<void()> m_check;
+  Parallel_loop m_loop;
   std::vector<Chain_window> m_windows;
   std::vector<Link> m_links;
-  Box_of_ranges m_cell, m_before;
+  Box_of_ranges m_cell;
   std::vector<Interval> m_first_support, m_second_support;
   std::vector<char> m_has_first_support, m_has_second_support;
   std::size_t m_work = 0;
@@ -59,7 +64,7 @@ class Growing_windows
 public:
   // Cuts constraints, in the order of the chain, into windows.
   Growing_windows(const std::vector<Polynomial_constraint>& chain, const Box_of_ranges& domain,
-                  const std::function<void()>& check);
+                  const std::function<void()>& check, const Parallel_loop& loop);
 
   // One round of narrowing, then windows that can are joined, or cells are split.
   void advance();
@@ -103,9 +108,10 @@ private:
   // How wide a range is, where numbers below one are alike and others are seen by their orders of magnitude.
   static double size(const Interval& range) { return std::asinh(range.sup()) - std::asinh(range.inf()); }
 
-  bool narrow_cell(Chain_window& window);
+  void narrow_cells(Chain_window& window, const std::vector<std::size_t>& asked);
   void narrow_by_neighbours(std::size_t link);
   void narrow_by_support(Chain_window& window, const Pairs& shared, bool is_first);
+  static std::vector<int> remove_cells_of(Chain_window& window);
   void remove_cells();
   double largest_size() const;
   void split_cells();
@@ -119,10 +125,10 @@ private:
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE Growing_windows::Growing_windows(const std::vector<Polynomial_constraint>& chain,
-                                                                const Box_of_ranges& domain,
-                                                                const std::function<void()>& check)
-  : m_check(check)
+CGAL_SPLINE_CONSTRAINTS_INLINE
+Growing_windows::Growing_windows(const std::vector<Polynomial_constraint>& chain, const Box_of_ranges& domain,
+                                 const std::function<void()>& check, const Parallel_loop& loop)
+  : m_check(check), m_loop(loop)
 {
   constexpr std::size_t constraints_of_window = 2;
   for (std::size_t first = 0; first < chain.size(); first += constraints_of_window) {
@@ -134,9 +140,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Growing_windows::Growing_windows(const std::vecto
     m_cell.clear();
     for (const int j : window.unknowns)
       m_cell.push_back(domain[j]);
-    if (narrow_cell(window))
-      window.cells.push_back(m_cell);
-    window.is_left.assign(window.cells.size(), 1);
+    window.cells.push_back(m_cell);
+    window.is_left.assign(1, 1);
+    narrow_cells(window, {0});
+    remove_cells_of(window);
     if (first == 0)
       continue;
     Link& link = m_links.emplace_back();
@@ -145,35 +152,26 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Growing_windows::Growing_windows(const std::vecto
   }
 }
 
-// Narrows the cell in hand by all constraints of its window; false when nothing is left.
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Growing_windows::narrow_cell(Chain_window& window)
+// Narrows some cells, those that are asked for, by all constraints of the window; they go where nothing is left.
+CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::narrow_cells(Chain_window& window,
+                                                                  const std::vector<std::size_t>& asked)
 {
-  constexpr int most_rounds = 2;
-  constexpr double least_gain = 0.1;
-  constexpr std::size_t between_checks = 64;
-  if (++m_work % between_checks == 0)
+  constexpr std::size_t cells_of_task = 64;
+  m_work += asked.size();
+  window.narrowings.resize((std::max)(window.narrowings.size(), m_loop.slots()));
+  m_loop((asked.size() + cells_of_task - 1) / cells_of_task, [&](std::size_t task, std::size_t slot) {
     m_check();
-  window.propagation->wake_all();
-  if (!window.propagation->narrow(m_cell))
-    return false;
-  for (int round = 0; round < most_rounds; ++round) {
-    if (!window.rows->eliminate(m_cell))
-      return true;
-    m_before = m_cell;
-    if (!window.rows->narrow(m_cell))
-      return false;
-    bool is_gain = false;
-    for (std::size_t j = 0; j < m_cell.size(); ++j)
-      if (width(m_cell[j]) < (1 - least_gain) * width(m_before[j])) {
-        is_gain = true;
-        window.propagation->wake_constraints_of(static_cast<int>(j));
-      }
-    if (!is_gain)
-      return true;
-    if (!window.propagation->narrow(m_cell))
-      return false;
-  }
-  return true;
+    const Upward_rounding_guard guard;
+    std::unique_ptr<Cell_narrowing>& narrowing = window.narrowings[slot];
+    if (narrowing == nullptr)
+      narrowing = std::make_unique<Cell_narrowing>(*window.system, m_check);
+    Box_of_ranges cell;
+    for (std::size_t k = task * cells_of_task; k < (std::min)((task + 1) * cells_of_task, asked.size()); ++k) {
+      window.cells.get(asked[k], cell);
+      window.is_left[asked[k]] = (*narrowing)(cell) ? 1 : 0;
+      window.cells.set(asked[k], cell);
+    }
+  });
 }
 
 // Narrows the cells of two windows to what they share with those they meet.
@@ -210,6 +208,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::narrow_by_support(Chain_win
   constexpr double much = 0.9; // of the width: then the constraints are asked again
   const std::vector<char>& has_support = is_first ? m_has_first_support : m_has_second_support;
   const std::vector<Interval>& support = is_first ? m_first_support : m_second_support;
+  std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < window.cells.size(); ++i) {
     if (window.is_left[i] == 0)
       continue;
@@ -225,40 +224,41 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::narrow_by_support(Chain_win
       is_narrowed_much = is_narrowed_much || internal::width(to) < much * internal::width(range);
       range = to;
     }
-    if (is_narrowed_much && !narrow_cell(window))
-      window.is_left[i] = 0;
+    if (is_narrowed_much)
+      asked.push_back(i);
     window.cells.set(i, m_cell);
   }
+  narrow_cells(window, asked);
+}
+
+// Those that are not left; how many are before each cell, and in all.
+CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<int> Growing_windows::remove_cells_of(Chain_window& window)
+{
+  std::vector<int> before{0};
+  Box_list left(window.unknowns.size());
+  for (std::size_t i = 0; i < window.cells.size(); ++i) {
+    if (window.is_left[i] != 0)
+      left.push_back(window.cells[i]);
+    before.push_back(static_cast<int>(left.size()));
+  }
+  window.cells = std::move(left);
+  window.is_left.assign(window.cells.size(), 1);
+  return before;
 }
 
 // Those that are not left, from windows and links.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::remove_cells()
 {
-  std::vector<std::vector<int>> places;
-  for (Chain_window& window : m_windows) {
-    std::vector<int>& place = places.emplace_back();
-    Box_list cells(window.unknowns.size());
-    for (std::size_t i = 0; i < window.cells.size(); ++i) {
-      place.push_back(window.is_left[i] != 0 ? static_cast<int>(cells.size()) : -1);
-      if (window.is_left[i] != 0) {
-        window.cells.get(i, m_cell);
-        cells.push_back(m_cell);
-      }
-    }
-    window.cells = std::move(cells);
-    window.is_left.assign(window.cells.size(), 1);
-  }
-  for (std::size_t k = 0; k < m_links.size(); ++k) {
-    Link& link = m_links[k];
-    for (auto& [i, j] : link.cells) {
-      i = places[k][i];
-      j = places[k + 1][j];
-    }
-    std::erase_if(link.cells, [&](const std::pair<int, int>& pair) {
-      return pair.first < 0 || pair.second < 0 ||
-          !meet(m_windows[k].cells[pair.first], m_windows[k + 1].cells[pair.second], link.shared);
+  std::vector<std::vector<int>> before;
+  for (Chain_window& window : m_windows)
+    before.push_back(remove_cells_of(window));
+  for (std::size_t k = 0; k < m_links.size(); ++k)
+    std::erase_if(m_links[k].cells, [&](std::pair<int, int>& pair) {
+      const bool is_left = before[k][pair.first] < before[k][pair.first + 1] &&
+          before[k + 1][pair.second] < before[k + 1][pair.second + 1];
+      pair = {before[k][pair.first], before[k + 1][pair.second]};
+      return !is_left || !meet(m_windows[k].cells[pair.first], m_windows[k + 1].cells[pair.second], m_links[k].shared);
     });
-  }
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::advance()
@@ -292,8 +292,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::split_cells()
     Box_list old(m_windows[k].unknowns.size());
     std::swap(old, m_windows[k].cells);
     Chain_window& window = m_windows[k];
+    std::vector<std::size_t> asked, first;
     for (std::size_t i = 0; i < old.size(); ++i) {
-      descendants[k].first.push_back(static_cast<int>(window.cells.size()));
+      first.push_back(window.cells.size());
       const Interval* cell = old[i];
       std::size_t widest = 0;
       for (std::size_t j = 1; j < window.unknowns.size(); ++j)
@@ -307,16 +308,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Growing_windows::split_cells()
         window.cells.push_back(m_cell);
         continue;
       }
-      m_cell[widest] = Interval(cell[widest].inf(), at);
-      if (narrow_cell(window))
+      for (const Interval& half : {Interval(cell[widest].inf(), at), Interval(at, cell[widest].sup())}) {
+        asked.push_back(window.cells.size());
+        m_cell[widest] = half;
         window.cells.push_back(m_cell);
-      old.get(i, m_cell);
-      m_cell[widest] = Interval(at, cell[widest].sup());
-      if (narrow_cell(window))
-        window.cells.push_back(m_cell);
+      }
     }
-    descendants[k].first.push_back(static_cast<int>(window.cells.size()));
+    first.push_back(window.cells.size());
     window.is_left.assign(window.cells.size(), 1);
+    narrow_cells(window, asked);
+    const std::vector<int> before = remove_cells_of(window);
+    for (const std::size_t i : first)
+      descendants[k].first.push_back(before[i]);
   }
   for (std::size_t k = 0; k < m_links.size(); ++k)
     relink(m_links[k], m_windows[k], m_windows[k + 1], descendants[k], descendants[k + 1]);
@@ -442,13 +445,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Chain_window Growing_windows::joined(std::size_t 
       m_cell[places_of_b[p]] = b.cells[j][p];
     for (const auto& [p, q] : m_links[index].shared)
       m_cell[places_of_a[p]] = common_part(a.cells[i][p], b.cells[j][q]);
-    if (!narrow_cell(result))
-      continue;
     result.cells.push_back(m_cell);
-    first_of.push_back(i);
-    second_of.push_back(j);
   }
   result.is_left.assign(result.cells.size(), 1);
+  std::vector<std::size_t> all(result.cells.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  narrow_cells(result, all);
+  const std::vector<int> before = remove_cells_of(result);
+  for (const std::size_t i : all)
+    if (before[i] < before[i + 1]) {
+      first_of.push_back(m_links[index].cells[i].first);
+      second_of.push_back(m_links[index].cells[i].second);
+    }
   return result;
 }
 #endif

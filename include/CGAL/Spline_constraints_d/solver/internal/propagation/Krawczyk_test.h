@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -41,6 +42,12 @@ inline bool is_inside(const Box_of_ranges& a, const Box_of_ranges& b)
 inline bool are_equal(const Proved_root& a, const Proved_root& b)
 {
   return is_inside(a.enclosure, b.region) || is_inside(b.enclosure, a.region);
+}
+
+inline void add_unless_known(const Proved_root& root, std::vector<Proved_root>& roots)
+{
+  if (std::none_of(roots.begin(), roots.end(), [&](const Proved_root& other) { return are_equal(root, other); }))
+    roots.push_back(root);
 }
 
 /*

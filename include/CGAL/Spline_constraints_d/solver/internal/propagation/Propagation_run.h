@@ -9,6 +9,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_RUN_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_PROPAGATION_RUN_H
 
+#include <CGAL/Spline_constraints_d/internal/Parallel_loop.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
@@ -40,6 +41,7 @@ class Propagation_run
 {
   const Solver_options& m_options;
   Run_control& m_control;
+  Parallel_loop m_loop;
   std::function<void()> m_check;
   Explicit_unknowns m_explicit_unknowns;
   Box_of_ranges m_box;
@@ -51,7 +53,7 @@ class Propagation_run
 public:
   // Throws Run_stopped when the run ends here.
   Propagation_run(const Box_of_ranges& domain, const std::vector<Polynomial_constraint>& constraints,
-                  const Solver_options& options, Run_control& control);
+                  const Solver_options& options, Run_control& control, const Parallel_loop& loop);
 
   Propagation_run(const Propagation_run&) = delete;
   Propagation_run& operator=(const Propagation_run&) = delete;
@@ -72,10 +74,10 @@ private:
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_run::Propagation_run(const Box_of_ranges& domain,
-                                                                const std::vector<Polynomial_constraint>& constraints,
-                                                                const Solver_options& options, Run_control& control)
-  : m_options(options), m_control(control), m_check([this] { m_control.check(); }),
+CGAL_SPLINE_CONSTRAINTS_INLINE
+Propagation_run::Propagation_run(const Box_of_ranges& domain, const std::vector<Polynomial_constraint>& constraints,
+                                 const Solver_options& options, Run_control& control, const Parallel_loop& loop)
+  : m_options(options), m_control(control), m_loop(loop), m_check([this] { m_control.check(); }),
     m_explicit_unknowns(domain, constraints, m_check), m_box(m_explicit_unknowns.reduced(domain))
 {
   const int dimension = m_explicit_unknowns.dimension();
@@ -90,7 +92,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Propagation_run::Propagation_run(const Box_of_ran
     m_box.resize(dimension);
     m_system.emplace(dimension, m_explicit_unknowns.constraints(), m_check);
   }
-  m_search.emplace(*m_system, m_options, m_control);
+  m_search.emplace(*m_system, m_options, m_control, m_loop);
   m_search->begin(m_box);
 }
 
@@ -127,7 +129,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
   for (const int i : order.order())
     chain.push_back(constraints[i]);
   try {
-    Growing_windows windows(chain, m_box, m_check);
+    Growing_windows windows(chain, m_box, m_check, m_loop);
     for (std::size_t round = 0;
          round < most_rounds && !windows.is_done() && windows.cells() < most_cells && windows.work() < most_work &&
          (m_options.node_limit == 0 || m_search->nodes() + windows.work() < m_options.node_limit);

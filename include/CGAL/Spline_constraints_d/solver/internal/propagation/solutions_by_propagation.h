@@ -11,6 +11,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Elementary_values.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/internal/Parallel_loop.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
@@ -71,6 +72,7 @@ class Solutions_by_propagation
   const Solver_options& m_options;
   Run_control& m_control;
   Summary& m_summary;
+  Parallel_loop m_loop;
   const Elementary_values* m_values; // null: none
   std::optional<Precise_zeros> m_precise_zeros;
   std::vector<Solution> m_solutions;
@@ -82,9 +84,10 @@ class Solutions_by_propagation
 public:
   Solutions_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
-                           Run_control& control, Summary& summary, const Elementary_values* values = nullptr)
+                           Run_control& control, Summary& summary, const Parallel_loop& loop,
+                           const Elementary_values* values = nullptr)
     : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary),
-      m_values(values != nullptr && !values->all().empty() ? values : nullptr)
+      m_loop(loop), m_values(values != nullptr && !values->all().empty() ? values : nullptr)
   {
     if (m_values != nullptr)
       m_precise_zeros.emplace(domain, constraints, *m_values, control);
@@ -156,12 +159,6 @@ private:
   void add_settled(Solution solution);
 };
 
-// All of it: the answers, with the work.
-Solution_set_d<double> solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
-                                                   const std::vector<Polynomial_constraint>& constraints,
-                                                   const Solver_options& options,
-                                                   const Elementary_values& values = Elementary_values());
-
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 // Where an enclosure lies beside the domain.
 inline Whereabouts place_in_domain(const Box_of_ranges& box, const std::vector<Constraint_system_d::Domain>& domain)
@@ -230,7 +227,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Solutions_by_propagation::advance(std::size_
     return true;
   try {
     if (!m_run)
-      m_run.emplace(box_of_domain(), m_constraints, m_options, m_control);
+      m_run.emplace(box_of_domain(), m_constraints, m_options, m_control, m_loop);
     return m_run->advance(most_nodes);
   } catch (const Run_stopped& stopped) {
     m_is_stopped = true;
@@ -285,7 +282,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::search_with_values
   Box_of_ranges box = box_of_domain();
   if (!set_defined_unknowns(system, box))
     return;
-  Propagation_search search(system, m_options, m_control);
+  Propagation_search search(system, m_options, m_control, m_loop);
   search.run(box);
   const auto shortened = [this](Box_of_ranges ranges) {
     ranges.resize(dimension());
@@ -465,17 +462,19 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Solutions_by_propagation::add_settled(Soluti
   m_solutions.push_back(std::move(solution));
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>
-solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
-                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
-                            const Elementary_values& values)
+// All of it: the answers, with the work.
+template <class Concurrency_tag>
+Solution_set_d<double> solution_set_by_propagation(const std::vector<Constraint_system_d::Domain>& domain,
+                                                   const std::vector<Polynomial_constraint>& constraints,
+                                                   const Solver_options& options, const Elementary_values& values)
 {
   check_polynomials(domain, constraints, values);
   const Upward_rounding_guard guard;
   const Mpfr_precision_scope precision(options.precision);
   Run_control control(options);
   Summary summary;
-  auto solutions = Solutions_by_propagation(domain, constraints, options, control, summary, &values)();
+  auto solutions = Solutions_by_propagation(domain, constraints, options, control, summary,
+                                            Parallel_loop::of<Concurrency_tag>(), &values)();
   return finished_set(std::move(solutions), summary, control);
 }
 #endif

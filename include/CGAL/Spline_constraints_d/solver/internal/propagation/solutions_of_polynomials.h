@@ -18,6 +18,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/control/Search_in_turns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,16 +35,15 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                                                   const std::vector<Polynomial_constraint>& constraints,
-                                                   const Solver_options& options);
-
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 /*
 Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, tensors for twice as long,
-each time for four times as many nodes as before: which one is faster is not seen beforehand, nor by how much of the
-domain each has done. Propagation goes on where it was; tensors begin anew.
+each time until they have done half as much again as before, or four times as much in the second turn: which one is
+faster is not seen beforehand, nor by how much of the domain each has done. Both go on where they were, tensors on a
+thread of their own. Many systems are solved in their first turn, which is done without one: in the second turn, tensors
+begin anew.
 */
+template <class Concurrency_tag>
 class Solutions_of_polynomials
 {
   using Solution = Solution_d<double>;
@@ -54,6 +55,11 @@ class Solutions_of_polynomials
   Summary& m_summary;
   Summary m_propagation_summary;
   Solutions_by_propagation m_propagation; // goes on in each of its turns
+  Solver_options m_tensor_options;
+  Summary m_tensor_summary;
+  std::vector<Solution> m_tensor_solutions;
+  std::optional<Constraint_system_d> m_system;
+  std::optional<Search_in_turns> m_tensors; // from the second turn on
 
   // A run with a limit of nodes of its own.
   struct Trial
@@ -67,7 +73,7 @@ public:
                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options,
                            Run_control& control, Summary& summary)
     : m_domain(domain), m_constraints(constraints), m_options(options), m_control(control), m_summary(summary),
-      m_propagation(domain, constraints, options, control, m_propagation_summary)
+      m_propagation(domain, constraints, options, control, m_propagation_summary, Parallel_loop::of<Concurrency_tag>())
   {}
 
   std::vector<Solution> operator()()
@@ -76,9 +82,9 @@ public:
     constexpr std::size_t largest_dimension = 500; // of which dense rows may pay
     if (m_domain.size() > largest_dimension || tensor_size(m_constraints) > largest_tensor)
       return by_propagation(0).solutions;
-    Constraint_system_d system(m_domain);
+    m_system.emplace(m_domain);
     for (const auto& [polynomial, relation] : m_constraints)
-      system.add(polynomial, relation);
+      m_system->add(polynomial, relation);
     double propagation_work = 0;
     try {
       propagation_work = work_of_propagation();
@@ -86,8 +92,10 @@ public:
       return by_propagation(0).solutions; // says what stopped it
     }
     const double tensor_work = work_of_tensors();
-    for (double work = 0x1p23;; work *= 4) {
-      Trial tensors = by_tensors(system, nodes_of_trial(work, tensor_work));
+    constexpr double first_work = 0x1p23, first_growth = 4, growth = 1.5;
+    for (double work = first_work;; work *= work == first_work ? first_growth : growth) {
+      const std::size_t nodes = nodes_of_trial(work, tensor_work);
+      Trial tensors = work == first_work ? by_tensors(nodes) : by_tensors_in_turns(nodes);
       if (is_at_end(tensors))
         return std::move(tensors.solutions);
       Trial propagation = by_propagation(nodes_of_trial(work / 2, propagation_work));
@@ -152,16 +160,41 @@ private:
     m_summary.why_not = work.why_not;
   }
 
-  Trial by_tensors(const Constraint_system_d& system, std::size_t nodes)
+  // From the beginning.
+  Trial by_tensors(std::size_t nodes)
   {
     Summary work;
     m_control.begin_part();
-    auto solutions = decomposed_solutions<Certified_solver_traits, CGAL::Sequential_tag>(
-        system, options_of_trial(nodes), m_control, work);
+    auto solutions = decomposed_solutions<Certified_solver_traits, Concurrency_tag>(*m_system, options_of_trial(nodes),
+                                                                                    m_control, work);
     add_work(work);
     const bool is_at_limit = std::any_of(solutions.begin(), solutions.end(),
                                          [](const Solution& s) { return s.reason() == Undecided_reason::NODES; });
     return {std::move(solutions), is_at_limit};
+  }
+
+  // Goes on where they were, until they have looked at so many boxes in all these turns.
+  Trial by_tensors_in_turns(std::size_t nodes)
+  {
+    if (!m_tensors)
+      m_tensors.emplace([this] {
+        const Mpfr_precision_scope precision(m_options.precision);
+        m_tensor_solutions = decomposed_solutions<Certified_solver_traits, Concurrency_tag>(
+            *m_system, m_tensor_options, m_control, m_tensor_summary);
+      });
+    m_control.begin_part();
+    const std::size_t before = m_tensors->nodes(), turn = nodes > before ? nodes - before : 1;
+    const std::size_t limit = options_of_trial(turn).node_limit;
+    m_control.set_turns(&*m_tensors);
+    const bool is_ended = m_tensors->advance(limit, limit < turn);
+    m_control.set_turns(nullptr);
+    if (!is_ended) {
+      m_summary.nodes += m_tensors->nodes() - before;
+      return {{}, true};
+    }
+    m_summary.nodes -= before; // which are in what follows
+    add_work(m_tensor_summary);
+    return {std::move(m_tensor_solutions), false};
   }
 
   // Goes on with the search where it was, until it has looked at so many boxes in all its turns; 0: at any number.
@@ -185,15 +218,16 @@ private:
   }
 };
 
-CGAL_SPLINE_CONSTRAINTS_INLINE Solution_set_d<double>
-solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
-                            const std::vector<Polynomial_constraint>& constraints, const Solver_options& options)
+template <class Concurrency_tag>
+Solution_set_d<double> solution_set_of_polynomials(const std::vector<Constraint_system_d::Domain>& domain,
+                                                   const std::vector<Polynomial_constraint>& constraints,
+                                                   const Solver_options& options)
 {
   check_polynomials(domain, constraints);
   const Mpfr_precision_scope precision(options.precision);
   Run_control control(options);
   Summary summary;
-  auto solutions = Solutions_of_polynomials(domain, constraints, options, control, summary)();
+  auto solutions = Solutions_of_polynomials<Concurrency_tag>(domain, constraints, options, control, summary)();
   return finished_set(std::move(solutions), summary, control);
 }
 #endif

@@ -26,6 +26,7 @@
 #include <concepts>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -152,14 +153,18 @@ public:
       if (budget == first_budget)
         for (Task_limits& limit : limits)
           limit.depth = deep_level();
-      if (limits.front().nodes > 0)
+      if (limits.front().nodes > 0) {
+        const std::size_t before = nodes();
         tasks = collect(tasks, run_round(tasks, limits));
+        if (m_control.turns() != nullptr)
+          m_control.turns()->spend(nodes() - before);
+      }
       if (are_degenerate_solutions_likely() && !m_control.must_stop(true)) {
         leave_common_cells(tasks);
         guess_multiple_roots(tasks);
       }
       std::move(later.begin(), later.end(), std::back_inserter(tasks));
-      if (limits.front().nodes == 0)
+      if (limits.front().nodes == 0 && !has_next_turn())
         break;
       budget = (std::min)(2 * budget, last_budget);
     }
@@ -317,6 +322,24 @@ private:
   // Splits after which most boxes around regular roots are done.
   int deep_level() const { return 8 * (m_layout.dimension + 1); }
 
+  // Of the limit, and of the turn.
+  std::size_t nodes_left()
+  {
+    std::size_t result = (std::numeric_limits<std::size_t>::max)();
+    if (m_options.node_limit > 0)
+      result = m_options.node_limit - (std::min)(nodes(), m_options.node_limit);
+    if (m_control.turns() != nullptr)
+      result = (std::min)(result, m_control.turns()->nodes_left());
+    return result;
+  }
+
+  // Whether it was the turn that has ended, and there is another one.
+  bool has_next_turn() const
+  {
+    Search_in_turns* turns = m_control.turns();
+    return turns != nullptr && turns->nodes_left() == 0 && turns->end_turn();
+  }
+
   // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts
   // that are left.
   std::vector<Task_limits> limits_of(std::size_t count, std::size_t budget)
@@ -327,13 +350,10 @@ private:
         count, {.nodes = budget, .looks = looks / count, .attempts = attempts / count, .open_before = m_open.size()});
     for (std::size_t i = 0; i < looks % count; ++i)
       ++limits[i].looks;
-    if (m_options.node_limit > 0) {
-      const std::size_t used = nodes();
-      std::size_t left = used < m_options.node_limit ? m_options.node_limit - used : 0;
-      for (Task_limits& limit : limits) {
-        limit.nodes = (std::min)(limit.nodes, left);
-        left -= limit.nodes;
-      }
+    std::size_t left = nodes_left();
+    for (Task_limits& limit : limits) {
+      limit.nodes = (std::min)(limit.nodes, left);
+      left -= limit.nodes;
     }
     return limits;
   }
