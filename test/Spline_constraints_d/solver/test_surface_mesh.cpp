@@ -385,6 +385,26 @@ TEST(Surface_mesh, singular_points)
   }
 }
 
+// However memory is laid out.
+TEST(Surface_mesh, same_mesh_each_time)
+{
+  const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {0, 2});
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(square(x) + square(y) + square(z) == 1);
+  const Mesh first = SC::to_surface_mesh(set, {.chord_error = 0.01}).mesh;
+  ASSERT_GT(first.number_of_faces(), 100u);
+  std::vector<std::vector<double>> between; // other blocks of memory
+  for (std::size_t k = 1; k < 8; ++k) {
+    for (std::size_t i = 0; i < 100; ++i)
+      between.emplace_back(1 + (i * i * k) % 997);
+    const Mesh again = SC::to_surface_mesh(set, {.chord_error = 0.01}).mesh;
+    ASSERT_EQ(again.number_of_vertices(), first.number_of_vertices());
+    ASSERT_EQ(again.number_of_faces(), first.number_of_faces());
+    EXPECT_TRUE(std::equal(first.points().begin(), first.points().end(), again.points().begin()));
+    for (const auto face : first.faces())
+      EXPECT_EQ(first.target(first.halfedge(face)), again.target(again.halfedge(face)));
+  }
+}
+
 TEST(Surface_mesh, limits_and_bad_input)
 {
   const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -89,10 +90,9 @@ public:
     for (int round = 0; round < most_rounds; ++round) {
       mark_inside();
       std::vector<std::size_t> added;
-      for (const auto& edge : m_triangulation.finite_edges())
-        if (edge.first->info() && !m_triangulation.is_constrained(edge))
-          if (const std::optional<std::size_t> point = point_to_add(edge, coarse))
-            added.push_back(*point);
+      for (const auto& [ends, edge] : inner_edges())
+        if (const std::optional<std::size_t> point = point_to_add(edge, coarse))
+          added.push_back(*point);
       if (added.empty())
         break;
       for (const std::size_t i : added)
@@ -145,12 +145,27 @@ private:
     }
   }
 
+  // In the order of their ends: CGAL's order depends on where triangles lie in memory, and the mesh should not.
+  std::map<Chord, Triangulation::Edge> inner_edges() const
+  {
+    std::map<Chord, Triangulation::Edge> result;
+    for (const auto& edge : m_triangulation.finite_edges())
+      if (edge.first->info() && !m_triangulation.is_constrained(edge))
+        result.emplace(chord_of(edge), edge);
+    return result;
+  }
+
+  static Chord chord_of(const Triangulation::Edge& edge)
+  {
+    return std::minmax(edge.first->vertex(Triangulation::ccw(edge.second))->info(),
+                       edge.first->vertex(Triangulation::cw(edge.second))->info());
+  }
+
   std::set<Chord> steep_chords()
   {
     std::set<Chord> result;
-    for (const auto& [triangle, k] : m_triangulation.constrained_edges()) {
-      const Chord chord =
-          std::minmax(triangle->vertex(Triangulation::ccw(k))->info(), triangle->vertex(Triangulation::cw(k))->info());
+    for (const auto& edge : m_triangulation.constrained_edges()) {
+      const Chord chord = chord_of(edge);
       if (!m_points.is_near_chord(m_patch, chord.first, chord.second))
         result.insert(chord);
     }
@@ -162,17 +177,15 @@ private:
   std::optional<std::size_t> point_to_add(const Triangulation::Edge& edge, std::set<Chord>& coarse)
   {
     const auto& [triangle, k] = edge;
-    const std::size_t a = triangle->vertex(Triangulation::ccw(k))->info(),
-                      b = triangle->vertex(Triangulation::cw(k))->info();
-    if (!m_fine.insert(std::minmax(a, b)).second)
+    const auto [a, b] = chord_of(edge);
+    if (!m_fine.insert({a, b}).second)
       return std::nullopt;
     const std::optional<std::size_t> middle = m_points.add_inside(m_patch, a, b);
     if (!middle) {
       for (const Triangle& beside : {triangle, triangle->neighbor(k)})
         for (int i = 0; i < 3; ++i)
           if (beside->is_constrained(i))
-            coarse.insert(std::minmax(beside->vertex(Triangulation::ccw(i))->info(),
-                                      beside->vertex(Triangulation::cw(i))->info()));
+            coarse.insert(chord_of({beside, i}));
       return std::nullopt;
     }
     if (m_points.is_fine(a, *middle, b) && !m_points.are_on_one_plane(a, b))
