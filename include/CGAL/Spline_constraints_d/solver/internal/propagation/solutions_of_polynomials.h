@@ -37,7 +37,7 @@ namespace internal {
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 /*
-Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, tensors for twice as long,
+Two solvers for one system, with tensors and with sums of monomials. They are tried in turns, for as much counted work,
 each time until they have done half as much again as before, or four times as much in the second turn: which one is
 faster is not seen beforehand, nor by how much of the domain each has done. Both go on where they were, tensors on a
 thread of their own. Many systems are solved in their first turn, which is done without one: in the second turn, tensors
@@ -98,7 +98,7 @@ public:
       Trial tensors = work == first_work ? by_tensors(nodes) : by_tensors_in_turns(nodes);
       if (is_at_end(tensors))
         return std::move(tensors.solutions);
-      Trial propagation = by_propagation(nodes_of_trial(work / 2, propagation_work));
+      Trial propagation = by_propagation(nodes_of_trial(work, propagation_work));
       if (is_at_end(propagation))
         return std::move(propagation.solutions);
     }
