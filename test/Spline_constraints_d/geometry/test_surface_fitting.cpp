@@ -338,6 +338,22 @@ TEST(Surface_fitting, several_surfaces_in_four_unknowns)
   EXPECT_EQ(spheres.euler_characteristic(1), 2);
 }
 
+// The same splines each time.
+TEST(Surface_fitting, calls_agree)
+{
+  const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {0, 2});
+  const SC::Surface_solution_set_d set = SC::solve_surfaces(square(x) + square(y) + square(z) == 1);
+  const SC::Surface_atlas_d first = SC::fit_bspline_surfaces(set, {.tolerance = 1e-2});
+  ASSERT_EQ(first.charts.size(), 1u);
+  ASSERT_GT(first.charts[0].control_points.size(), 16u);
+  for (int k = 0; k < 4; ++k) {
+    const SC::Surface_atlas_d again = SC::fit_bspline_surfaces(set, {.tolerance = 1e-2});
+    ASSERT_EQ(again.charts.size(), 1u);
+    EXPECT_EQ(again.charts[0].control_points, first.charts[0].control_points);
+    EXPECT_EQ(again.error, first.error);
+  }
+}
+
 TEST(Surface_fitting, limits_are_reported)
 {
   const auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {0, 2});

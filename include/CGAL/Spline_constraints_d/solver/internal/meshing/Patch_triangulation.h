@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -50,7 +49,7 @@ class Patch_triangulation
   Mesh_points& m_points;
   std::size_t m_patch;
   Triangulation m_triangulation;
-  std::set<std::pair<std::size_t, std::size_t>> m_fine; // edges
+  std::set<std::pair<std::size_t, std::size_t>> m_seen; // edges that were looked at
 
 public:
   using Chord = std::pair<std::size_t, std::size_t>;
@@ -90,7 +89,7 @@ public:
     for (int round = 0; round < most_rounds; ++round) {
       mark_inside();
       std::vector<std::size_t> added;
-      for (const auto& [ends, edge] : inner_edges())
+      for (const auto& [ends, edge] : new_edges())
         if (const std::optional<std::size_t> point = point_to_add(edge, coarse))
           added.push_back(*point);
       if (added.empty())
@@ -145,13 +144,15 @@ private:
     }
   }
 
-  // In the order of their ends: CGAL's order depends on where triangles lie in memory, and the mesh should not.
-  std::map<Chord, Triangulation::Edge> inner_edges() const
+  // The edges inside that were not looked at, in the order of their ends: CGAL's order depends on where triangles lie
+  // in memory, and the mesh should not.
+  std::vector<std::pair<Chord, Triangulation::Edge>> new_edges() const
   {
-    std::map<Chord, Triangulation::Edge> result;
+    std::vector<std::pair<Chord, Triangulation::Edge>> result;
     for (const auto& edge : m_triangulation.finite_edges())
-      if (edge.first->info() && !m_triangulation.is_constrained(edge))
-        result.emplace(chord_of(edge), edge);
+      if (edge.first->info() && !m_triangulation.is_constrained(edge) && m_seen.count(chord_of(edge)) == 0)
+        result.emplace_back(chord_of(edge), edge);
+    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return result;
   }
 
@@ -178,8 +179,7 @@ private:
   {
     const auto& [triangle, k] = edge;
     const auto [a, b] = chord_of(edge);
-    if (!m_fine.insert({a, b}).second)
-      return std::nullopt;
+    m_seen.insert({a, b});
     const std::optional<std::size_t> middle = m_points.add_inside(m_patch, a, b);
     if (!middle) {
       for (const Triangle& beside : {triangle, triangle->neighbor(k)})
