@@ -161,7 +161,7 @@ public:
   {
     auto& [box, vertices, age] = state;
     const Box_verdict verdict =
-        this->examine_box(node, box, age, [&] { return joined(box, vertices, m_graph.parameter()); });
+        this->examine_box(node, box, age, [&] { return joined(state.box, state.vertices, m_graph.parameter()); });
     if (verdict == Box_verdict::AGAIN) // nothing was proved of these: there are none
       std::erase_if(vertices, [&, &own = box](std::size_t i) { return !touch(m_vertices[i].box, own); });
     return verdict == Box_verdict::SPLIT && has_singular_point(box, vertices, depth) ? Box_verdict::DONE : verdict;

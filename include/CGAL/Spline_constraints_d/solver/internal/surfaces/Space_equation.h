@@ -119,7 +119,9 @@ public:
       const bool is_given = !place_of(static_cast<int>(j));
       const bool is_lower_free = is_given ? lower < values[j].first : cell[j].first < lower && lower < least,
                  is_upper_free = is_given ? values[j].second < upper : upper < cell[j].second && most < upper;
-      const auto is_on = [&](const Exact_rational& end) { return least == end && most == end; };
+      const auto is_on = [&point, j](const Exact_rational& end) {
+        return point[j].first == end && point[j].second == end;
+      };
       if (!is_lower_free && !(lower == domain[j].first && (lower < least || is_on(lower))))
         return false;
       if (!is_upper_free && !(upper == domain[j].second && (most < upper || is_on(upper))))
