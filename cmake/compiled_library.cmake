@@ -13,12 +13,15 @@ endif()
 # operations in the same header, under `#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED`, which foundations.cpp includes; of an
 # operation in a header of `internal/` that one of the other sources includes, or, if it is needed by many, in the same
 # header under `#ifdef CGAL_SPLINE_CONSTRAINTS_DEFINES_OPERATIONS`, which curves_and_surfaces.cpp includes.
+# The solvers by subdivision are templates, declared in solver/internal/compiled_solvers.h: solution_points.cpp and
+# solution_curves_and_surfaces.cpp have them.
 # Few sources with much in each: most of the time of the compiler goes into templates that they share. A source for each
 # subject takes three times as long.
 set(sources ${CMAKE_CURRENT_LIST_DIR}/compiled)
 add_library(Spline_constraints_d_compiled ${only_on_request}
-  ${sources}/foundations.cpp ${sources}/curves_and_surfaces.cpp ${sources}/planar_regions.cpp
-  ${sources}/surface_regions.cpp ${sources}/envelope_surfaces.cpp
+  ${sources}/foundations.cpp ${sources}/solution_points.cpp ${sources}/solution_curves_and_surfaces.cpp
+  ${sources}/curves_and_surfaces.cpp ${sources}/planar_regions.cpp ${sources}/surface_regions.cpp
+  ${sources}/envelope_surfaces.cpp
   ${sources}/implicit_patches.cpp ${sources}/approximate_polygons.cpp)
 add_library(CGAL::Spline_constraints_d_compiled ALIAS Spline_constraints_d_compiled)
 target_link_libraries(Spline_constraints_d_compiled

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the floors below the operations have: numbers, functions, splines, readers and writers of files; the default
-// solvers of points and of curves, on one core and on all, of surfaces, feasibility, Newton's method, proofs of answers.
+// What the floors below the operations have but for the solvers by subdivision: numbers, functions, splines, readers and
+// writers of files; propagation, feasibility, Newton's method, proofs of answers.
 #include <CGAL/Spline_constraints_d/IO/Scene_3.h>
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
@@ -40,18 +40,11 @@
 #include <CGAL/Spline_constraints_d/solver.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Newton_iteration.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_points.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
-#include <CGAL/Spline_constraints_d/solver/internal/decomposition/curves_after_elimination.h>
-#include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposition_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/proof_by_parts.h>
-#include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/Elementary_feasibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/feasibility/feasibility_of.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_of_polynomials.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
-#include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
-#include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>
 #include <CGAL/Spline_constraints_d/solver/internal/tracking/tracking_steps.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/Elementary_proof.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification/proof_of_answer.h>
@@ -86,7 +79,6 @@ template class Homogeneous_spline<double, 3>;
 template class Homogeneous_spline<Exact_rational, 2>;
 template class Homogeneous_spline<Exact_rational, 3>;
 
-CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS()
 CGAL_SPLINE_CONSTRAINTS_PROPAGATION(, CGAL::Sequential_tag)
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
 CGAL_SPLINE_CONSTRAINTS_PROPAGATION(, CGAL::Parallel_tag)

@@ -16,7 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
-#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#if !defined(CGAL_SPLINE_CONSTRAINTS_COMPILED) && !defined(CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/decomposed_solutions.h>
 #endif
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>

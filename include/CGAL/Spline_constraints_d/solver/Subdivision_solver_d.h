@@ -14,7 +14,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
-#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#if !defined(CGAL_SPLINE_CONSTRAINTS_COMPILED) && !defined(CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/solution_set.h>
 #endif

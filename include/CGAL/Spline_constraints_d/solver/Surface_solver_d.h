@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Surface_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
-#ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
+#if !defined(CGAL_SPLINE_CONSTRAINTS_COMPILED) && !defined(CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
 #include <CGAL/Spline_constraints_d/solver/internal/curves/all_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/surfaces_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/all_surfaces.h>

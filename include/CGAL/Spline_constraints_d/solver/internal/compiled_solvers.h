@@ -166,26 +166,27 @@ constexpr void check_definitions()
       const Constraint_system_d&, const Solver_options&, Run_control&, bool);
 
 #ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED_WITH_TBB
-#define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)                                                           \
-  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
-  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)                        \
-  CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)
+#define CGAL_SPLINE_CONSTRAINTS_ON_ALL_CORES(SOLVER, EXTERN) SOLVER(EXTERN, Certified_solver_traits, CGAL::Parallel_tag)
 #else
-#define CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
+#define CGAL_SPLINE_CONSTRAINTS_ON_ALL_CORES(SOLVER, EXTERN)
 #endif
-#define CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS(EXTERN)                                                               \
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS_OF_POINTS(EXTERN)                                                     \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Fast_solver_traits, CGAL::Sequential_tag)                           \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Interval_solver_traits, CGAL::Sequential_tag)                       \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Multiprecision_solver_traits, CGAL::Sequential_tag)                 \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Exact_solver_traits, CGAL::Sequential_tag)                          \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS(EXTERN, Normal_cone_solver_traits, CGAL::Sequential_tag)                    \
+  CGAL_SPLINE_CONSTRAINTS_ON_ALL_CORES(CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_POINTS, EXTERN)
+#define CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS_OF_CURVES_AND_SURFACES(EXTERN)                                        \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                      \
   CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES(EXTERN, Certified_solver_traits, CGAL::Sequential_tag)                    \
-  CGAL_SPLINE_CONSTRAINTS_SOLVERS_ON_ALL_CORES(EXTERN)
+  CGAL_SPLINE_CONSTRAINTS_ON_ALL_CORES(CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_CURVES, EXTERN)                               \
+  CGAL_SPLINE_CONSTRAINTS_ON_ALL_CORES(CGAL_SPLINE_CONSTRAINTS_SOLVER_OF_SURFACES, EXTERN)
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS(extern)
+#if defined(CGAL_SPLINE_CONSTRAINTS_COMPILED) || defined(CGAL_SPLINE_CONSTRAINTS_BUILDS_LIBRARY)
+CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS_OF_POINTS(extern)
+CGAL_SPLINE_CONSTRAINTS_COMPILED_SOLVERS_OF_CURVES_AND_SURFACES(extern)
 #endif
 
 } // namespace internal
