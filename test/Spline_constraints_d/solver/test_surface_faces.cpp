@@ -219,6 +219,29 @@ TEST(Surface_faces, inequalities_and_more_unknowns)
   EXPECT_EQ(counts_of(clifford), (Counts{{0, 0}}));
 }
 
+// Splines with breaks: each cell has a part of the face, or of the edge.
+TEST(Surface_faces, splines_with_breaks)
+{
+  const Rational third = Rational(1) / 3;
+  const auto solved = [](const Domain& domain, const SC::Spline_function& f) {
+    SC::Constraint_system_d result(domain);
+    result.add(f, Relation::EQUAL);
+    const SC::Surface_solution_set_d set = SC::solve_surfaces(result);
+    EXPECT_TRUE(set.is_complete()) << set;
+    check_complex(set);
+    return std::pair(counts_of(set), number_of_lone_curves(set));
+  };
+  using Answer = std::pair<Counts, std::size_t>;
+  const std::vector<std::vector<Rational>> four_products(4, {0, 0, 0, 1}); // x y in each cell
+  EXPECT_EQ(solved({{0, 1}, {-1, 1}, {0, 1}},
+                   SC::Spline_function(SC::Spline_term{{0, 1}, {1, 1}, {{0, half, 1}, {-1, third, 1}}, four_products}) +
+                       SC::Spline_function(-variable(2))),
+            (Answer{{{1, 1}}, 1}));
+  const SC::Spline_function parabola(SC::Spline_term{{0}, {2}, {{-1, third, 1}}, {{-1, 0, 1}, {-1, 0, 1}}});
+  EXPECT_EQ(solved({{-1, 1}, {-1, 1}, {0, 1}}, parabola + SC::Spline_function(square(variable(1)))),
+            (Answer{{{0, 2}}, 0}));
+}
+
 TEST(Surface_faces, meshes)
 {
   const Power_polynomial x = variable(0), y = variable(1), z = variable(2);

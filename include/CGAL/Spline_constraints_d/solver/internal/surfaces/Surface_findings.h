@@ -35,8 +35,15 @@ struct Undecided_surface_box
 struct Changed_face
 {
   int axis;
-  Exact_rational value;
+  Exact_ranges box;           // of a cell, and where that unknown is fixed
   Constraint_system_d system; // in all unknowns
+
+  // Whether it has a face of a box.
+  bool has(int unknown, const Exact_rational& value, Exact_ranges around) const
+  {
+    around[unknown] = {value, value};
+    return unknown == axis && is_within(around, box);
+  }
 };
 
 // A box in a cell, with the arcs on its boundary.

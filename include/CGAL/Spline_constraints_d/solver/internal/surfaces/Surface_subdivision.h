@@ -225,20 +225,18 @@ private:
   }
 
   // A face where not all solutions are on arcs, or some on edges.
-  const Changed_face* changed_face(int axis, const Exact_rational& value) const
+  const Changed_face* changed_face(const Exact_ranges& box, int axis, const Exact_rational& value) const
   {
     const auto& faces = m_environment->changed_faces;
-    const auto found = std::find_if(faces.begin(), faces.end(),
-                                    [&](const Changed_face& face) { return face.axis == axis && face.value == value; });
+    const auto found =
+        std::find_if(faces.begin(), faces.end(), [&](const Changed_face& face) { return face.has(axis, value, box); });
     return found == faces.end() ? nullptr : &*found;
   }
 
   bool touches_changed_face(const Exact_ranges& box) const
   {
-    return std::any_of(m_environment->changed_faces.begin(), m_environment->changed_faces.end(),
-                       [&](const Changed_face& face) {
-                         return box[face.axis].first == face.value || box[face.axis].second == face.value;
-                       });
+    const auto& faces = m_environment->changed_faces;
+    return std::any_of(faces.begin(), faces.end(), [&](const Changed_face& face) { return touch(face.box, box); });
   }
 
   // Of the equality in space.
@@ -373,7 +371,7 @@ private:
         result.points.push_back(with_plane(found.vertices[i], axis, value));
     };
     const auto add_points = [&](int face, const Exact_rational& place) {
-      const Changed_face* const own = changed_face(face, place);
+      const Changed_face* const own = changed_face(box, face, place);
       if (!found.vertices.on_plane(own ? on_plane(own->system, box, axis, value) : plane, reduced,
                                    face - (face > axis ? 1 : 0), place, {}, true))
         return false;

@@ -262,7 +262,7 @@ private:
     }
     m_found.summary.nodes += found.summary.nodes + found.vertices.work().nodes + face.touching.nodes;
     if (face.equation)
-      take(axis, value, *face.equation, face.touching);
+      take(face.face, *face.equation, face.touching);
     for (const Undecided_box& undecided : found.undecided) {
       m_found.open_parts.push_back(undecided.box);
       m_found.open_parts.back().insert(m_found.open_parts.back().begin() + axis, {value, value});
@@ -286,9 +286,9 @@ private:
   }
 
   // What is special about a face.
-  void take(int axis, const Exact_rational& value, const Face_equation& equation, Touching_curves& touching)
+  void take(const Cell_face& face, const Face_equation& equation, Touching_curves& touching)
   {
-    m_found.changed_faces.push_back({axis, value, equation.crossing_system()});
+    m_found.changed_faces.push_back({face.axis, face.box, equation.crossing_system()});
     m_found.open_parts.insert(m_found.open_parts.end(), touching.open.begin(), touching.open.end());
     add_lone_curves(std::move(touching.part), std::move(touching.outside));
   }
