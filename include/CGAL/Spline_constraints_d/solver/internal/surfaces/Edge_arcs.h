@@ -222,7 +222,7 @@ private:
     const Exact_ranges middle = part(Exact_rational((from + to) / 2), Exact_rational((from + to) / 2));
     if (!is_within(middle, m_domain))
       return;
-    Exact_point place;
+    std::vector<Exact_rational> place;
     for (const auto& [value, same] : middle)
       place.push_back(value);
     const int sign = CGAL::sign(m_first.crossing()(place)) * CGAL::sign(m_second.crossing()(place));

@@ -12,7 +12,6 @@
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Face_factor.h>
-#include <CGAL/Spline_constraints_d/solver/internal/curves/Gauss_newton_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/Prime_field_polynomial.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Factor_system.h>
 
@@ -304,7 +303,7 @@ private:
   {
     constexpr int tries = 97;
     for (int t = 1; t < tries; ++t) {
-      Exact_point point;
+      std::vector<Exact_rational> point;
       for (int j = 0; j < system().dimension(); ++j) {
         const auto& [lower, upper] = system().domain(j);
         point.push_back(

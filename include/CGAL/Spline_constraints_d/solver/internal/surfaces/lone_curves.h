@@ -40,7 +40,7 @@ inline CGAL::Uncertain<CGAL::Sign> sign_on(const Power_polynomial& polynomial, c
 // At a point.
 inline bool vanishes_at(const Power_polynomial& polynomial, const Exact_ranges& place)
 {
-  Exact_point point;
+  std::vector<Exact_rational> point;
   for (const auto& [value, same] : place)
     point.push_back(value);
   return CGAL::is_zero(polynomial(point));
