@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/number/power_of_two.h>
 #include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
 #include <CGAL/number_utils.h>
 
