@@ -4,6 +4,7 @@
 // Regions that a tool reaches, and that are seen: counts and areas in closed form, random points against rays.
 
 #include "../../../examples/Spline_constraints_d/rounded_cuboid.h"
+#include "../random_own_shadows.h"
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
@@ -33,6 +34,7 @@ using Vector = K::Vector_3;
 using Sphere = K::Sphere_3;
 using Spheres = std::vector<Sphere>;
 using Axis = SC::Tool_axis<K>;
+using random_own_shadows::label_at;
 
 namespace {
 
@@ -72,28 +74,6 @@ Surface random_field(std::mt19937& random)
   return Surface({1, 1}, {0, 0, 0.25, 1, 1}, {0, 0, 1, 1}, points);
 }
 
-// The label of the face with a point, by the chords of its loops; none near a chord.
-std::optional<int> label_at(const SC::Trimmed_surface_3& surface, double u, double v, double least_distance = 4e-3)
-{
-  for (const auto& face : surface.faces()) {
-    bool is_inside = false;
-    for (const auto& loop : face.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const auto &p = loop[i].source, &q = loop[(i + 1) % loop.size()].source;
-        const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y()), dx = CGAL::to_double(q.x()) - x,
-                     dy = CGAL::to_double(q.y()) - y;
-        const double t = std::clamp(((u - x) * dx + (v - y) * dy) / (dx * dx + dy * dy), 0., 1.);
-        if (std::hypot(u - x - t * dx, v - y - t * dy) < least_distance)
-          return std::nullopt;
-        if ((y > v) != (y + dy > v) && u < x + (v - y) / dy * dx)
-          is_inside = !is_inside;
-      }
-    if (is_inside)
-      return face.label;
-  }
-  return std::nullopt;
-}
-
 using Exact_surface = SC::Bspline_surface_3<Exact>;
 
 Exact_surface hill_on_a_plane()
@@ -105,34 +85,16 @@ Exact_surface hill_on_a_plane()
   return Exact_surface({2, 2}, {0, 0, 0, 1, 2, 3, 3, 3}, {0, 0, 0, 1, 2, 3, 3, 3}, points);
 }
 
-// Labels are those of the common points of rays and surfaces, which are found with proofs and not by cells.
+// Labels are those of rays.
 template <class Direction>
 void expect_labels_of_rays(const SC::Trimmed_surface_3& regions, const Exact_surface& surface,
                            const std::vector<Exact_surface>& obstacles, const Direction& direction, int least)
 {
-  std::mt19937 random(5);
-  int free_count = 0, obstructed_count = 0;
-  for (int i = 0; i < 150; ++i) {
-    std::array<SC::Exact_rational, 2> p;
-    for (const int axis : {0, 1}) {
-      const auto [begin, end] = surface.domain(axis);
-      p[static_cast<std::size_t>(axis)] = begin + (end - begin) * std::uniform_int_distribution(1, 1023)(random) / 1024;
-    }
-    const auto label = label_at(regions, CGAL::to_double(p[0]), CGAL::to_double(p[1]), 1e-3);
-    if (!label)
-      continue;
-    const Exact::Point_3 source = surface(p[0], p[1]);
-    bool is_hit = false;
-    for (const Exact_surface& obstacle : obstacles)
-      for (const auto& answer : SC::intersections(Exact::Ray_3(source, direction(p)), obstacle)) {
-        ASSERT_NE(answer.kind(), SC::Intersection_kind::UNDECIDED);
-        is_hit = is_hit || CGAL::squared_distance(answer.point(), source) > 1e-12;
-      }
-    EXPECT_EQ(label, is_hit ? obstructed : free_label) << p[0] << ' ' << p[1];
-    ++(is_hit ? obstructed_count : free_count);
-  }
-  EXPECT_GT(free_count, least);
-  EXPECT_GT(obstructed_count, least);
+  const auto counts = random_own_shadows::compare_with_rays(regions, surface, obstacles, direction, std::nullopt, 150);
+  EXPECT_EQ(counts.wrong, 0);
+  EXPECT_EQ(counts.undecided, 0);
+  EXPECT_GT(counts.free, least);
+  EXPECT_GT(counts.obstructed, least);
 }
 
 bool is_obstructed(const Spheres& spheres, const Point& p, const Vector& direction)
@@ -423,6 +385,25 @@ TEST(VisibleRegions, HillHidesAPartOfItself)
   EXPECT_EQ(regions.number_of_regions(free_label), 1u);
   expect_labels_of_rays(
       regions, hill, {hill}, [&](const auto&) { return direction; }, 15);
+}
+
+// Silhouettes end at edges, where an edge casts its shadow from the same point; and they have cusps.
+TEST(VisibleRegions, RandomSurfacesHidePartsOfThemselves)
+{
+  for (const unsigned number : {9u}) {
+    const random_own_shadows::Scene scene = random_own_shadows::scene(number);
+    const auto regions = scene.visible_regions();
+    EXPECT_TRUE(regions.is_complete());
+    const auto counts = random_own_shadows::compare_with_rays(regions, scene, 200);
+    EXPECT_EQ(counts.wrong, 0);
+    EXPECT_EQ(counts.undecided, 0);
+    EXPECT_GT(counts.free, 100);
+    EXPECT_GT(counts.obstructed, 1);
+    EXPECT_TRUE(std::ranges::any_of(regions.cells(), [&](const auto& cell) {
+      const auto index = static_cast<std::size_t>(&cell - regions.cells().data());
+      return std::ranges::count(regions.faces(), index, &SC::Surface_face_3::cell) == 3;
+    }));
+  }
 }
 
 // What is found by then is kept; the rest is undecided.

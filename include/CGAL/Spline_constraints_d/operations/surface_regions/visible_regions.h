@@ -40,8 +40,10 @@ are seen; of one that encloses a solid only the outer one is, from outside. Labe
 The regions are bounded by silhouettes, shadows of edges, and the curves of `accessible_regions()` with \f$O = p - S\f$.
 On a plane or quadric without folds, with edges in planes, as spheres, cylinders, cones and ellipsoids and parts of them
 are, a ray has one other point of the surface at most, and the curves are zeros of polynomials. On all other surfaces,
-cells are cut as past the surfaces of `Tool_obstacles_3`; there a small cell is undecided where a silhouette ends at an
-edge or passes a pole or a crease, and all of the surface if a ball has an irrational radius or the eye in it.
+cells are cut as past the surfaces of `Tool_obstacles_3`; there a silhouette may end at an edge. A small cell is
+undecided where a silhouette passes a pole or a crease, where the end of one casts a shadow on a part of the surface far
+from it, where shadows touch, and next to an edge all of whose rays are in its plane; and all of the surface if a ball
+has an irrational radius or the eye in it.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param eye the point.

@@ -91,6 +91,9 @@ public:
 
   const std::vector<Node*>& roots() const { return m_roots; }
 
+  // The range of a parameter.
+  std::pair<double, double> domain(std::size_t axis) const { return {m_breaks[axis].front(), m_breaks[axis].back()}; }
+
   double period(std::size_t axis) const
   {
     return m_is_closed[axis] ? m_breaks[axis].back() - m_breaks[axis].front() : 0;

@@ -36,10 +36,11 @@ public:
   using Oracle = std::function<Box_answer(const Parameter_rectangle&, bool)>;
 
 private:
-  static constexpr int most_depth = 18, halvings_beside_the_middle = 4;
+  static constexpr int most_depth = 20, halvings_beside_the_middle = 4;
 
   const Oracle& m_oracle;
   const Monotone_cell::Oracle m_inner_oracle;
+  const Monotone_cell::Side_oracle m_side_oracle;
   Operation_budget& m_budget;
   std::array<int, 2> m_labels; // of false and true
   std::string m_reason;
@@ -47,9 +48,10 @@ private:
 
 public:
   //! \pre The oracle needs no other rounding mode than that of the calling thread.
-  Monotone_parts(const Oracle& oracle, const std::array<int, 2>& labels, std::string reason, Operation_budget& budget)
+  Monotone_parts(const Oracle& oracle, Monotone_cell::Side_oracle side_oracle, const std::array<int, 2>& labels,
+                 std::string reason, Operation_budget& budget)
     : m_oracle(oracle), m_inner_oracle([this](const Parameter_rectangle& box) { return m_oracle(box, false); }),
-      m_budget(budget), m_labels(labels), m_reason(std::move(reason))
+      m_side_oracle(std::move(side_oracle)), m_budget(budget), m_labels(labels), m_reason(std::move(reason))
   {}
 
   std::vector<Labelled_part> parts(double error)
@@ -74,6 +76,8 @@ private:
         found = Monotone_cell::whole(box, *answer.label);
       else if (!answer.directions.is_empty())
         found = Monotone_cell(m_inner_oracle, box, answer.directions, error).faces();
+      else if (answer.fold)
+        found = Monotone_cell(m_inner_oracle, m_side_oracle, box, *answer.fold, error).faces();
       if (found) {
         for (Surface_face_3& face : found->faces)
           face.label = m_labels[static_cast<std::size_t>(*face.label)];

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -51,6 +52,16 @@ public:
       if (is_positive(slope))
         result.m_bits |= std::uint32_t(1) << k;
     }
+    return result;
+  }
+
+  // Those along which a parameter does not decrease, or does not increase.
+  static Direction_set not_against(std::size_t axis, bool is_upwards)
+  {
+    Direction_set result;
+    for (int k = 0; k < number; ++k)
+      if (is_upwards ? direction(k)[axis] >= 0 : direction(k)[axis] <= 0)
+        result.m_bits |= std::uint32_t(1) << k;
     return result;
   }
 
@@ -90,6 +101,15 @@ public:
     }
     return best;
   }
+};
+
+// Of a rectangle with a fold of the surface and what an edge behind it casts on it: directions in which rays first come
+// to meet the surface and then leave it, at the silhouette.
+struct Fold_at_edge
+{
+  Direction_set directions;
+  int side_behind;                                         // the sign of <O,n> behind the silhouette
+  std::optional<std::pair<std::size_t, std::size_t>> edge; // the axis and the end where a side is the edge, if one is
 };
 
 // The rays S + l O, l > 0, from all points of a part of a surface, and where they end, if they do.

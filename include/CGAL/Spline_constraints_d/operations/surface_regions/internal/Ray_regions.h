@@ -128,7 +128,10 @@ private:
       const Monotone_parts::Oracle oracle = [&](const Parameter_rectangle& box, bool is_kept) {
         return shadows(cell, box, is_kept);
       };
-      return Monotone_parts(oracle, {static_cast<int>(Access::FREE), static_cast<int>(Access::OBSTRUCTED)},
+      const Monotone_cell::Side_oracle side_oracle = [&](const Parameter_rectangle& segment) {
+        return shadows.side_of_silhouette(cell, segment);
+      };
+      return Monotone_parts(oracle, side_oracle, {static_cast<int>(Access::FREE), static_cast<int>(Access::OBSTRUCTED)},
                             "more than one boundary of a region, or an end of one, may be there", m_budget)
           .parts(0x1p-10);
     };

@@ -35,7 +35,7 @@ zero. Let q be ahead for greater x, by the sign of the derivative of the depth a
 at the end of a neighbourhood, a ray from p meets it if and only if the least m from p on is not positive; and if m
 decreases for all q while p moves in a direction, with the difference of x the same, so does the least one. The same
 holds with other signs. At a fold psi is zero, at a cusp its derivative along the graph is, too; neither is an
-exception.
+exception. If graphs end at an edge ahead, psi at p may be positive instead, if p does not move towards the edge.
 */
 class Rim_shadow
 {
@@ -55,7 +55,7 @@ class Rim_shadow
 public:
   Rim_shadow(const Jet_sheet& sheet, const Ray_bundle& rays, Interval_jet source)
     : m_sheet(sheet), m_eye(rays.eye), m_source(std::move(source)), m_direction(rays.direction.value),
-      m_towards(Meeting_function::middle_of(rays.direction.middle))
+      m_towards(m_eye ? Meeting_function::middle_of(rays.direction.middle) : rays.direction.middle)
   {
     const std::array<Interval_vector, 2> across{cross(m_towards, m_source.first[0]),
                                                 cross(m_towards, m_source.first[1])};
@@ -67,8 +67,29 @@ public:
     };
     if (size(across[0]) > size(across[1]))
       std::swap(m_x, m_y);
-    m_across_f = Meeting_function::middle_of(across[m_y]);
-    m_across_g = Meeting_function::middle_of(cross(m_across_f, m_towards));
+    set_coordinates();
+  }
+
+  // Whether an end of the surface may be in one of the neighbourhoods.
+  bool is_near_end() const
+  {
+    const double reach = smallest_reach() * std::exp2(number_of_sizes());
+    for (const std::size_t axis : {0, 1}) {
+      const auto [begin, end] = m_sheet.domain(axis);
+      if (m_sheet.period(axis) == 0 &&
+          (m_source.box[axis].first - reach < begin || m_source.box[axis].second + reach > end))
+        return true;
+    }
+    return false;
+  }
+
+  // The same with the axes in the other order, as where graphs end at an edge along the first one.
+  Rim_shadow with_other_axes() const
+  {
+    Rim_shadow result(*this);
+    std::swap(result.m_x, result.m_y);
+    result.set_coordinates();
+    return result;
   }
 
   // Directions in which rays come to meet the surface near their origins: in a rectangle that has all parts of the
@@ -79,15 +100,23 @@ public:
                         const Visitor& visit) const
   {
     visit_neighbourhoods(near, [&](const Neighbourhood& around) {
-      const int sign = around.is_proved ? sign_at_end(around) : 0;
-      if (sign == 0)
-        return false;
       const Projection &p = around.source, &q = around.projection;
       const auto [psi_x, psi_y] = gradient(q);
-      std::array<Interval, 2> falls;
-      falls[m_x] = Interval(-sign) * (psi_x + psi_y * ((p.first[1][0] - q.first[1][0]) / q.first[1][1]));
-      falls[m_y] = Interval(-sign) * psi_y * (p.first[1][1] / q.first[1][1]);
-      return visit(around.box, Direction_set::increasing(falls, widths));
+      std::array<Interval, 2> rises; // of psi
+      rises[m_x] = psi_x + psi_y * ((p.first[1][0] - q.first[1][0]) / q.first[1][1]);
+      rises[m_y] = psi_y * (p.first[1][1] / q.first[1][1]);
+      if (!around.is_proved || Direction_set::increasing(rises, widths).is_empty())
+        return false;
+      const int at_end = sign_at_end(around);
+      const bool is_told_by_start = at_end == 0 && around.has_edge_ahead;
+      const int sign = is_told_by_start ? sign_of(psi(around.source)) : at_end;
+      if (sign == 0)
+        return false;
+      Direction_set directions =
+          Direction_set::increasing({Interval(-sign) * rises[0], Interval(-sign) * rises[1]}, widths);
+      if (is_told_by_start)
+        directions.restrict_to(Direction_set::not_against(m_x, !around.is_ahead_upwards));
+      return visit(around.box, directions);
     });
   }
 
@@ -109,14 +138,59 @@ public:
       const bool increases = is_positive(bend) == around.is_ahead_upwards;
       if (increases == is_positive(begin))
         result = false;
-      else if (sign_at_end(around) == (increases ? 1 : -1))
+      else if (const int end = sign_at_end(around); end == (increases ? 1 : -1))
         result = true;
+      else if (end != 0 && around.has_edge_ahead)
+        result = false;
       return result.has_value();
     });
     return result;
   }
 
+  // A fold before an edge in which rays end to meet the surface: with sigma psi increasing along all graphs to their
+  // ends at the edge, a ray meets it if and only if sigma psi is negative, and its mean up to the edge is not.
+  // Directions in which both increase, and the sign of <O,n> where sigma psi is positive. \pre The rest is not met.
+  std::optional<Fold_at_edge> fold_at_edge(const std::vector<Parameter_rectangle>& near,
+                                           const std::array<double, 2>& widths) const
+  {
+    std::optional<Fold_at_edge> result;
+    visit_neighbourhoods(near, [&](const Neighbourhood& around) {
+      const Projection &p = around.source, &q = around.projection;
+      const auto [psi_x, psi_y] = gradient(q);
+      const Interval bend = psi_x + psi_y * around.slope;
+      if (!around.is_proved || !around.has_edge_ahead || has_zero(bend))
+        return false;
+      const int sigma = is_positive(bend) == around.is_ahead_upwards ? 1 : -1;
+      const Interval share(0, 1); // of the way of p, that a point of its graph goes along x
+      std::array<Interval, 2> rises;
+      rises[m_x] =
+          Interval(sigma) * (share * psi_x + psi_y * ((p.first[1][0] - share * q.first[1][0]) / q.first[1][1]));
+      rises[m_y] = Interval(sigma) * psi_y * (p.first[1][1] / q.first[1][1]);
+      const Direction_set directions = Direction_set::increasing(rises, widths);
+      if (directions.is_empty())
+        return false;
+      // psi = -c <O, S_x x S_y> / g_y, c > 0
+      const int turn = is_positive(q.first[1][1]) == (m_x == 0) ? -1 : 1;
+      result = Fold_at_edge{directions, sigma * turn, std::pair(m_x, std::size_t(around.is_ahead_upwards ? 1 : 0))};
+      return true;
+    });
+    return result;
+  }
+
 private:
+  // Exactly the same along parallel rays. From an eye, any coordinates will do.
+  void set_coordinates()
+  {
+    m_across_f = cross(m_towards, Meeting_function::middle_of(m_source.first[m_y]));
+    m_across_g = cross(m_across_f, m_towards);
+  }
+
+  // One point has neighbourhoods of all sizes.
+  double own_width() const { return (std::max)(m_source.half_width(m_x), m_source.half_width(m_y)); }
+  bool is_point() const { return own_width() < 0x1p-40; }
+  double smallest_reach() const { return 1.25 * (is_point() ? 0x1p-26 : own_width()); } // without a doubling
+  int number_of_sizes() const { return is_point() ? 20 : 6; }
+
   static void widen(std::pair<double, double>& range, double by)
   {
     range.first -= by;
@@ -135,10 +209,10 @@ private:
   struct Neighbourhood
   {
     Parameter_rectangle box;
-    double reach; // beyond all p, on both sides
     Projection source, projection;
     Interval slope;
     bool is_proved = false, is_ahead_upwards = false;
+    bool has_edge_ahead = false; // where the graphs end
   };
 
   // Calls visit() with rectangles that have all of `near` in them, until it returns true.
@@ -149,24 +223,38 @@ private:
     if (!p || has_zero(p->first[1][1]))
       return;
     const double steepness = std::abs(middle_of(p->first[1][0] / p->first[1][1]));
-    const double width = (std::max)(m_source.half_width(m_x), m_source.half_width(m_y));
-    for (const double factor : {2.5, 5., 10., 20., 40., 80.}) {
-      const double reach = factor * width;
+    double reach = smallest_reach();
+    for (int i = 0; i < number_of_sizes(); ++i) {
+      reach *= 2;
       Parameter_rectangle box = m_source.box;
       widen(box[m_x], reach);
-      widen(box[m_y], reach * (1.2 * steepness + 0.15) + width);
+      widen(box[m_y], (reach + 2 * m_source.half_width(m_x)) * (1.2 * steepness + 0.15) + own_width());
+      const std::array<bool, 2> is_cut = cut_at_ends(box, m_x);
+      cut_at_ends(box, m_y);
       bool covers = true;
       for (const Parameter_rectangle& part : near)
         covers = covers && contains(box, part);
       if (!covers)
         continue;
-      const auto around = neighbourhood(box, reach, *p);
+      const auto around = neighbourhood(box, is_cut, *p);
       if (!around || visit(*around))
         return;
     }
   }
 
-  std::optional<Neighbourhood> neighbourhood(const Parameter_rectangle& box, double reach, const Projection& p) const
+  // Whether ends of the surface are in the way.
+  std::array<bool, 2> cut_at_ends(Parameter_rectangle& box, std::size_t axis) const
+  {
+    if (m_sheet.period(axis) > 0)
+      return {false, false};
+    const auto [begin, end] = m_sheet.domain(axis);
+    const std::array<bool, 2> result{box[axis].first<begin, box[axis].second> end};
+    box[axis] = {(std::max)(box[axis].first, begin), (std::min)(box[axis].second, end)};
+    return result;
+  }
+
+  std::optional<Neighbourhood> neighbourhood(const Parameter_rectangle& box, const std::array<bool, 2>& is_cut,
+                                             const Projection& p) const
   {
     const auto jet = m_sheet.jet(box, true);
     if (!jet || (m_eye && !is_negative(dot(jet->value - *m_eye, m_direction))))
@@ -174,40 +262,81 @@ private:
     const auto q = projection(*jet);
     if (!q || has_zero(q->first[1][1]))
       return std::nullopt;
-    Neighbourhood result{box, reach, p, *q, -(q->first[1][0] / q->first[1][1])};
+    Neighbourhood result{box, p, *q, -(q->first[1][0] / q->first[1][1])};
     const Interval depth = dot(jet->first[m_x], m_direction) + result.slope * dot(jet->first[m_y], m_direction);
-    const Interval rise = result.slope * around_zero(reach + 2 * m_source.half_width(m_x));
+    const auto& [first, last] = m_source.box[m_x];
+    const Interval rise = result.slope * (Interval(box[m_x].first, box[m_x].second) - Interval(first, last));
     result.is_ahead_upwards = is_positive(depth);
+    result.has_edge_ahead = is_cut[result.is_ahead_upwards ? 1 : 0];
     result.is_proved = !has_zero(depth) && m_source.box[m_y].second + rise.sup() <= box[m_y].second &&
         m_source.box[m_y].first + rise.inf() >= box[m_y].first;
     return result;
+  }
+
+  static int sign_of(const Interval& x) { return is_positive(x) ? 1 : is_negative(x) ? -1 : 0; }
+
+  // The range of a function on the part of the graphs between distances from the range of all p, or in this.
+  struct Slab
+  {
+    Interval psi, bend; // along the graphs, upwards
+  };
+
+  std::optional<Slab> slab(const Neighbourhood& around, double begin, double end, bool is_source) const
+  {
+    const auto& [first, last] = m_source.box[m_x];
+    const bool is_upwards = around.is_ahead_upwards;
+    Parameter_rectangle box = m_source.box;
+    if (!is_source)
+      box[m_x] = is_upwards
+          ? std::pair((std::min)(last + begin, around.box[m_x].second), (std::min)(last + end, around.box[m_x].second))
+          : std::pair((std::max)(first - end, around.box[m_x].first), (std::max)(first - begin, around.box[m_x].first));
+    const Interval distance = Interval(box[m_x].first, box[m_x].second) - Interval(first, last);
+    const Interval rise = around.slope *
+        (is_upwards ? Interval((std::max)(distance.inf(), 0.), distance.sup())
+                    : Interval(distance.inf(), (std::min)(distance.sup(), 0.)));
+    const Interval place = Interval(m_source.box[m_y].first, m_source.box[m_y].second) + rise;
+    box[m_y] = {(std::max)(place.inf(), around.box[m_y].first), (std::min)(place.sup(), around.box[m_y].second)};
+    const auto jet = m_sheet.jet(box, true);
+    const auto q = jet ? projection(*jet) : std::nullopt;
+    if (!q || has_zero(q->first[1][1]))
+      return std::nullopt;
+    const auto [psi_x, psi_y] = gradient(*q);
+    return Slab{psi(*q), psi_x - psi_y * (q->first[1][0] / q->first[1][1])};
   }
 
   // That of the mean of psi from all p to the end of the neighbourhood ahead; 0 if it is not known.
   int sign_at_end(const Neighbourhood& around) const
   {
     constexpr int slabs = 12;
-    const double width = 2 * m_source.half_width(m_x);
-    Interval sum(0);
-    for (int i = -1; i < slabs; ++i) { // behind the part that may be ahead of some p only
-      Parameter_rectangle box = m_source.box;
-      const double begin = around.reach * i / slabs, end = around.reach * (i + 1) / slabs;
-      if (i >= 0) {
-        const auto [first, last] = m_source.box[m_x];
-        box[m_x] =
-            around.is_ahead_upwards ? std::pair(last + begin, last + end) : std::pair(first - end, first - begin);
-      }
-      const double far = (i < 0 ? 0 : end) + width;
-      const Interval rise = around.slope * (around.is_ahead_upwards ? Interval(0, far) : Interval(-far, 0));
-      box[m_y] = {-((std::max)(0., -rise.inf()) - m_source.box[m_y].first),
-                  m_source.box[m_y].second + (std::max)(0., rise.sup())};
-      const auto jet = m_sheet.jet(box, true);
-      const auto q = jet ? projection(*jet) : std::nullopt;
-      if (!q || has_zero(q->first[1][1]))
+    const auto& [first, last] = m_source.box[m_x];
+    const Interval length = around.is_ahead_upwards ? Interval(around.box[m_x].second) - Interval(last)
+                                                    : Interval(first) - Interval(around.box[m_x].first);
+    const Interval width = Interval(last) - Interval(first), up(around.is_ahead_upwards ? 1 : -1);
+    const auto own = slab(around, 0, 0, true); // the part that may be ahead of some p only
+    if (!own)
+      return 0;
+    const Interval start = psi(around.source), within(0, width.sup());
+    const Interval psi_at_own = common(own->psi, start + up * own->bend * within);
+    Interval sum(0), begin = start + up * own->bend * within;
+    for (int i = 0; i < slabs && length.sup() > 0; ++i) {
+      const auto part = slab(around, length.sup() * i / slabs, length.sup() * (i + 1) / slabs, false);
+      if (!part)
         return 0;
-      sum += psi(*q) * (i < 0 ? Interval(0, width) : Interval(box[m_x].second) - Interval(box[m_x].first));
+      const Interval step = length / Interval(slabs);
+      sum += common(part->psi, begin + up * part->bend * Interval(0, step.sup())) * step;
+      begin += up * part->bend * step;
     }
-    return is_positive(sum) ? 1 : is_negative(sum) ? -1 : 0;
+    const Interval all = sum + psi_at_own * within;
+    const bool is_up = (sum.inf() >= 0 && is_positive(psi_at_own)) || (is_positive(sum) && is_positive(all));
+    const bool is_down = (sum.sup() <= 0 && is_negative(psi_at_own)) || (is_negative(sum) && is_negative(all));
+    return is_up ? 1 : is_down ? -1 : 0;
+  }
+
+  // Of two ranges of the same numbers.
+  static Interval common(const Interval& a, const Interval& b)
+  {
+    const double lower = (std::max)(a.inf(), b.inf()), upper = (std::min)(a.sup(), b.sup());
+    return lower <= upper ? Interval(lower, upper) : a;
   }
 
   static Interval psi(const Projection& q) { return q.first[0][0] - q.first[0][1] * q.first[1][0] / q.first[1][1]; }

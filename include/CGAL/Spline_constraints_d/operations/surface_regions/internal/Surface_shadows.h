@@ -134,11 +134,28 @@ public:
           !refine(rays, candidates, is_number(box)))
         break;
     }
+    if (is_number(box))
+      return {label_beside_fold(rays, candidates, cell, box), {}};
     if (directions.is_empty() && is_wound_around(rays, candidates))
       return {true, {}};
+    const auto fold = directions.is_empty() ? fold_at_edge(rays, candidates, cell, box) : std::nullopt;
     if (is_kept)
       m_known.push_back({cell, box, std::move(kept)});
-    return {std::nullopt, directions};
+    return {std::nullopt, directions, fold};
+  }
+
+  // The sign of <O,n> at a point or all along a segment, exactly; 0 if there is none.
+  int side_of_silhouette(std::size_t cell, const Parameter_rectangle& segment) const
+  {
+    const Cell_polynomial& slope = m_sources[cell].slope;
+    const std::size_t across = segment[0].first == segment[0].second ? 0 : 1, along = 1 - across;
+    const Exact_rational at(segment[across].first), begin(segment[along].first), end(segment[along].second);
+    if (begin < end && !has_no_zero(slice_of(slope, static_cast<int>(across), at), begin, end))
+      return 0;
+    Parameters place;
+    place[across] = at;
+    place[along] = begin;
+    return static_cast<int>(CGAL::sign(slope(place)));
   }
 
 private:
@@ -175,6 +192,10 @@ private:
       const Interval &begin = m_sources[cell].domain[2 * axis], width = m_sources[cell].domain[2 * axis + 1] - begin;
       result[axis] = {(begin + width * Interval(box[axis].first)).inf(),
                       (begin + width * Interval(box[axis].second)).sup()};
+      if (m_sheets[*m_own]->period(axis) > 0)
+        continue;
+      const auto [least, greatest] = m_sheets[*m_own]->domain(axis); // rounding must not lead beyond the ends
+      result[axis] = {(std::max)(result[axis].first, least), (std::min)(result[axis].second, greatest)};
     }
     return result;
   }
@@ -328,12 +349,50 @@ private:
     for (const std::size_t axis : {0, 1})
       global_widths[axis] *= middle_of(m_sources[cell].domain[2 * axis + 1] - m_sources[cell].domain[2 * axis]);
     Direction_set result;
-    if (const auto source = m_sheets[*m_own]->jet(place, true))
-      Rim_shadow(*m_sheets[*m_own], rays, *source)
-          .visit_directions(near, global_widths, [&](const Parameter_rectangle& rim, const Direction_set& at_rim) {
-            result = directions_outside(rim, at_rim);
-            return !result.is_empty();
-          });
+    const auto visit = [&](const Parameter_rectangle& rim, const Direction_set& at_rim) {
+      result = directions_outside(rim, at_rim);
+      return !result.is_empty();
+    };
+    if (const auto source = m_sheets[*m_own]->jet(place, true)) {
+      const Rim_shadow shadow(*m_sheets[*m_own], rays, *source);
+      shadow.visit_directions(near, global_widths, visit);
+      if (result.is_empty() && shadow.is_near_end())
+        shadow.with_other_axes().visit_directions(near, global_widths, visit);
+    }
+    return result;
+  }
+
+  // At an end of the surface, if nothing else is met.
+  std::optional<Fold_at_edge> fold_at_edge(const Ray_bundle& rays, const Candidates& candidates, std::size_t cell,
+                                           const Parameter_rectangle& box) const
+  {
+    if (!m_own || candidates.size() > most_examined)
+      return std::nullopt;
+    const Parameter_rectangle place = global(cell, box);
+    std::vector<Parameter_rectangle> near;
+    for (const Candidate& c : candidates) {
+      if (!is_own(c))
+        return std::nullopt;
+      near.push_back(turned_towards(place, c.node->jet.box));
+    }
+    std::array<double, 2> widths;
+    for (const std::size_t axis : {0, 1})
+      widths[axis] = place[axis].second - place[axis].first;
+    const auto source = m_sheets[*m_own]->jet(place, true);
+    if (!source)
+      return std::nullopt;
+    const Rim_shadow shadow(*m_sheets[*m_own], rays, *source);
+    if (!shadow.is_near_end())
+      return std::nullopt;
+    auto result = shadow.fold_at_edge(near, widths);
+    if (!result)
+      result = shadow.with_other_axes().fold_at_edge(near, widths);
+    if (result) {
+      const auto [axis, end] = *result->edge;
+      const auto domain = m_sheets[*m_own]->domain(axis);
+      if (end == 0 ? place[axis].first != domain.first : place[axis].second != domain.second)
+        result->edge.reset();
+    }
     return result;
   }
 
@@ -354,6 +413,21 @@ private:
   {
     if (!is_beside_rim(cell, box))
       return std::nullopt;
+    const std::array<Surface_cell_3::Range, 2> exact{
+        Surface_cell_3::Range(Exact_rational(box[0].first), Exact_rational(box[0].second)),
+        Surface_cell_3::Range(Exact_rational(box[1].first), Exact_rational(box[1].second))};
+    return has_one_sign(without_sides(m_sources[cell].slope.restricted_to_box(exact)))
+        ? label_beside_fold(rays, candidates, cell, box)
+        : std::nullopt;
+  }
+
+  // The label of a rectangle without silhouettes inside of it, or of a point, if nothing is met but the surface near
+  // it, and this is near a fold.
+  std::optional<bool> label_beside_fold(const Ray_bundle& rays, const Candidates& candidates, std::size_t cell,
+                                        const Parameter_rectangle& box) const
+  {
+    if (!m_own)
+      return std::nullopt;
     std::vector<Parameter_rectangle> near;
     const Parameter_rectangle place = global(cell, box);
     for (const Candidate& c : candidates) {
@@ -361,11 +435,6 @@ private:
         return std::nullopt;
       near.push_back(turned_towards(place, c.node->jet.box));
     }
-    const std::array<Surface_cell_3::Range, 2> exact{
-        Surface_cell_3::Range(Exact_rational(box[0].first), Exact_rational(box[0].second)),
-        Surface_cell_3::Range(Exact_rational(box[1].first), Exact_rational(box[1].second))};
-    if (!has_one_sign(without_sides(m_sources[cell].slope.restricted_to_box(exact))))
-      return std::nullopt;
     const auto whole = m_sheets[*m_own]->jet(place, true);
     const std::array<double, 2> middle{middle_of(place[0]), middle_of(place[1])};
     const auto inside = m_sheets[*m_own]->jet({{{middle[0], middle[0]}, {middle[1], middle[1]}}}, true);
