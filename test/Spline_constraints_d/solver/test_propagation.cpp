@@ -462,7 +462,7 @@ TEST(Propagation, sparse_elimination_inverts)
   SC::internal::Sparse_elimination elimination(n);
   for (int k = 0; k < 20; ++k) {
     std::vector<std::vector<double>> matrix(n, std::vector<double>(n, 0.0));
-    elimination.begin();
+    elimination.begin(n);
     for (int i = 0; i < n; ++i)
       for (int j = (std::max)(0, i - 3); j < (std::min)(n, i + 4); ++j) {
         matrix[i][j] = i == j ? 9 : random.integer(-3, 3) / 2.0;
@@ -499,7 +499,7 @@ TEST(Propagation, sparse_elimination_of_arrows)
     matrix[i][j] = value;
     elimination.add_entry(i, j, value);
   };
-  elimination.begin();
+  elimination.begin(n);
   for (int i = 0; i + 1 < n; ++i) {
     add(i, i, random.integer(5, 9));
     add(i, n - 1, 1);

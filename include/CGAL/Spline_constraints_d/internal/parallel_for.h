@@ -95,7 +95,7 @@ void run_on_all_threads(std::size_t count, const Body& body)
     }
   };
   std::vector<std::thread> threads;
-  for (std::size_t slot = 0; slot < number_of_slots(); ++slot)
+  for (std::size_t slot = 0; slot < (std::min)(count, number_of_slots()); ++slot)
     threads.emplace_back(work, slot);
   for (std::thread& thread : threads)
     thread.join();

@@ -58,6 +58,14 @@ public:
     }
   }
 
+  // For fewer rows and columns than at first, or as many; only where their numbers are not known to the compiler.
+  void resize(int rows, int columns)
+  {
+    static_assert(size == 0);
+    m_rows = rows;
+    m_columns = columns;
+  }
+
   int rows() const { return size > 0 ? size : m_rows; }
   int columns() const { return size > 0 ? size : m_columns; }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Box_shaving.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
@@ -58,6 +59,7 @@ was looked at before.
 class Depth_first_propagation
 {
   const Sparse_system& m_system;
+  const Block_order& m_blocks;
   Run_control& m_control;
   std::function<void()> m_check;
   Constraint_propagation m_propagation;
@@ -80,9 +82,10 @@ class Depth_first_propagation
   };
 
 public:
-  Depth_first_propagation(const Sparse_system& system, Run_control& control)
-    : m_system(system), m_control(control), m_check([this] { m_control.check(); }), m_propagation(system),
-      m_shaving(m_propagation, m_check), m_rows(system, m_check), m_krawczyk_test(m_rows, !system.is_polynomial())
+  Depth_first_propagation(const Sparse_system& system, const Block_order& blocks, Run_control& control)
+    : m_system(system), m_blocks(blocks), m_control(control), m_check([this] { m_control.check(); }),
+      m_propagation(system), m_shaving(m_propagation, m_check), m_rows(system, m_check),
+      m_krawczyk_test(m_rows, !system.is_polynomial())
   {}
 
   Depth_first_propagation(const Depth_first_propagation&) = delete;
@@ -94,10 +97,12 @@ public:
 private:
   void examine(const Waiting_boxes::Origin& origin);
   Verdict narrow(const Waiting_boxes::Origin& origin);
+  Verdict narrow_by_combinations(int block);
   bool narrow_by_slices();
   bool finds_root();
   void split(int depth);
   int unknown_to_split();
+  int open_block() const;
   void rate_unknowns();
   void share_rating(double rating, int constraint, int but);
 
@@ -113,6 +118,16 @@ private:
   {
     return std::none_of(m_box.begin(), m_box.begin() + unknowns_to_split(),
                         [&](const Interval& range) { return may_be_split(range); });
+  }
+  double ignorance(int j) const { return magnitude(m_box[j]) > 0 ? width(m_box[j]) / magnitude(m_box[j]) : 0; }
+  // The largest one of the unknowns of a block that may be split; of all blocks for -1.
+  double largest_ignorance(int block) const
+  {
+    double result = 0;
+    for (int j = 0; j < unknowns_to_split(); ++j)
+      if ((block < 0 || m_blocks.block(j) == block) && may_be_split(m_box[j]))
+        result = (std::max)(result, ignorance(j));
+    return result;
   }
   bool is_bounded() const
   {
@@ -151,12 +166,12 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Depth_first_propagation::examine(const Waiti
   m_outcome.share += Waiting_boxes::share_of(origin);
 }
 
-// By the constraints that know of the split, then by combinations and the constraints in turns, while that gains much.
+// By the constraints that know of the split, then by combinations of those of the first block that is not solved, and
+// of the next one when it is.
 CGAL_SPLINE_CONSTRAINTS_INLINE Depth_first_propagation::Verdict
 Depth_first_propagation::narrow(const Waiting_boxes::Origin& origin)
 {
-  constexpr int most_rounds = 12, many_unknowns = 64;
-  constexpr double least_gain = 0.1, of_all_for_proof = 0.5;
+  constexpr int many_unknowns = 64;
   if (origin.split_unknown < 0)
     m_propagation.wake_all();
   else
@@ -171,8 +186,23 @@ Depth_first_propagation::narrow(const Waiting_boxes::Origin& origin)
   if (!m_system.is_polynomial() && (origin.split_unknown < 0 || m_system.dimension() > many_unknowns) &&
       m_rows.invert(m_box) && !m_rows.narrow(m_box))
     return Verdict::EMPTY;
+  for (int block = open_block();;) {
+    const Verdict verdict = narrow_by_combinations(block);
+    const int next = verdict == Verdict::OPEN ? open_block() : block;
+    if (next <= block)
+      return verdict;
+    block = next;
+  }
+}
+
+// And by the constraints in turns, while that gains much.
+CGAL_SPLINE_CONSTRAINTS_INLINE Depth_first_propagation::Verdict
+Depth_first_propagation::narrow_by_combinations(int block)
+{
+  constexpr int most_rounds = 12;
+  constexpr double least_gain = 0.1, of_all_for_proof = 0.5;
   for (int round = 0; round < most_rounds; ++round) {
-    if (!m_rows.eliminate(m_box))
+    if (!m_rows.eliminate(m_box, m_blocks.blocks()[block]))
       return Verdict::OPEN;
     m_before = m_box;
     if (!m_rows.narrow(m_box))
@@ -235,20 +265,29 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Depth_first_propagation::split(int depth)
   m_outcome.waiting.push(m_box, {unknown, depth + 1});
 }
 
-// The one with the largest rating of those that are not much better known than others.
+// The first one that is not solved, beside others: what is known of later ones depends on it.
+CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::open_block() const
+{
+  constexpr double solved = 0x1p-20;
+  const double least = solved * largest_ignorance(-1);
+  int result = static_cast<int>(m_blocks.blocks().size()) - 1;
+  for (int j = 0; j < unknowns_to_split() && result > 0; ++j)
+    if (m_blocks.block(j) < result && may_be_split(m_box[j]) && ignorance(j) >= least)
+      result = m_blocks.block(j);
+  return result;
+}
+
+// The one with the largest rating of those of the first open block that are not much better known than others there.
 CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::unknown_to_split()
 {
   constexpr double well_known = 0.01;
   rate_unknowns();
-  const auto ignorance = [&](int j) { return magnitude(m_box[j]) > 0 ? width(m_box[j]) / magnitude(m_box[j]) : 0; };
-  double largest = 0;
-  for (int j = 0; j < unknowns_to_split(); ++j)
-    if (may_be_split(m_box[j]))
-      largest = (std::max)(largest, ignorance(j));
+  const int block = open_block();
+  const double least = well_known * largest_ignorance(block);
   int result = -1;
   double best = -1;
   for (int j = 0; j < unknowns_to_split(); ++j)
-    if (may_be_split(m_box[j]) && ignorance(j) >= well_known * largest)
+    if (m_blocks.block(j) == block && may_be_split(m_box[j]) && ignorance(j) >= least)
       if (const double rating = m_rating[j] * std::sqrt(std::sqrt(ignorance(j))); result < 0 || rating > best) {
         result = j;
         best = rating;

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/node/Row_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Affine_enclosures.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
@@ -19,9 +20,11 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,12 +47,16 @@ class Preconditioned_rows
   };
 
   const Sparse_system& m_system;
-  int m_dimension, m_equalities;
+  int m_dimension;
   Affine_enclosures m_enclosures;
   std::vector<Row> m_rows;
+  std::size_t m_count = 0; // of the rows that were formed last
   std::optional<Row_elimination<0>> m_dense;
   std::optional<Sparse_elimination> m_sparse;
-  std::vector<double> m_slopes, m_radii; // of all equalities, for the dense elimination
+  Equation_block m_all;
+  std::vector<int> m_place;              // of unknowns in the block in hand, or -1
+  std::vector<char> m_repeats;           // of constraints: an unknown
+  std::vector<double> m_slopes, m_radii; // of its equalities, for the dense elimination
   const std::function<void()>& m_check;
 
   static constexpr int largest_dense_dimension = 64;
@@ -58,55 +65,76 @@ class Preconditioned_rows
 public:
   // `check()` may end the work by an exception.
   Preconditioned_rows(const Sparse_system& system, const std::function<void()>& check)
-    : m_system(system), m_dimension(system.dimension()), m_equalities(static_cast<int>(system.equalities().size())),
-      m_enclosures(system), m_rows(m_equalities), m_check(check)
+    : m_system(system), m_dimension(system.dimension()), m_enclosures(system),
+      m_rows((std::max)(system.equalities().size(), static_cast<std::size_t>(m_dimension))), m_place(m_dimension, -1),
+      m_check(check)
   {
-    if (m_dimension <= largest_dense_dimension) {
-      m_dense.emplace(m_equalities, m_dimension);
-      m_slopes.resize(static_cast<std::size_t>(m_dimension) * m_dimension);
-    } else
-      m_sparse.emplace(m_dimension);
+    m_all.equalities = system.equalities();
+    m_all.unknowns.resize(m_dimension);
+    std::iota(m_all.unknowns.begin(), m_all.unknowns.end(), 0);
+    for (int i = 0; i < system.constraints(); ++i)
+      m_repeats.push_back(system.repeats_unknown(i) ? 1 : 0);
   }
 
   Affine_enclosures& enclosures() { return m_enclosures; }
   const std::vector<Weighted_index>& multiples(int row) const { return m_rows[row].multiples; }
 
-  // Forms the rows that bound something on a box, wherever it is wide; false when there are none.
-  bool eliminate(const Box_of_ranges& box)
-  {
-    m_enclosures.set_box(box);
-    return m_dense ? eliminate_densely() : eliminate_sparsely();
-  }
+  // Forms the rows of some equalities, of all by default: those that bound something on a box, wherever it is wide, are
+  // solved; the others stay equalities, or what is left of them. False when there are none.
+  bool eliminate(const Box_of_ranges& box) { return eliminate(box, m_all); }
+  bool eliminate(const Box_of_ranges& box, const Equation_block& block);
 
   // Forms all rows by the inverse of the derivatives at the centre of a box; false when it is singular.
   bool invert(const Box_of_ranges& box)
   {
     m_enclosures.set_box(box);
-    return m_dense ? invert_densely() : invert_sparsely();
+    m_count = m_dimension;
+    return m_dimension <= largest_dense_dimension ? invert_densely() : invert_sparsely();
   }
 
   // Narrows the box that the rows were formed on; false when no solution is left.
   bool narrow(Box_of_ranges& box)
   {
-    for (const Row& row : m_rows)
-      if (!narrow_by(row, box))
-        return false;
-    return true;
+    return std::all_of(m_rows.begin(), m_rows.begin() + m_count, [&](const Row& row) { return narrow_by(row, box); });
   }
 
 private:
-  // Slopes in parts of the box, and the half width of the rest, of each equality.
+  // Slopes in parts of the box, by the places of unknowns in a block, and the half width of the rest, of each equality.
   template <class Add, class Set_radius>
-  void visit_equalities(const Add& add, const Set_radius& set_radius)
+  void visit_equalities(const Equation_block& block, const Add& add, const Set_radius& set_radius)
   {
-    for (int i = 0; i < m_equalities; ++i)
-      set_radius(i, m_enclosures.visit_slopes(m_system.equalities()[i], [&](int j, double slope) {
-        add(i, j, slope * m_enclosures.offset(j).sup());
-      }));
+    for (int i = 0; i < static_cast<int>(block.equalities.size()); ++i) {
+      double others = 0;
+      const double radius = m_enclosures.visit_slopes(block.equalities[i], [&](int j, double slope) {
+        const double size = slope * m_enclosures.offset(j).sup();
+        if (m_place[j] >= 0)
+          add(i, m_place[j], size);
+        else
+          others += std::abs(size);
+      });
+      set_radius(i, radius + others);
+    }
   }
 
-  bool eliminate_densely();
-  bool eliminate_sparsely();
+  // Only when all are one block there may be more equalities than unknowns.
+  int largest_dense_rows() const
+  {
+    return m_dimension <= largest_dense_dimension ? static_cast<int>(m_all.equalities.size()) : largest_dense_dimension;
+  }
+  Row& begin_row(int unknown)
+  {
+    Row& row = m_rows[m_count];
+    row.unknown = unknown;
+    row.multiples.clear();
+    return row;
+  }
+  // An equality as it is says no more than propagation knows of it, unless it has an unknown more than once.
+  bool is_known(const Row& row) const
+  {
+    return row.unknown < 0 && row.multiples.size() == 1 && m_repeats[row.multiples.front().first] == 0;
+  }
+  void eliminate_densely(const Equation_block& block);
+  void eliminate_sparsely(const Equation_block& block);
   bool invert_densely();
   bool invert_sparsely();
   bool narrow_by(const Row& row, Box_of_ranges& box);
@@ -114,51 +142,72 @@ private:
 };
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_densely()
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate(const Box_of_ranges& box,
+                                                                   const Equation_block& block)
 {
-  m_radii.resize(m_equalities);
-  std::fill(m_slopes.begin(), m_slopes.end(), 0.0);
-  visit_equalities([&](int i, int j, double slope) { m_slopes[i * m_dimension + j] = slope; },
-                   [&](int i, double radius) { m_radii[i] = radius; });
-  for (int i = 0; i < m_equalities; ++i) {
-    const double* row = m_slopes.data() + i * m_dimension;
+  m_enclosures.set_box(box);
+  std::ranges::fill(m_place, -1);
+  for (std::size_t k = 0; k < block.unknowns.size(); ++k)
+    m_place[block.unknowns[k]] = static_cast<int>(k);
+  m_count = 0;
+  if (block.unknowns.size() <= largest_dense_dimension)
+    eliminate_densely(block);
+  else
+    eliminate_sparsely(block);
+  return m_count > 0 && has_finite_multiples();
+}
+
+CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_densely(const Equation_block& block)
+{
+  const int equalities = static_cast<int>(block.equalities.size()), unknowns = static_cast<int>(block.unknowns.size());
+  if (!m_dense)
+    m_dense.emplace(largest_dense_rows(), (std::min)(m_dimension, largest_dense_dimension));
+  m_dense->resize(equalities, unknowns);
+  m_slopes.assign(static_cast<std::size_t>(equalities) * unknowns, 0.0);
+  m_radii.resize(equalities);
+  visit_equalities(
+      block, [&](int i, int k, double slope) { m_slopes[i * unknowns + k] = slope; },
+      [&](int i, double radius) { m_radii[i] = radius; });
+  for (int i = 0; i < equalities; ++i) {
+    const double* row = m_slopes.data() + i * unknowns;
     double size = m_radii[i];
-    for (int j = 0; j < m_dimension; ++j)
-      size += std::abs(row[j]);
+    for (int k = 0; k < unknowns; ++k)
+      size += std::abs(row[k]);
     m_dense->set_row(i, row, size, m_radii[i]);
   }
   m_dense->run();
-  for (int i = 0; i < m_equalities; ++i) {
-    Row& row = m_rows[i];
-    row.unknown = i < m_dense->rank() ? m_dense->unknown(i) : -1;
-    row.multiples.clear();
-    for (int k = 0; k < m_equalities; ++k)
+  for (int i = 0; i < equalities; ++i) {
+    Row& row = begin_row(i < m_dense->rank() ? block.unknowns[m_dense->unknown(i)] : -1);
+    for (int k = 0; k < equalities; ++k)
       if (const double part = m_dense->part(i, k); part != 0)
-        row.multiples.emplace_back(m_system.equalities()[m_dense->equation(k)], part);
+        row.multiples.emplace_back(block.equalities[m_dense->equation(k)], part);
+    ++m_count;
   }
-  return m_dense->rank() > 0 && has_finite_multiples();
+  if (std::all_of(m_rows.begin(), m_rows.begin() + m_count, [&](const Row& row) { return is_known(row); }))
+    m_count = 0;
 }
 
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate_sparsely()
+CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_sparsely(const Equation_block& block)
 {
-  m_sparse->begin();
-  visit_equalities([&](int i, int j, double slope) { m_sparse->add_entry(i, j, slope); },
-                   [&](int i, double radius) { m_sparse->set_radius(i, radius); });
+  const int size = static_cast<int>(block.unknowns.size());
+  if (!m_sparse)
+    m_sparse.emplace(m_dimension);
+  m_sparse->begin(size);
+  visit_equalities(
+      block, [&](int i, int k, double slope) { m_sparse->add_entry(i, k, slope); },
+      [&](int i, double radius) { m_sparse->set_radius(i, radius); });
   m_sparse->run(m_check);
-  int count = 0;
   const auto add_row = [&](int i) {
-    Row& row = m_rows[count++];
-    row.unknown = m_sparse->pivot(i);
-    row.multiples.clear();
+    Row& row = begin_row(m_sparse->pivot(i) < 0 ? -1 : block.unknowns[m_sparse->pivot(i)]);
     for (const auto& [k, part] : m_sparse->multipliers(i))
-      row.multiples.emplace_back(m_system.equalities()[k], part);
+      row.multiples.emplace_back(block.equalities[k], part);
+    m_count += is_known(row) ? 0 : 1; // of many, what is known costs more than it gains
   };
   const std::vector<int>& solved_rows = m_sparse->solved_rows();
   std::for_each(solved_rows.rbegin(), solved_rows.rend(), add_row);
-  for (int i = 0; i < m_dimension; ++i)
+  for (int i = 0; i < size; ++i)
     if (m_sparse->pivot(i) < 0)
       add_row(i);
-  return !solved_rows.empty() && has_finite_multiples();
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::invert_densely()
@@ -210,8 +259,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::invert_sparsely()
 
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::has_finite_multiples() const
 {
-  for (const Row& row : m_rows)
-    for (const auto& [k, part] : row.multiples)
+  for (std::size_t i = 0; i < m_count; ++i)
+    for (const auto& [k, part] : m_rows[i].multiples)
       if (!std::isfinite(part))
         return false;
   return true;

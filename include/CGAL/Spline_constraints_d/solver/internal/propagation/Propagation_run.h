@@ -112,7 +112,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Propagation_run::advance(std::size_t most_no
   return m_search->advance(most_nodes > 0 ? most_nodes - m_cells : 0);
 }
 
-// Of chains with small frontiers: work grows exponentially with these.
+// Of chains with small frontiers: work grows exponentially with these. What falls into short blocks is none.
 CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
 {
   constexpr std::size_t shortest = 16, largest_frontier = 4, most_cells = 0x1p18, most_work = 0x1p23,
@@ -120,7 +120,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
   constexpr int largest_dimension = 64;    // with dense rows
   m_may_be_chain = false;
   const std::vector<Polynomial_constraint>& constraints = m_explicit_unknowns.constraints();
-  if (constraints.size() < shortest || m_explicit_unknowns.dimension() > largest_dimension)
+  const auto is_long = [](const Equation_block& block) { return block.equalities.size() >= shortest; };
+  if (!std::ranges::any_of(m_search->blocks().blocks(), is_long) || m_explicit_unknowns.dimension() > largest_dimension)
     return;
   const Chain_order order(constraints, m_explicit_unknowns.dimension());
   if (order.largest_frontier() > largest_frontier)

@@ -15,6 +15,7 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Depth_first_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
@@ -42,6 +43,7 @@ at some boxes both ways for as long, counted in nodes.
 class Propagation_search
 {
   const Sparse_system& m_system;
+  Block_order m_blocks;
   const Solver_options& m_options;
   Run_control& m_control;
   Parallel_loop m_loop;
@@ -58,7 +60,8 @@ class Propagation_search
 public:
   Propagation_search(const Sparse_system& system, const Solver_options& options, Run_control& control,
                      const Parallel_loop& loop)
-    : m_system(system), m_options(options), m_control(control), m_loop(loop), m_tolerance(options.tolerance)
+    : m_system(system), m_blocks(system), m_options(options), m_control(control), m_loop(loop),
+      m_tolerance(options.tolerance)
   {}
 
   // Looks at all of a box.
@@ -105,6 +108,7 @@ public:
       m_waiting.pop(m_rest.emplace_back());
   }
 
+  const Block_order& blocks() const { return m_blocks; }
   // Different ones, each the only one in its region; not all of them need lie in the box.
   std::vector<Proved_root>& roots() { return m_roots; }
   // Boxes at the tolerance.
@@ -175,7 +179,7 @@ Propagation_search::outcomes_of_round(const std::vector<Task>& tasks)
     const Mpfr_precision_scope precision(m_options.precision);
     std::unique_ptr<Depth_first_propagation>& worker = m_workers[slot];
     if (worker == nullptr)
-      worker = std::make_unique<Depth_first_propagation>(m_system, m_control);
+      worker = std::make_unique<Depth_first_propagation>(m_system, m_blocks, m_control);
     const Task& task = tasks[i < trials ? i : i - trials];
     Propagation_limits limits = task.limits;
     limits.uses_slices = limits.uses_slices != (i < trials);

@@ -61,9 +61,10 @@ public:
     : m_size(size), m_rows(size), m_is_done(size), m_rows_of(size), m_work(size), m_mark(size, 0)
   {}
 
-  // Empties all rows.
-  void begin()
+  // Empties the rows, of which there are so many now, at most as many as at first.
+  void begin(int size)
   {
+    m_size = size;
     for (int i = 0; i < m_size; ++i) {
       m_rows[i].entries.clear();
       m_rows[i].multipliers.assign(1, {i, 1.0});

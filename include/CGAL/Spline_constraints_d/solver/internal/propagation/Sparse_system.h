@@ -161,6 +161,16 @@ public:
   {
     return {m_places.data() + occurrence.first_place, occurrence.last_place - occurrence.first_place};
   }
+  // Whether an unknown is in several of the parts and terms of a constraint.
+  bool repeats_unknown(int constraint) const
+  {
+    const auto functions = elementary_parts(constraint);
+    return std::ranges::any_of(occurrences(constraint), [&](const Occurrence& o) {
+      return places(o).size() + (o.part >= 0 ? 1 : 0) > 1 ||
+          std::ranges::any_of(functions,
+                              [&](const Elementary_part& p) { return function(p.function).unknown == o.unknown; });
+    });
+  }
   std::size_t first_factor(int monomial) const { return m_first_factor[monomial]; }
   std::size_t last_factor(int monomial) const { return m_first_factor[monomial + 1]; }
   const Factor& factor(std::size_t index) const { return m_factors[index]; }
