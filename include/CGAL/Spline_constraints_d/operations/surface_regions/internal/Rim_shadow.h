@@ -248,9 +248,9 @@ private:
     if (m_sheet.period(axis) > 0)
       return {false, false};
     const auto [begin, end] = m_sheet.domain(axis);
-    const std::array<bool, 2> result{box[axis].first<begin, box[axis].second> end};
+    const bool is_cut_below = box[axis].first < begin, is_cut_above = end < box[axis].second;
     box[axis] = {(std::max)(box[axis].first, begin), (std::min)(box[axis].second, end)};
-    return result;
+    return {is_cut_below, is_cut_above};
   }
 
   std::optional<Neighbourhood> neighbourhood(const Parameter_rectangle& box, const std::array<bool, 2>& is_cut,
