@@ -80,7 +80,7 @@ public:
   const std::vector<Weighted_index>& multiples(int row) const { return m_rows[row].multiples; }
 
   // Forms the rows of some equalities, of all by default: those that bound something on a box, wherever it is wide, are
-  // solved; the others stay equalities, or what is left of them. False when there are none.
+  // solved; the others stay equalities, or what is left of them. False when they say no more than propagation knows.
   bool eliminate(const Box_of_ranges& box) { return eliminate(box, m_all); }
   bool eliminate(const Box_of_ranges& box, const Equation_block& block);
 
@@ -129,7 +129,7 @@ private:
     return row;
   }
   // An equality as it is says no more than propagation knows of it, unless it has an unknown more than once.
-  bool is_known(const Row& row) const
+  bool is_row_known(const Row& row) const
   {
     return row.unknown < 0 && row.multiples.size() == 1 && m_repeats[row.multiples.front().first] == 0;
   }
@@ -154,7 +154,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate(const Box_of_
     eliminate_densely(block);
   else
     eliminate_sparsely(block);
-  return m_count > 0 && has_finite_multiples();
+  const auto is_known = [this](const Row& row) { return is_row_known(row); };
+  return !std::all_of(m_rows.begin(), m_rows.begin() + m_count, is_known) && has_finite_multiples();
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_densely(const Equation_block& block)
@@ -183,8 +184,6 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_densely(const
         row.multiples.emplace_back(block.equalities[m_dense->equation(k)], part);
     ++m_count;
   }
-  if (std::all_of(m_rows.begin(), m_rows.begin() + m_count, [&](const Row& row) { return is_known(row); }))
-    m_count = 0;
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_sparsely(const Equation_block& block)
@@ -201,7 +200,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_sparsely(cons
     Row& row = begin_row(m_sparse->pivot(i) < 0 ? -1 : block.unknowns[m_sparse->pivot(i)]);
     for (const auto& [k, part] : m_sparse->multipliers(i))
       row.multiples.emplace_back(block.equalities[k], part);
-    m_count += is_known(row) ? 0 : 1; // of many, what is known costs more than it gains
+    ++m_count;
   };
   const std::vector<int>& solved_rows = m_sparse->solved_rows();
   std::for_each(solved_rows.rbegin(), solved_rows.rend(), add_row);

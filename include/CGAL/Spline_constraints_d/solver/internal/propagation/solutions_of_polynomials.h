@@ -19,6 +19,8 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Search_in_turns.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Common_part.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/solutions_by_propagation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/tensor_size.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -125,15 +127,26 @@ private:
     return result;
   }
 
-  // Sums of multiples of all terms, and an elimination, which is sparse where unknowns are many.
+  // Sums of multiples of all terms, and an elimination, which is sparse where unknowns are many; of one block at once.
   double work_of_propagation() const
   {
-    const Common_part common(m_constraints, static_cast<int>(m_domain.size()), [this] { m_control.check(); });
-    const double n = static_cast<double>(m_domain.size());
-    double terms = 0;
+    const auto check = [this] { m_control.check(); };
+    const int dimension = static_cast<int>(m_domain.size());
+    const Common_part common(m_constraints, dimension, check);
+    const Sparse_system system(dimension + (common.is_found() ? 1 : 0), common.constraints(), check);
+    double inequality_terms = 0, result = 0;
     for (const auto& [polynomial, relation] : common.constraints())
-      terms += static_cast<double>(polynomial.terms().size());
-    return (std::min)(n, largest_small_dimension) * terms + n * n * (n <= largest_small_dimension ? n / 8 : 1);
+      inequality_terms += relation == Relation::EQUAL ? 0 : static_cast<double>(polynomial.terms().size());
+    const Block_order order(system);
+    for (const Equation_block& block : order.blocks()) {
+      const double n = static_cast<double>((std::min)(block.unknowns.size(), m_domain.size()));
+      double terms = inequality_terms;
+      for (const int i : block.equalities)
+        terms += static_cast<double>(common.constraints()[i].first.terms().size());
+      result = (std::max)(
+          result, (std::min)(n, largest_small_dimension) * terms + n * n * (n <= largest_small_dimension ? n / 8 : 1));
+    }
+    return result;
   }
 
   static std::size_t nodes_of_trial(double work, double work_of_node)
