@@ -12,6 +12,9 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 
+// Before strong_components.hpp, as reverse_graph.hpp there has a get() that hides others from it.
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
 
