@@ -246,7 +246,7 @@ TEST(Parallel, Surfaces)
   expect_same(SC::make_system(std::array{t4(x) + t4(y) + t4(z) == 0}), {.tolerance = 1e-8}, -8, 0);
   expect_same(SC::make_system(std::array{square(x) + square(y) == square(z)}), {.tolerance = 1e-8}, 2, 2);
   expect_same(octahedron, {.tolerance = 1e-8}, 2, 0);
-  for (const std::size_t limit : {40, 400, 1200})
+  for (const std::size_t limit : {40, 400, 1000})
     expect_same(SC::make_system(std::array{torus}), {.tolerance = 1e-8, .node_limit = limit}, 0, 0);
 }
 
