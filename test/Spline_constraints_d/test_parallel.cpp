@@ -205,6 +205,7 @@ static void expect_equal(const SC::Surface_solution_set_d& a, const SC::Surface_
   }
   EXPECT_EQ(a.points(), b.points());
   EXPECT_EQ(a.singular_points(), b.singular_points());
+  EXPECT_EQ(a.lone_curves().size(), b.lone_curves().size());
   ASSERT_EQ(a.undecided_regions().size(), b.undecided_regions().size());
   for (std::size_t i = 0; i < a.undecided_regions().size(); ++i) {
     EXPECT_EQ(a.undecided_regions()[i].boxes, b.undecided_regions()[i].boxes);

@@ -122,20 +122,49 @@ TEST(Sweep_envelope, mesh_of_arcs_that_are_one_point)
   EXPECT_LT(coarse.mesh.number_of_vertices(), 2000u);
 }
 
-// Vertices of a solution that no patch has.
+// A vertex of a solution that no patch has: z = x^2 + y^2 with the normals (-2 x, -2 y, 1) moves with the velocity
+// (-1, -1, t), a tangent at a corner at first and nowhere else.
 TEST(Sweep_envelope, mesh_without_patches)
 {
-  const Curve path(3, {0, 0, 0, 0, 1, 1, 1, 1},
-                   {Point(-3, -2, 0), Point(6, 4, Rational(1) / 8), Point(-6, 4, 0), Point(3, -2, 0)});
-  const SC::Envelope_surface_3 tube =
-      SC::sweep_envelope(SC::sphere_surface<K>(Point(0, 0, 0), Rational(1) / 4), Motion::along(path));
-  ASSERT_EQ(tube.parts().size(), 1u);
-  const SC::Envelope_part_3& part = tube.parts().front();
+  std::vector<Point> points;
+  for (const int i : {0, 1, 2})
+    for (const int j : {0, 1, 2})
+      points.emplace_back(Rational(i) / 2, Rational(j) / 2, i / 2 + j / 2);
+  const Surface bowl({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, points);
+  const Rational half = Rational(1) / 2;
+  const Curve path(2, {0, 0, 0, 1, 1, 1}, {Point(0, 0, 0), Point(-half, -half, 0), Point(-1, -1, half)});
+  const SC::Envelope_surface_3 envelope = SC::sweep_envelope(bowl, Motion::along(path));
+  ASSERT_EQ(envelope.parts().size(), 1u);
+  const SC::Envelope_part_3& part = envelope.parts().front();
+  EXPECT_TRUE(envelope.is_complete()) << envelope;
   ASSERT_TRUE(part.solutions.patches().empty());
-  ASSERT_FALSE(part.solutions.vertices().empty());
+  ASSERT_EQ(part.solutions.points().size(), 1u);
   const SC::Solution_surface_mesh mesh = SC::to_surface_mesh(part.solutions, part.image);
   EXPECT_EQ(mesh.mesh.number_of_faces(), 0u);
-  EXPECT_FALSE(mesh.is_complete());
+}
+
+// With a horizontal velocity at the end of the path, for which whole edges of the domain, at the poles of the ball, are
+// solutions: a strip of parameters all the same.
+TEST(Sweep_envelope, edges_that_are_solutions)
+{
+  const Rational half = Rational(1) / 2;
+  const Curve path(2, {0, 0, 0, 1, 1, 1}, {Point(0, 0, 0), Point(1, Rational(1) / 8, half), Point(3, 1, half)});
+  const SC::Envelope_surface_3 tube =
+      SC::sweep_envelope(SC::sphere_surface<K>(Point(0, 0, 0), half / 2), Motion::along(path));
+  ASSERT_EQ(tube.parts().size(), 1u);
+  const SC::Surface_solution_set_d& solutions = tube.parts()[0].solutions;
+  EXPECT_TRUE(solutions.is_complete()) << solutions;
+  EXPECT_EQ(solutions.euler_characteristic(), 1);
+  EXPECT_EQ(solutions.number_of_boundary_loops(), 1u);
+  const SC::Solution_surface_mesh mesh = tube.mesh({.chord_error = 0.05});
+  EXPECT_GT(mesh.mesh.number_of_faces(), 10u);
+  for (const auto v : mesh.mesh.vertices()) {
+    const Point center = path(Rational(mesh.unknowns[v][2]));
+    const auto& p = mesh.mesh.point(v);
+    EXPECT_NEAR(std::hypot(p.x() - CGAL::to_double(center.x()), p.y() - CGAL::to_double(center.y()),
+                           p.z() - CGAL::to_double(center.z())),
+                0.25, 1e-12);
+  }
 }
 
 // The points of an ellipsoid where the velocity d is a tangent: <x/a^2, d> = 0.

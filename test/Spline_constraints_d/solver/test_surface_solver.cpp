@@ -210,21 +210,31 @@ TEST(Surface_solver, surfaces_that_meet_in_a_point)
   EXPECT_TRUE(set.vertices()[set.singular_points()[0]].is_singular);
 }
 
-// A saddle on a face of the domain, and a face that is touched along a circle: planes keep away from what is not known
-// there, and what is left is right.
+// Saddles on faces of the domain: boundaries meet themselves, or each other.
+TEST(Surface_solver, saddles_on_faces)
+{
+  const SC::Surface_solution_set_d strip =
+      SC::solve_surfaces(system({{Rational(7) / 10, 2}, {-2, 2}, {-2, 2}}, {torus(x, y, z)}));
+  const SC::Surface_solution_set_d quarters = SC::solve_surfaces(system({{-1, 1}, {-1, 1}, {0, 1}}, {x * y - z}));
+  for (const SC::Surface_solution_set_d* set : {&strip, &quarters}) {
+    EXPECT_TRUE(set->is_complete()) << *set;
+    check_complex(*set);
+    EXPECT_EQ(set->singular_points().size(), 1u);
+  }
+  EXPECT_EQ(counts_of(strip), (Counts{{1, 1}}));
+  EXPECT_EQ(counts_of(quarters), (Counts{{1, 1}, {1, 1}}));
+}
+
+// Three unknowns in two equalities, both of which need all: a face is touched along a curve that is not seen. Planes
+// keep away from what is not known there, and what is left is right.
 TEST(Surface_solver, undecided_faces)
 {
-  const SC::Surface_solution_set_d saddle =
-      SC::solve_surfaces(system({{Rational(7) / 10, 2}, {-2, 2}, {-2, 2}}, {torus(x, y, z)}));
-  EXPECT_FALSE(saddle.is_complete());
-  check_complex(saddle);
-  EXPECT_EQ(counts_of(saddle), (Counts{{1, 1}})); // a strip less what is near the saddle
-  ASSERT_EQ(saddle.undecided_regions().size(), 1u);
-  EXPECT_FALSE(saddle.undecided_regions()[0].arcs.empty());
-  const SC::Surface_solution_set_d circle =
-      SC::solve_surfaces(system({{-2, 2}, {-2, 2}, {-2, Rational(3) / 10}}, {torus(x, y, z)}));
+  const Power_polynomial ring = square(x) + square(y);
+  const SC::Surface_solution_set_d circle = SC::solve_surfaces(
+      system({{-2, 2}, {-2, 2}, {0, 2}, {0, 9}}, {ring + w * z - number(1), ring * (number(1) + z) - number(1) - w}));
   EXPECT_FALSE(circle.is_complete());
   EXPECT_FALSE(circle.undecided_regions().empty());
+  check_complex(circle);
 }
 
 TEST(Surface_solver, limits_and_bad_input)

@@ -175,6 +175,7 @@ class Surface_solution_set_d
   std::vector<Undecided_surface_region> m_undecided;
   Summary m_summary;
   std::vector<Surface_crossing> m_crossings;
+  std::vector<Curve_solution_set_d> m_lone_curves;
 
 public:
   //! the parts of a solution, which refer to each other by indices. `system`: the equalities that the boxes belong to;
@@ -227,11 +228,18 @@ public:
   //! where surfaces of two systems that differ in one factor have common points. Those of others meet there only, too.
   const std::vector<Surface_crossing>& crossings() const { return m_crossings; }
 
+  //! curves that no surface is around, in the unknowns of the boxes: a surface of solutions of the equalities only
+  //! touches a face of the domain there, or an edge, from outside. One set for each such face or edge.
+  const std::vector<Curve_solution_set_d>& lone_curves() const { return m_lone_curves; }
+
   //! adds the surfaces of other systems with the same unknowns.
   void add(const Surface_solution_set_d& others);
 
   //! adds what is known of common points of surfaces of two systems.
   void add(Surface_crossing crossing);
+
+  //! adds curves that no surface is around.
+  void add_lone_curves(Curve_solution_set_d curves) { m_lone_curves.push_back(std::move(curves)); }
 
   //! adds a point where surfaces of two systems touch.
   void add_singular_point(Curve_vertex point)
@@ -257,10 +265,11 @@ public:
   const std::vector<Undecided_surface_region>& undecided_regions() const { return m_undecided; }
 
   //! the same regions, with the box around each.
-  //! what is undecided of crossings comes last.
+  //! what is undecided of crossings, and of curves alone, comes last.
   std::vector<Undecided_part> undecided() const;
 
-  //! whether all solutions lie on the surfaces, or are points, by proof, and crossings are known: nothing is undecided.
+  //! whether all solutions lie on the surfaces, or are points and curves alone, by proof, and crossings are known:
+  //! nothing is undecided.
   bool is_complete() const { return m_summary.is_complete; }
 
   //! the work.
@@ -322,6 +331,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_solution_set_d::add(const Surface_so
   }
   for (const Surface_crossing& crossing : others.m_crossings)
     m_crossings.push_back({{crossing.systems[0] + systems, crossing.systems[1] + systems}, crossing.curves});
+  append(m_lone_curves, others.m_lone_curves);
   m_summary += others.m_summary;
 }
 
@@ -336,9 +346,14 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Surface_solution_set_d::add(Surface_crossing
 CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<Undecided_part> Surface_solution_set_d::undecided() const
 {
   std::vector<Undecided_part> result = internal::parts_of_regions(m_undecided);
-  for (const Surface_crossing& crossing : m_crossings)
-    for (Undecided_part& part : internal::parts_of_regions(crossing.curves.undecided_regions()))
+  const auto append = [&](const Curve_solution_set_d& curves) {
+    for (Undecided_part& part : curves.undecided())
       result.push_back(std::move(part));
+  };
+  for (const Surface_crossing& crossing : m_crossings)
+    append(crossing.curves);
+  for (const Curve_solution_set_d& curves : m_lone_curves)
+    append(curves);
   return result;
 }
 
@@ -354,18 +369,20 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::ostream& operator<<(std::ostream& out, const
 {
   const bool is_complete = set.is_complete();
   const char* const least = is_complete ? "" : "at least ";
-  std::size_t undecided = set.undecided_regions().size(), crossing_curves = 0;
-  for (const Surface_crossing& crossing : set.crossings()) {
-    undecided += crossing.curves.undecided_regions().size();
+  std::size_t crossing_curves = 0, lone_curves = 0;
+  for (const Surface_crossing& crossing : set.crossings())
     crossing_curves += crossing.curves.curves().size();
-  }
+  for (const Curve_solution_set_d& curves : set.lone_curves())
+    lone_curves += curves.curves().size();
   out << "surfaces: " << least << set.surfaces().size() << " components, Euler characteristic "
       << set.euler_characteristic() << ", " << set.number_of_boundary_loops() << " boundary loops, " << least
-      << set.points().size() + set.singular_points().size() << " singular points, " << undecided
+      << set.points().size() + set.singular_points().size() << " singular points, " << set.undecided().size()
       << " undecided; complete: " << (is_complete ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds "
       << set.summary().seconds;
   if (crossing_curves > 0)
     out << "; crossing in " << crossing_curves << " curves";
+  if (lone_curves > 0)
+    out << "; touching the domain in " << lone_curves << " curves";
   return out;
 }
 #endif

@@ -36,9 +36,11 @@ once for the boxes on both sides, and cut where other planes cross them. A box i
 solution, and accepted when its solutions are proved to be a graph over two unknowns, and the curves on its boundary one
 loop: then they are a disk. So no component and no hole is lost, however small, and nothing is joined by distance.
 
-A surface may touch a face of the domain: for one equality in three unknowns, and at a point with rational coordinates
-where the contact is of second order, it is decided from which side. Corners of the domain that surfaces pass through
-are decided for three unknowns. Inequalities cut surfaces as faces of the domain do, see `Surface_solution_set_d`.
+A surface may touch a face of the domain: at a point with rational coordinates where the contact is of second order, or
+along a curve where an equality has a factor with an even exponent on the face, it is decided from which side. Corners
+of the domain that surfaces pass through are decided for three unknowns, and so are edges of the domain that are
+solutions, for one equality in three unknowns, beside which others may give one unknown each. Inequalities cut surfaces
+as faces of the domain do, see `Surface_solution_set_d`.
 Vertices where surfaces meet are told. Of one equality in three unknowns, isolated singular points inside of the domain,
 and of the cells of splines, are decided with the disks that end in them: where the second derivative is regular, as at
 the apex of a cone, and rational ones where weights of the unknowns exist such that the terms of least weight have no
@@ -46,8 +48,7 @@ other singular point, as where spheres touch. Faces of the domain and inequaliti
 first kind, across the cone. Repeated factors of equalities are left out. Polynomials in up to three
 unknowns are factored over the rational numbers: surfaces of different factors have no common cells, and the curves
 where they meet are told. The same holds for faces of the domain, and planes of breaks, on which an equality is zero.
-With features this is not done. Other singular points and curves, and edges of the domain that are solutions, are left
-undecided; boxes that touch are one region.
+With features this is not done. Other singular points and curves are left undecided; boxes that touch are one region.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its
 number type and its splitter. Curves and points on planes are always decided by `Certified_solver_traits`.

@@ -186,8 +186,9 @@ proves the cells of surfaces of solutions once more, from their boxes alone, in 
 the solver: that solutions in the box of each patch are a graph over its parameters and have its orientation, those in
 the box of each arc, on its plane, a graph over its parameter, that the box of each vertex holds one solution on its
 planes, and that boundaries are loops. `true` only when all of these proofs succeed. That there are no other solutions
-is not proved again, nor are patches with an apex, for which the answer is `false`; `false` says nothing else either, as
-bounds are other ones than those of the solver.
+is not proved again, nor are patches with an apex, and cells where surfaces meet a face at no angle, as at a saddle, or
+begin within an edge, for which the answer is `false`; `false` says nothing else either, as bounds are other ones than
+those of the solver.
 
 Cost: an exact expansion of the equalities for each cell, of a patch several ones; much more than solving takes.
 */

@@ -34,6 +34,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -115,9 +116,12 @@ public:
   Labelled_sheets(std::shared_ptr<Scene> scene, const Envelope_surface_3& sheets, Operation_budget& budget)
     : m_scene(std::move(scene))
   {
-    for (std::size_t i = 0; i < sheets.parts().size(); ++i)
+    for (std::size_t i = 0; i < sheets.parts().size(); ++i) {
+      std::set<Curve_vertex::Exact_box> boxes; // several patches may be in one
       for (const Surface_patch& patch : sheets.parts()[i].solutions.patches())
-        add(i, sheets.parts()[i], patch, budget);
+        if (boxes.insert(patch.box).second)
+          add(i, sheets.parts()[i], patch, budget);
+    }
     join_undecided(budget);
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/certification/rational_coordinates.h>
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/decomposition/Box_lifting.h>
+#include <CGAL/Spline_constraints_d/solver/internal/decomposition/curves_after_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/united_surfaces.h>
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
@@ -96,16 +97,19 @@ inline Surface_solution_set_d lifted(const Surface_solution_set_d& found, const 
   for (Undecided_surface_region& region : undecided)
     for (Exact_box& box : region.boxes)
       box = lifting(box);
-  return {std::make_shared<const Constraint_system_d>(system),
-          system.dimension(),
-          std::move(vertices),
-          std::move(arcs),
-          std::move(patches),
-          found.surfaces(),
-          found.points(),
-          found.singular_points(),
-          std::move(undecided),
-          found.summary()};
+  Surface_solution_set_d result{std::make_shared<const Constraint_system_d>(system),
+                                system.dimension(),
+                                std::move(vertices),
+                                std::move(arcs),
+                                std::move(patches),
+                                found.surfaces(),
+                                found.points(),
+                                found.singular_points(),
+                                std::move(undecided),
+                                found.summary()};
+  for (const Curve_solution_set_d& curves : found.lone_curves())
+    result.add_lone_curves(lifted(curves, lifting));
+  return result;
 }
 
 /*

@@ -36,13 +36,14 @@ inline Plane_point with_plane(Plane_point point, int axis, const Exact_rational&
   return point;
 }
 
-// An arc on a plane, and what it was cut into.
+// An arc on a plane, and what it was cut into. It may be a part of an edge of the domain.
 struct Stored_arc
 {
   std::shared_ptr<const Exact_ranges> shared_box; // with its parts
   int plane, parameter;
   std::array<std::size_t, 2> ends;
   std::vector<std::size_t> parts = {}; // in the order from its first end; none: it was not cut
+  bool is_on_edge = false;
 
   const Exact_ranges& box() const { return *shared_box; }
 };

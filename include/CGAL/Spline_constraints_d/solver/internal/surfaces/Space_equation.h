@@ -29,7 +29,8 @@ namespace internal {
 /*
 The one equality in three unknowns that a system without breaks comes down to when each of the others gives one more
 unknown as a polynomial in these, and that is in no other: those that stand for inequalities and features do. Where the
-values of these lie inside of their ranges, the surface is a graph over that of the one equality in space.
+values of these lie inside of their ranges, the surface is a graph over that of the one equality in space. If all
+equalities give unknowns, the first one is taken, as for a graph over a plane.
 */
 class Space_equation
 {
@@ -68,6 +69,11 @@ public:
         result.m_equality = e;
         ++others;
       }
+    if (others == 0) {
+      is_given[static_cast<std::size_t>(result.m_given.front().unknown)] = false;
+      result.m_given.erase(result.m_given.begin());
+      others = 1;
+    }
     if (others != 1)
       return std::nullopt;
     for (std::size_t j = 0, k = 0; j < n; ++j)

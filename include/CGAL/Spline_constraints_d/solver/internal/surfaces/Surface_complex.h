@@ -75,13 +75,23 @@ public:
     std::vector<Undecided_surface_region> undecided = regions();
     std::vector<Solution_surface> surfaces = connected_surfaces(undecided);
     Summary summary = m_found.summary;
-    if (!undecided.empty()) {
+    const auto is_incomplete_for = [&](Undecided_reason reason) {
       summary.is_complete = false;
-      summary.why_not = undecided.front().reason;
+      summary.why_not = reason;
+    };
+    for (const Curve_solution_set_d& curves : m_found.lone_curves) {
+      summary.nodes += curves.summary().nodes;
+      if (!curves.is_complete())
+        is_incomplete_for(curves.summary().why_not);
     }
-    return Surface_solution_set_d(std::move(system), dimension, std::move(m_vertices), std::move(m_arcs),
+    if (!undecided.empty())
+      is_incomplete_for(undecided.front().reason);
+    Surface_solution_set_d result(std::move(system), dimension, std::move(m_vertices), std::move(m_arcs),
                                   std::move(m_found.patches), std::move(surfaces), std::move(points),
                                   std::move(m_singular_points), std::move(undecided), summary);
+    for (Curve_solution_set_d& curves : m_found.lone_curves)
+      result.add_lone_curves(std::move(curves));
+    return result;
   }
 
 private:

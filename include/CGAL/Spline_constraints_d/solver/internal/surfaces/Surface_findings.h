@@ -30,6 +30,22 @@ struct Undecided_surface_box
   Undecided_reason reason;
 };
 
+// A face of the domain that has a part of its own: there the surfaces cross it where these equalities are zero, which
+// are without what they only touch, and without edges.
+struct Changed_face
+{
+  int axis;
+  Exact_ranges box;           // of a cell, and where that unknown is fixed
+  Constraint_system_d system; // in all unknowns
+
+  // Whether it has a face of a box.
+  bool has(int unknown, const Exact_rational& value, Exact_ranges around) const
+  {
+    around[unknown] = {value, value};
+    return unknown == axis && is_within(around, box);
+  }
+};
+
 // A box in a cell, with the arcs on its boundary.
 struct Surface_task
 {
@@ -70,6 +86,7 @@ struct Task_environment
   const Exact_ranges& domain;                  // of the whole system
   const std::vector<Exact_ranges>& open_parts; // of planes: what was not decided there
   const std::vector<Plane_point>& touching;    // on faces of cells where no curve on the face ends
+  const std::vector<Changed_face>& changed_faces;
   const Known_cones& cones;                    // in the cell
   std::size_t undecided;                       // boxes
   std::size_t number;                          // of the task
@@ -81,8 +98,10 @@ struct Surface_findings
   Arc_store arcs = {};
   std::vector<Exact_ranges> open_parts = {}; // of planes: what was not decided there
   std::vector<Plane_point> touching = {};    // on faces of cells where no curve on the face ends
+  std::vector<Changed_face> changed_faces = {};
   std::vector<Surface_patch> patches = {};
   std::vector<std::size_t> points = {}; // vertices that are all of a surface in the domain
+  std::vector<Curve_solution_set_d> lone_curves = {}; // likewise
   std::vector<Undecided_surface_box> undecided = {};
   Summary summary = {};
 

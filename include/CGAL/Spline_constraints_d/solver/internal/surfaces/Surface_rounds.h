@@ -107,7 +107,9 @@ private:
       [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
       found[i] = std::make_unique<Task_findings>(Arc_part(m_found.arcs, tasks[i].arcs));
       subdivision(tasks[i].cell, slot)
-          .run(tasks[i], budget, {m_domain, m_found.open_parts, m_found.touching, before[tasks[i].cell], undecided, i},
+          .run(tasks[i], budget,
+               {m_domain, m_found.open_parts, m_found.touching, m_found.changed_faces, before[tasks[i].cell], undecided,
+                i},
                *found[i]);
     });
     std::vector<Surface_task> again;

@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Cone_finder.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Layer_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Link_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Plane_crossings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/arc_loops.h>
 
@@ -56,7 +57,8 @@ meet the arcs, which are cut there, and both halves get them. A plane is taken w
 
 A box is finished when it has no solutions, or when they are a graph over two unknowns whose boundary is one loop: seen
 along the other unknowns the loop is a simple closed curve, and the graph is the disk that it bounds. Without arcs the
-graph would have no boundary, and there is none. With several loops the box is split.
+graph would have no boundary, and there is none. With several loops, unless they have a common vertex and bound disks,
+the box is split.
 */
 template <class Traits>
 class Surface_subdivision : Graph_box_search<Traits>
@@ -92,14 +94,6 @@ private:
     int axis;
     double place; // between the ends of the node
     Arc_indices below, above;
-  };
-
-  // What is found on a plane: arcs and their ends, and which of these cut arcs around.
-  struct Plane_arcs
-  {
-    std::vector<Plane_point> points = {};
-    std::vector<Curve_piece> pieces = {}; // on the plane
-    Arc_store::Cuts cuts = {};
   };
 
 public:
@@ -183,26 +177,25 @@ private:
                        [&](const Exact_ranges& part) { return touch(part, box); });
   }
 
-  // Finishes a box where the solutions are a graph, if its arcs are one loop, or none.
+  // Finishes a box where the solutions are a graph, if its arcs are loops around disks, or there are none.
   bool is_patch(const Exact_ranges& box, const Arc_indices& arcs)
   {
     if (touches_open_part(box))
       return false;
     if (arcs.empty())
       return true;
-    std::optional<std::vector<Surface_patch::Side>> loop = single_loop(*m_store, arcs);
-    if (!loop)
-      return false;
-    const std::vector<int> parameters = m_graph.parameters();
-    m_found->patches.push_back({box, {parameters[0], parameters[1]}, this->sign_of_minor(), *std::move(loop)});
-    return true;
+    const std::array<int, 2> parameters{m_graph.parameters()[0], m_graph.parameters()[1]};
+    std::optional<std::vector<Arc_loop>> loops = loops_around_disks(*m_store, arcs, parameters);
+    for (std::size_t k = 0; loops && k < loops->size(); ++k)
+      m_found->patches.push_back({box, parameters, this->sign_of_minor(), std::move((*loops)[k])});
+    return loops.has_value();
   }
 
   // Finishes a box where the solutions are the cone over its arcs, with a singular point as the apex: a disk for each
   // loop. Faces of the domain that the box reaches have no solutions there but the apex, or they cross the cone.
   bool is_cone(const Exact_ranges& box, const Arc_indices& arcs)
   {
-    if (!m_cones.space() || !may_gradient_vanish() || touches_open_part(box))
+    if (!m_cones.space() || !may_gradient_vanish() || touches_open_part(box) || touches_changed_face(box))
       return false;
     const Cone_point* const point = m_cones(box, m_environment->domain);
     if (!point)
@@ -230,6 +223,21 @@ private:
   {
     return std::any_of(m_environment->touching.begin(), m_environment->touching.end(),
                        [&](const Plane_point& other) { return touch(other.box, box) && !is_at(other, point); });
+  }
+
+  // A face where not all solutions are on arcs, or some on edges.
+  const Changed_face* changed_face(const Exact_ranges& box, int axis, const Exact_rational& value) const
+  {
+    const auto& faces = m_environment->changed_faces;
+    const auto found =
+        std::find_if(faces.begin(), faces.end(), [&](const Changed_face& face) { return face.has(axis, value, box); });
+    return found == faces.end() ? nullptr : &*found;
+  }
+
+  bool touches_changed_face(const Exact_ranges& box) const
+  {
+    const auto& faces = m_environment->changed_faces;
+    return std::any_of(faces.begin(), faces.end(), [&](const Changed_face& face) { return touch(face.box, box); });
   }
 
   // Of the equality in space.
@@ -282,13 +290,15 @@ private:
   std::optional<std::pair<Arc_indices, Arc_indices>> parts_at(const Exact_ranges& box, const Arc_indices& arcs,
                                                               int axis, const Exact_rational& value)
   {
-    if (meets_open_part(box, axis, value) || !are_ends_beside(arcs, axis, value))
+    const Plane_crossings crossings(*m_store, arcs, axis, value);
+    if (meets_open_part(box, axis, value) || !crossings.are_ends_beside())
       return std::nullopt;
     std::optional<Plane_arcs> found;
     if constexpr (has_doubles)
-      found = arcs_on_layer(box, arcs, axis, value);
+      if (!crossings.meet_edges())
+        found = arcs_on_layer(box, crossings, axis, value);
     if (!found)
-      found = arcs_on_plane(box, arcs, axis, value);
+      found = arcs_on_plane(box, crossings, axis, value);
     if (!found || !m_store->sort(found->cuts, found->points))
       return std::nullopt;
     const std::vector<std::size_t> vertices = m_store->add_vertices(std::move(found->points));
@@ -296,7 +306,7 @@ private:
   }
 
   // From the layer of the lower part of the node, if its box is the exact one.
-  std::optional<Plane_arcs> arcs_on_layer(const Exact_ranges& box, const Arc_indices& arcs, int axis,
+  std::optional<Plane_arcs> arcs_on_layer(const Exact_ranges& box, const Plane_crossings& crossings, int axis,
                                           const Exact_rational& value)
   {
     if (m_layers.empty() || !has_box(m_below, box, axis))
@@ -320,7 +330,7 @@ private:
       add_new_points();
       return true;
     };
-    const bool is_certain = find_crossings(arcs, axis, value, add_points, result) && layer.find_curves();
+    const bool is_certain = crossings.find_on_faces(add_points, result) && layer.find_curves();
     m_summary.nodes += layer.nodes();
     if (!is_certain)
       return std::nullopt;
@@ -349,7 +359,7 @@ private:
   }
 
   // From the exact functions.
-  std::optional<Plane_arcs> arcs_on_plane(const Exact_ranges& box, const Arc_indices& arcs, int axis,
+  std::optional<Plane_arcs> arcs_on_plane(const Exact_ranges& box, const Plane_crossings& crossings, int axis,
                                           const Exact_rational& value)
   {
     const Constraint_system_d plane = on_plane(m_equalities, box, axis, value);
@@ -362,12 +372,19 @@ private:
         result.points.push_back(with_plane(found.vertices[i], axis, value));
     };
     const auto add_points = [&](int face, const Exact_rational& place) {
-      if (!found.vertices.on_plane(plane, reduced, face - (face > axis ? 1 : 0), place, {}, true))
+      const Changed_face* const own = changed_face(box, face, place);
+      if (!found.vertices.on_plane(own ? on_plane(own->system, box, axis, value) : plane, reduced,
+                                   face - (face > axis ? 1 : 0), place, {}, true))
         return false;
       add_new_points();
       return true;
     };
-    if (!find_crossings(arcs, axis, value, add_points, result) || !find_regular_curves(plane, found))
+    const auto add_point = [&](const Plane_point& point) {
+      found.vertices.add(without_axis(point, axis));
+      add_new_points();
+    };
+    if ((crossings.meet_edges() && !crossings.find_on_edges(*m_cones.space(), add_point, result)) ||
+        !crossings.find_on_faces(add_points, result) || !find_regular_curves(plane, found))
       return std::nullopt;
     add_new_points();
     result.pieces = std::move(found.pieces);
@@ -383,61 +400,9 @@ private:
                        });
   }
 
-  // No end of an arc may be on the plane.
-  bool are_ends_beside(const Arc_indices& arcs, int axis, const Exact_rational& value) const
-  {
-    for (const std::size_t a : arcs)
-      for (const std::size_t i : m_store->arcs()[a].ends) {
-        const auto& [lower, upper] = m_store->vertex(i).box[axis];
-        if (lower <= value && value <= upper)
-          return false;
-      }
-    return true;
-  }
-
-  // The points where the plane meets arcs: on each face of the box that has arcs which may reach it, all solutions on
-  // both, each on just one of the arcs. `add_points(face, place)` adds those on a face, or is not certain.
-  template <std::predicate<int, const Exact_rational&> Add_points>
-  bool find_crossings(const Arc_indices& arcs, int axis, const Exact_rational& value, const Add_points& add_points,
-                      Plane_arcs& found)
-  {
-    std::set<std::pair<int, Exact_rational>> faces;
-    for (const std::size_t a : arcs) {
-      const Stored_arc& arc = m_store->arcs()[a];
-      if (arc.box()[axis].first <= value && value <= arc.box()[axis].second)
-        faces.emplace(arc.plane, arc.box()[arc.plane].first);
-    }
-    for (const auto& [face, place] : faces) {
-      const std::size_t before = found.points.size();
-      if (face == axis || !add_points(face, place))
-        return false;
-      for (std::size_t i = before; i < found.points.size(); ++i) {
-        if (found.points[i].planes() != 2)
-          return false;
-        const std::optional<std::size_t> arc = m_store->arc_of(found.points[i], face, arcs);
-        if (!arc)
-          return false;
-        found.cuts[*arc].push_back(i);
-      }
-    }
-    return are_sides_consistent(arcs, found.cuts, axis, value);
-  }
-
   bool is_above(std::size_t vertex, int axis, const Exact_rational& value) const
   {
     return value < m_store->vertex(vertex).box[axis].first;
-  }
-
-  // An arc crosses the plane at each of its points there.
-  bool are_sides_consistent(const Arc_indices& arcs, const Arc_store::Cuts& cuts, int axis,
-                            const Exact_rational& value) const
-  {
-    return std::all_of(arcs.begin(), arcs.end(), [&](std::size_t a) {
-      const auto own = cuts.find(a);
-      const std::size_t count = own == cuts.end() ? 0 : own->second.size();
-      const auto& [first, last] = m_store->arcs()[a].ends;
-      return (is_above(first, axis, value) != is_above(last, axis, value)) == (count % 2 == 1);
-    });
   }
 
   // The curves on a plane; false when not all of them are proved to be regular.

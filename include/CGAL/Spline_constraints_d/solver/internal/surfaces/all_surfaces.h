@@ -15,10 +15,13 @@
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
 #include <CGAL/Spline_constraints_d/solver/internal/curves/Vanishing_face.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Edge_arcs.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/Face_equation.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_complex.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_findings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Surface_rounds.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/inequalities_as_unknowns.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/lone_curves.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/touching_points.h>
 
 #include <algorithm>
@@ -63,14 +66,18 @@ class All_surfaces
   std::vector<std::vector<Exact_rational>> m_breaks;
   Surface_findings m_found;
   std::vector<Touching_point> m_touching;
+  std::vector<Lone_part> m_lone_parts;
 
   // What is found on a face.
   struct Curves_on_face
   {
     Cell_face face;
+    std::size_t cell; // one that has it
     Curve_findings curves;
     bool is_open = false; // all of it is undecided
     Arc_indices arcs = {};
+    std::optional<Face_equation> equation = std::nullopt; // where it has edges, or repeated factors
+    Touching_curves touching = {};
   };
 
 public:
@@ -130,15 +137,20 @@ private:
           face.box[axis] = {end, end};
           const auto [entry, is_new] = places.try_emplace(face, faces.size());
           if (is_new)
-            faces.push_back({std::move(face), {Curve_vertices(m_options, true)}});
+            faces.push_back({std::move(face), c, {Curve_vertices(m_options, true)}});
           faces_of[c].push_back(entry->second);
         }
+    find_equations(faces, cells);
+    const std::vector<std::pair<std::size_t, std::size_t>> edges = common_edges(faces);
     parallel_for<Concurrency_tag>(faces.size(), [&](std::size_t i, std::size_t) {
       if (!m_control.must_stop(true))
-        find_curves_on(faces[i]);
+        find_curves_on(faces[i], faces);
     });
     for (Curves_on_face& face : faces)
       take(face);
+    for (const auto& [first, second] : edges)
+      if (!faces[first].is_open && !faces[second].is_open)
+        add_edge(faces[first], *faces[second].equation);
     std::vector<Surface_task> result;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       result.push_back({c, cells[c], {}});
@@ -148,23 +160,99 @@ private:
     return result;
   }
 
-  void find_curves_on(Curves_on_face& face) const
+  // Of faces of the domain, if there is something special about these.
+  void find_equations(std::vector<Curves_on_face>& faces, const std::vector<Exact_ranges>& cells) const
   {
-    const Constraint_system_d spline = on_plane(m_system, face.face.box, face.face.axis, face.face.value);
+    std::shared_ptr<const Cell_equalities> cell; // of faces that follow each other
+    std::size_t last = cells.size();
+    for (Curves_on_face& face : faces) {
+      const auto& [axis, value, box] = face.face;
+      if (value != m_domain[axis].first && value != m_domain[axis].second)
+        continue;
+      if (std::exchange(last, face.cell) != face.cell)
+        cell = std::make_shared<const Cell_equalities>(on_cell(m_system, cells[face.cell]));
+      face.equation = Face_equation::of(cell, axis, value);
+    }
+  }
+
+  // The faces that have a common edge on which the equality in space is zero. A face with another such edge is as if
+  // nothing was known about it, and so are those beside it.
+  static std::vector<std::pair<std::size_t, std::size_t>> common_edges(std::vector<Curves_on_face>& faces)
+  {
+    for (;;) {
+      std::vector<std::pair<std::size_t, std::size_t>> result;
+      std::vector<std::size_t> count(faces.size(), 0);
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t k = i + 1; k < faces.size(); ++k)
+          if (faces[i].equation && faces[k].equation && faces[i].cell == faces[k].cell &&
+              Edge_arcs(*faces[i].equation, *faces[k].equation).is_regular()) {
+            result.emplace_back(i, k);
+            ++count[i];
+            ++count[k];
+          }
+      bool are_known = true;
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        if (faces[i].equation && faces[i].equation->edges().size() != count[i]) {
+          faces[i].equation.reset();
+          are_known = false;
+        }
+      if (are_known)
+        return result;
+    }
+  }
+
+  void find_curves_on(Curves_on_face& face, const std::vector<Curves_on_face>& faces) const
+  {
+    const auto on_own_plane = [&](const Constraint_system_d& system) {
+      return on_plane(system, face.face.box, face.face.axis, face.face.value);
+    };
+    const Constraint_system_d spline = on_own_plane(face.equation ? face.equation->crossing_system() : m_system);
     const Exact_ranges box = domain_of(spline);
     const Constraint_system_d plane = on_cell(spline, box);
     Curve_findings& found = face.curves;
+    if (face.equation)
+      face.touching = touching_curves(*face.equation, m_options, m_control);
     std::vector<std::size_t> known;
     for (int j = 0; j < plane.dimension(); ++j)
       for (const Exact_rational& end : {box[j].first, box[j].second}) {
-        const auto on_edge = found.vertices.on_plane(plane, box, j, end, known, false);
+        const Face_equation* const special = equation_at_edge(face, j + (j >= face.face.axis ? 1 : 0), end, faces);
+        const auto on_edge = found.vertices.on_plane(special ? on_own_plane(special->crossing_system()) : plane, box, j,
+                                                     end, known, false);
         for (const std::size_t i : *on_edge)
           if (std::find(known.begin(), known.end(), i) == known.end())
             known.push_back(i);
+        if (special && !(face.equation && special == &*face.equation))
+          for (Plane_point& corner : ends_of_edges(*special, face.face.axis, face.face.value))
+            if (!face.equation || vanishes_at(face.equation->crossing(), corner.box))
+              add_corner(without_axis(std::move(corner), face.face.axis), found.vertices, known);
       }
     face.is_open = found.vertices.meets_continuum(box);
     if (!face.is_open)
       find_curves(plane, box, m_options, m_control, (std::numeric_limits<std::size_t>::max)(), false, found);
+  }
+
+  static void add_corner(Plane_point&& corner, Curve_vertices& vertices, std::vector<std::size_t>& known)
+  {
+    if (std::none_of(known.begin(), known.end(), [&](std::size_t i) {
+          return vertices[i].is_fixed == corner.is_fixed && vertices[i].box == corner.box;
+        }))
+      known.push_back(vertices.add(std::move(corner)));
+  }
+
+  // What is special about an edge of a face: the same for both faces that have it, so that they have the same points
+  // there. Nothing if the equality is zero on the edge, or that does not help.
+  static const Face_equation* equation_at_edge(const Curves_on_face& face, int axis, const Exact_rational& value,
+                                               const std::vector<Curves_on_face>& faces)
+  {
+    const Face_equation* const own = face.equation ? &*face.equation : nullptr;
+    if (own && own->edge(axis, value))
+      return nullptr;
+    const auto other = std::find_if(faces.begin(), faces.end(), [&](const Curves_on_face& beside) {
+      return beside.equation && beside.cell == face.cell && beside.face.axis == axis && beside.face.value == value;
+    });
+    return other != faces.end() && (!own || axis < own->axis()) && have_edges_corners(*other->equation, face.face.axis)
+        ? &*other->equation
+        : own;
   }
 
   // The arcs on a face of a cell. What is not decided there is kept apart, so that no patch reaches it.
@@ -176,7 +264,9 @@ private:
       m_found.open_parts.push_back(box);
       return;
     }
-    m_found.summary.nodes += found.summary.nodes + found.vertices.work().nodes;
+    m_found.summary.nodes += found.summary.nodes + found.vertices.work().nodes + face.touching.nodes;
+    if (face.equation)
+      take(face.face, *face.equation, face.touching);
     for (const Undecided_box& undecided : found.undecided) {
       m_found.open_parts.push_back(undecided.box);
       m_found.open_parts.back().insert(m_found.open_parts.back().begin() + axis, {value, value});
@@ -199,6 +289,35 @@ private:
     face.arcs = m_found.arcs.add_arcs(found.pieces, vertices, axis, value);
   }
 
+  // What is special about a face.
+  void take(const Cell_face& face, const Face_equation& equation, Touching_curves& touching)
+  {
+    m_found.changed_faces.push_back({face.axis, face.box, equation.crossing_system()});
+    m_found.open_parts.insert(m_found.open_parts.end(), touching.open.begin(), touching.open.end());
+    add_lone_curves(std::move(touching.part), std::move(touching.outside));
+  }
+
+  void add_lone_curves(Lone_part&& part, std::optional<Curve_solution_set_d>&& curves)
+  {
+    if (!curves)
+      return;
+    m_lone_parts.push_back(std::move(part));
+    m_found.lone_curves.push_back(*std::move(curves));
+  }
+
+  // The arcs on an edge between two faces, of which the first one gets them.
+  void add_edge(Curves_on_face& face, const Face_equation& other)
+  {
+    const Edge_arcs edge(*face.equation, other);
+    const Edge_arcs::Result found = edge(m_found.arcs);
+    face.arcs.insert(face.arcs.end(), found.arcs.begin(), found.arcs.end());
+    m_found.open_parts.insert(m_found.open_parts.end(), found.open.begin(), found.open.end());
+    if (found.has_lone_part)
+      add_lone_curves(
+          edge.lone_part(),
+          curves_on_faces<CGAL::Sequential_tag>(edge.other_equalities(), edge.lone_part(), m_options, m_control));
+  }
+
   // Points on faces where curves on these do not end. Some are ends of arcs on other faces, or singular points.
   void place_touching_points()
   {
@@ -212,7 +331,9 @@ private:
     for (const std::size_t i : m_found.points)
       singular.push_back(m_found.arcs.vertex(i).box);
     const auto is_found = [&](const Plane_point& point) {
-      return std::any_of(singular.begin(), singular.end(), [&](const Exact_ranges& own) { return is_at(point, own); });
+      return std::any_of(singular.begin(), singular.end(),
+                         [&](const Exact_ranges& own) { return is_at(point, own); }) ||
+          std::any_of(m_lone_parts.begin(), m_lone_parts.end(), [&](const Lone_part& part) { return part.has(point); });
     };
     for (const Touching_point& point : m_touching)
       if (known.insert(point.index).second && !is_found(point.vertex))

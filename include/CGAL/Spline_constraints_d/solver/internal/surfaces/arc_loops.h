@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -65,11 +66,40 @@ inline std::optional<std::vector<Arc_loop>> loops_of_arcs(const Arc_store& store
   return result;
 }
 
-// The loop that the arcs are, if it is just one.
-inline std::optional<Arc_loop> single_loop(const Arc_store& store, const Arc_indices& arcs)
+// The only vertex where other than two of the arcs end.
+inline std::optional<std::size_t> branching_vertex(const Arc_store& store, const Arc_indices& arcs)
 {
-  std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store, arcs);
-  return loops && loops->size() == 1 ? std::optional(std::move(loops->front())) : std::nullopt;
+  std::map<std::size_t, std::size_t> count;
+  for (const std::size_t a : arcs)
+    for (const std::size_t end : store.arcs()[a].ends)
+      ++count[end];
+  const auto is_branching = [](const auto& own) { return own.second != 2; };
+  const auto found = std::find_if(count.begin(), count.end(), is_branching);
+  return found != count.end() && std::none_of(std::next(found), count.end(), is_branching) ? std::optional(found->first)
+                                                                                           : std::nullopt;
+}
+
+/*
+The loops that bound disks which the solutions in a box are, a graph over two unknowns: one loop; or several that have
+one common vertex, so that no plane comes between them, and each an arc where one of the two unknowns is at an end of
+its range. In their plane the box is a rectangle, and these arcs lie on its sides. What a loop is around lies inside of
+the rectangle, so that no other loop lies there. Other loops come apart when boxes are split.
+*/
+inline std::optional<std::vector<Arc_loop>> loops_around_disks(const Arc_store& store, const Arc_indices& arcs,
+                                                               const std::array<int, 2>& parameters)
+{
+  const std::optional<std::size_t> common = branching_vertex(store, arcs);
+  std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store, arcs, common);
+  const auto is_around_disk = [&](const Arc_loop& loop) {
+    const std::array<std::size_t, 2>& ends = store.arcs()[loop.front().arc].ends;
+    return (ends[0] == common || ends[1] == common) &&
+        std::any_of(loop.begin(), loop.end(), [&](const Surface_patch::Side& side) {
+             const int plane = store.arcs()[side.arc].plane;
+             return plane == parameters[0] || plane == parameters[1];
+           });
+  };
+  return loops && (loops->size() == 1 || std::all_of(loops->begin(), loops->end(), is_around_disk)) ? loops
+                                                                                                    : std::nullopt;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/compiled_solvers.h>
 #include <CGAL/Spline_constraints_d/solver/internal/subdivision/Graph_box_search.h>
 #include <CGAL/Spline_constraints_d/solver/internal/surfaces/Factor_system.h>
+#include <CGAL/Spline_constraints_d/solver/internal/surfaces/lone_curves.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,9 +56,13 @@ inline Surface_solution_set_d moved_to_faces(const Surface_solution_set_d& found
     for (Surface_patch& patch : patches)
       patch.box[axis] = {value, value};
   }
-  return {found.systems().front(),   found.dimension(), std::move(vertices), std::move(arcs),
-          std::move(patches),        found.surfaces(),  found.points(),      found.singular_points(),
-          found.undecided_regions(), found.summary()};
+  Surface_solution_set_d result{found.systems().front(), found.dimension(),       std::move(vertices),
+                                std::move(arcs),         std::move(patches),      found.surfaces(),
+                                found.points(),          found.singular_points(), found.undecided_regions(),
+                                found.summary()};
+  for (const Curve_solution_set_d& curves : found.lone_curves())
+    result.add_lone_curves(moved_to_faces(curves, part.faces));
+  return result;
 }
 
 // Where the surfaces of two parts of a system meet.
