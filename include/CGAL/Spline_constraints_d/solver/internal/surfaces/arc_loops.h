@@ -88,8 +88,12 @@ the rectangle, so that no other loop lies there. Other loops come apart when box
 inline std::optional<std::vector<Arc_loop>> loops_around_disks(const Arc_store& store, const Arc_indices& arcs,
                                                                const std::array<int, 2>& parameters)
 {
+  std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store, arcs);
+  if (loops)
+    return loops->size() == 1 ? loops : std::nullopt;
   const std::optional<std::size_t> common = branching_vertex(store, arcs);
-  std::optional<std::vector<Arc_loop>> loops = loops_of_arcs(store, arcs, common);
+  if (common)
+    loops = loops_of_arcs(store, arcs, common);
   const auto is_around_disk = [&](const Arc_loop& loop) {
     const std::array<std::size_t, 2>& ends = store.arcs()[loop.front().arc].ends;
     return (ends[0] == common || ends[1] == common) &&
@@ -98,8 +102,7 @@ inline std::optional<std::vector<Arc_loop>> loops_around_disks(const Arc_store& 
              return plane == parameters[0] || plane == parameters[1];
            });
   };
-  return loops && (loops->size() == 1 || std::all_of(loops->begin(), loops->end(), is_around_disk)) ? loops
-                                                                                                    : std::nullopt;
+  return loops && std::all_of(loops->begin(), loops->end(), is_around_disk) ? loops : std::nullopt;
 }
 
 } // namespace internal
