@@ -140,7 +140,7 @@ public:
   Exact_ranges with_values(const Exact_ranges& box_in_space) const
   {
     Exact_ranges result(m_given.size() + 3);
-    Exact_point point;
+    std::vector<Exact_rational> point;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& [lower, upper] = box_in_space[k];
       result[static_cast<std::size_t>(m_unknowns[k])] = {lower, upper};
