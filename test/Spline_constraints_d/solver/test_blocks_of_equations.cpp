@@ -80,14 +80,14 @@ TEST(BlocksOfEquations, planted)
     std::set<int> equalities;
     for (std::size_t b = 0; b < order.blocks().size(); ++b) {
       const auto& block = order.blocks()[b];
-      ASSERT_FALSE(block.unknowns.empty());
-      EXPECT_EQ(block.unknowns.size(), block.equalities.size());
-      EXPECT_EQ(static_cast<int>(block.unknowns.size()), sizes[block_of[block.unknowns.front()]]);
-      for (const int j : block.unknowns) {
+      ASSERT_FALSE(block.unknowns().empty());
+      EXPECT_EQ(block.unknowns().size(), block.equalities().size());
+      EXPECT_EQ(static_cast<int>(block.unknowns().size()), sizes[block_of[block.unknowns().front()]]);
+      for (const int j : block.unknowns()) {
         EXPECT_EQ(order.block(j), static_cast<int>(b));
-        EXPECT_EQ(block_of[j], block_of[block.unknowns.front()]);
+        EXPECT_EQ(block_of[j], block_of[block.unknowns().front()]);
       }
-      for (const int i : block.equalities) {
+      for (const int i : block.equalities()) {
         EXPECT_TRUE(equalities.insert(i).second);
         for (const int j : constraints[i].first.variables()) {
           EXPECT_LE(order.block(j), static_cast<int>(b));
@@ -113,9 +113,9 @@ TEST(BlocksOfEquations, large_ones_first)
                                {v * w - x, Relation::EQUAL},
                                {u + w * w - 3, Relation::EQUAL}});
   ASSERT_EQ(order.blocks().size(), 3u);
-  EXPECT_EQ(order.blocks()[0].unknowns, std::vector<int>{1});
-  EXPECT_EQ(order.blocks()[1].unknowns, (std::vector<int>{2, 3, 4}));
-  EXPECT_EQ(order.blocks()[2].unknowns, std::vector<int>{0});
+  EXPECT_EQ(order.blocks()[0].unknowns(), std::vector<int>{1});
+  EXPECT_EQ(order.blocks()[1].unknowns(), (std::vector<int>{2, 3, 4}));
+  EXPECT_EQ(order.blocks()[2].unknowns(), std::vector<int>{0});
 }
 
 // Without a matching, or with more or fewer equalities, all is one block with all equalities, but no inequality.
@@ -133,12 +133,12 @@ TEST(BlocksOfEquations, one_block)
   for (const Constraints& constraints : {without_matching, too_many, too_few}) {
     const auto order = order_of(3, constraints);
     ASSERT_EQ(order.blocks().size(), 1u);
-    EXPECT_EQ(order.blocks().front().unknowns, (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(order.blocks().front().unknowns(), (std::vector<int>{0, 1, 2}));
     std::vector<int> equalities;
     for (std::size_t i = 0; i < constraints.size(); ++i)
       if (constraints[i].second == Relation::EQUAL)
         equalities.push_back(static_cast<int>(i));
-    EXPECT_EQ(order.blocks().front().equalities, equalities);
+    EXPECT_EQ(order.blocks().front().equalities(), equalities);
   }
 }
 

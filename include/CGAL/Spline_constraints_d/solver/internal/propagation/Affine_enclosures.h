@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/elementary/point_values.h>
 #include <CGAL/Spline_constraints_d/function/internal/elementary/ranges.h>
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Equation_block.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Univariate_interval_polynomial.h>
 
@@ -69,8 +70,8 @@ class Affine_enclosures
 public:
   explicit Affine_enclosures(const Sparse_system& system);
 
-  // What follows is on this box.
-  void set_box(const Box_of_ranges& box);
+  // What follows is on this box, and of these equalities.
+  void set_box(const Box_of_ranges& box, const Equation_block& block);
 
   double centre(int unknown) const { return m_centre[unknown]; }
   // Of the box from its centre; may be narrowed.
@@ -146,18 +147,18 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Affine_enclosures::Affine_enclosures(const Sparse
 
 // A power is its value and slope at the centre and a rest of second order; of products the rests are those of the two
 // factors and the product of what depends on the place.
-CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::set_box(const Box_of_ranges& box)
+CGAL_SPLINE_CONSTRAINTS_INLINE void Affine_enclosures::set_box(const Box_of_ranges& box, const Equation_block& block)
 {
-  for (int j = 0; j < m_system.dimension(); ++j) {
+  for (const int j : block.occurring_unknowns()) {
     m_centre[j] = middle(box[j]);
     m_offset[j] = box[j] - Interval(m_centre[j]);
     enclose_powers(j);
   }
-  for (int k = 0; k < m_system.functions(); ++k)
+  for (const int k : block.functions())
     enclose_function(k, box);
-  for (std::size_t k = 0; k < m_values.size(); ++k) {
-    const std::size_t first = m_system.first_factor(static_cast<int>(k));
-    for (std::size_t f = first; f < m_system.last_factor(static_cast<int>(k)); ++f) {
+  for (const int k : block.monomials()) {
+    const std::size_t first = m_system.first_factor(k);
+    for (std::size_t f = first; f < m_system.last_factor(k); ++f) {
       const auto [unknown, exponent] = m_system.factor(f);
       const Interval centre(m_centre[unknown]);
       const Interval value = power(centre, exponent), slope = Interval(exponent) * power(centre, exponent - 1);

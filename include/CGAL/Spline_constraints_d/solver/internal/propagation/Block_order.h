@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_BLOCK_ORDER_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Equation_block.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 
 // Before strong_components.hpp, as reverse_graph.hpp there has a get() that hides others from it.
@@ -27,12 +28,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// Some equalities, by the places of the constraints, and unknowns that they are to be solved for.
-struct Equation_block
-{
-  std::vector<int> equalities, unknowns;
-};
 
 /*
 The blocks of unknowns that equalities can be solved for one after the other: those of a block depend on no unknowns of
@@ -79,14 +74,17 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Block_order::Block_order(const Sparse_system& sys
     are_matched = match(static_cast<int>(i));
   if (are_matched)
     find_blocks();
-  m_blocks.resize(1 + *std::ranges::max_element(m_block));
+  const std::size_t count = 1 + *std::ranges::max_element(m_block);
+  std::vector<std::vector<int>> equalities(count), unknowns(count);
   for (int j = 0; j < system.dimension(); ++j) {
-    m_blocks[m_block[j]].unknowns.push_back(j);
+    unknowns[m_block[j]].push_back(j);
     if (are_matched)
-      m_blocks[m_block[j]].equalities.push_back(system.equalities()[m_equality_of[j]]);
+      equalities[m_block[j]].push_back(system.equalities()[m_equality_of[j]]);
   }
-  if (m_blocks.size() == 1)
-    m_blocks.front().equalities = system.equalities();
+  if (count == 1)
+    equalities.front() = system.equalities();
+  for (std::size_t k = 0; k < count; ++k)
+    m_blocks.emplace_back(system, std::move(equalities[k]), std::move(unknowns[k]));
 }
 
 // Gives an equality an unknown, breadth-first: others may have to take another one for it.

@@ -69,9 +69,9 @@ public:
       m_rows((std::max)(system.equalities().size(), static_cast<std::size_t>(m_dimension))), m_place(m_dimension, -1),
       m_check(check)
   {
-    m_all.equalities = system.equalities();
-    m_all.unknowns.resize(m_dimension);
-    std::iota(m_all.unknowns.begin(), m_all.unknowns.end(), 0);
+    std::vector<int> unknowns(m_dimension);
+    std::iota(unknowns.begin(), unknowns.end(), 0);
+    m_all = Equation_block(system, system.equalities(), std::move(unknowns));
     for (int i = 0; i < system.constraints(); ++i)
       m_repeats.push_back(system.repeats_unknown(i) ? 1 : 0);
   }
@@ -87,7 +87,7 @@ public:
   // Forms all rows by the inverse of the derivatives at the centre of a box; false when it is singular.
   bool invert(const Box_of_ranges& box)
   {
-    m_enclosures.set_box(box);
+    m_enclosures.set_box(box, m_all);
     m_count = m_dimension;
     return m_dimension <= largest_dense_dimension ? invert_densely() : invert_sparsely();
   }
@@ -103,9 +103,9 @@ private:
   template <class Add, class Set_radius>
   void visit_equalities(const Equation_block& block, const Add& add, const Set_radius& set_radius)
   {
-    for (int i = 0; i < static_cast<int>(block.equalities.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(block.equalities().size()); ++i) {
       double others = 0;
-      const double radius = m_enclosures.visit_slopes(block.equalities[i], [&](int j, double slope) {
+      const double radius = m_enclosures.visit_slopes(block.equalities()[i], [&](int j, double slope) {
         const double size = slope * m_enclosures.offset(j).sup();
         if (m_place[j] >= 0)
           add(i, m_place[j], size);
@@ -119,7 +119,8 @@ private:
   // Only when all are one block there may be more equalities than unknowns.
   int largest_dense_rows() const
   {
-    return m_dimension <= largest_dense_dimension ? static_cast<int>(m_all.equalities.size()) : largest_dense_dimension;
+    return m_dimension <= largest_dense_dimension ? static_cast<int>(m_all.equalities().size())
+                                                  : largest_dense_dimension;
   }
   Row& begin_row(int unknown)
   {
@@ -145,12 +146,12 @@ private:
 CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate(const Box_of_ranges& box,
                                                                    const Equation_block& block)
 {
-  m_enclosures.set_box(box);
+  m_enclosures.set_box(box, block);
   std::ranges::fill(m_place, -1);
-  for (std::size_t k = 0; k < block.unknowns.size(); ++k)
-    m_place[block.unknowns[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < block.unknowns().size(); ++k)
+    m_place[block.unknowns()[k]] = static_cast<int>(k);
   m_count = 0;
-  if (block.unknowns.size() <= largest_dense_dimension)
+  if (block.unknowns().size() <= largest_dense_dimension)
     eliminate_densely(block);
   else
     eliminate_sparsely(block);
@@ -160,7 +161,8 @@ CGAL_SPLINE_CONSTRAINTS_INLINE bool Preconditioned_rows::eliminate(const Box_of_
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_densely(const Equation_block& block)
 {
-  const int equalities = static_cast<int>(block.equalities.size()), unknowns = static_cast<int>(block.unknowns.size());
+  const int equalities = static_cast<int>(block.equalities().size()),
+            unknowns = static_cast<int>(block.unknowns().size());
   if (!m_dense)
     m_dense.emplace(largest_dense_rows(), (std::min)(m_dimension, largest_dense_dimension));
   m_dense->resize(equalities, unknowns);
@@ -178,17 +180,17 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_densely(const
   }
   m_dense->run();
   for (int i = 0; i < equalities; ++i) {
-    Row& row = begin_row(i < m_dense->rank() ? block.unknowns[m_dense->unknown(i)] : -1);
+    Row& row = begin_row(i < m_dense->rank() ? block.unknowns()[m_dense->unknown(i)] : -1);
     for (int k = 0; k < equalities; ++k)
       if (const double part = m_dense->part(i, k); part != 0)
-        row.multiples.emplace_back(block.equalities[m_dense->equation(k)], part);
+        row.multiples.emplace_back(block.equalities()[m_dense->equation(k)], part);
     ++m_count;
   }
 }
 
 CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_sparsely(const Equation_block& block)
 {
-  const int size = static_cast<int>(block.unknowns.size());
+  const int size = static_cast<int>(block.unknowns().size());
   if (!m_sparse)
     m_sparse.emplace(m_dimension);
   m_sparse->begin(size);
@@ -197,9 +199,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Preconditioned_rows::eliminate_sparsely(cons
       [&](int i, double radius) { m_sparse->set_radius(i, radius); });
   m_sparse->run(m_check);
   const auto add_row = [&](int i) {
-    Row& row = begin_row(m_sparse->pivot(i) < 0 ? -1 : block.unknowns[m_sparse->pivot(i)]);
+    Row& row = begin_row(m_sparse->pivot(i) < 0 ? -1 : block.unknowns()[m_sparse->pivot(i)]);
     for (const auto& [k, part] : m_sparse->multipliers(i))
-      row.multiples.emplace_back(block.equalities[k], part);
+      row.multiples.emplace_back(block.equalities()[k], part);
     ++m_count;
   };
   const std::vector<int>& solved_rows = m_sparse->solved_rows();

@@ -120,7 +120,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE void Propagation_run::use_windows()
   constexpr int largest_dimension = 64;    // with dense rows
   m_may_be_chain = false;
   const std::vector<Polynomial_constraint>& constraints = m_explicit_unknowns.constraints();
-  const auto is_long = [](const Equation_block& block) { return block.equalities.size() >= shortest; };
+  const auto is_long = [](const Equation_block& block) { return block.equalities().size() >= shortest; };
   if (!std::ranges::any_of(m_search->blocks().blocks(), is_long) || m_explicit_unknowns.dimension() > largest_dimension)
     return;
   const Chain_order order(constraints, m_explicit_unknowns.dimension());

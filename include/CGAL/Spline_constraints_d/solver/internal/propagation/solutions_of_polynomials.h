@@ -139,9 +139,9 @@ private:
       inequality_terms += relation == Relation::EQUAL ? 0 : static_cast<double>(polynomial.terms().size());
     const Block_order order(system);
     for (const Equation_block& block : order.blocks()) {
-      const double n = static_cast<double>((std::min)(block.unknowns.size(), m_domain.size()));
+      const double n = static_cast<double>((std::min)(block.unknowns().size(), m_domain.size()));
       double terms = inequality_terms;
-      for (const int i : block.equalities)
+      for (const int i : block.equalities())
         terms += static_cast<double>(common.constraints()[i].first.terms().size());
       result = (std::max)(
           result, (std::min)(n, largest_small_dimension) * terms + n * n * (n <= largest_small_dimension ? n / 8 : 1));
