@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*
-soak_solver [count = 10000] [first seed = 1] [nodes of an exact run = 100] [journal]
+soak_solver [count = 10000] [first seed = 1] [nodes of an exact run = 50] [of a certified one = 2000] [journal]
 
 Solves random and adversarial systems, one per seed, with Certified_solver_traits and with Exact_solver_traits, and
 compares the answers with each other and with the solutions that were planted. Prints a table with a line for each kind
@@ -61,7 +61,8 @@ int main(int count_of_arguments, char** arguments)
   const auto number = [&](int i, std::uint64_t otherwise) {
     return count_of_arguments > i ? std::strtoull(arguments[i], nullptr, 10) : otherwise;
   };
-  const std::uint64_t count = number(1, 10000), first = number(2, 1), nodes = number(3, 100);
+  const std::uint64_t count = number(1, 10000), first = number(2, 1);
+  const Soak_limits limits{.exact = number(3, Soak_limits().exact), .certified = number(4, Soak_limits().certified)};
   const auto start = std::chrono::steady_clock::now();
   Soak_report all;
   std::uint64_t received = 0;
@@ -72,15 +73,17 @@ int main(int count_of_arguments, char** arguments)
   };
   const auto text_of = [&](std::size_t i, const SC::Visitor_reference& visitor) {
     Soak_report report;
-    report.add(first + i, Soak_comparison(first + i, nodes, visitor));
+    report.add(first + i, Soak_comparison(first + i, limits, visitor));
     return report.text();
   };
 #ifdef SPLINE_CONSTRAINTS_SOAKS_WITH_MPI
   const boost::mpi::communicator world;
   SC::Mpi_report report;
   SC::run_tasks_mpi(world, count, text_of, receive,
-                    {.silence = 120, .journal = count_of_arguments > 4 ? arguments[4] : ""},
-                    "soak from " + std::to_string(first) + ", " + std::to_string(nodes) + " nodes", &report);
+                    {.silence = 120, .journal = count_of_arguments > 5 ? arguments[5] : ""},
+                    "soak from " + std::to_string(first) + ", " + std::to_string(limits.exact) + " and " +
+                        std::to_string(limits.certified) + " nodes",
+                    &report);
   if (world.rank() != 0)
     return 0;
   for (int rank = 0; rank < world.size(); ++rank)

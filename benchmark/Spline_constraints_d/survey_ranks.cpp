@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*
-mpirun -n 2 survey_ranks [rounds = 5]
+mpirun -n 2 survey_ranks [rounds = 5] [part of a name]
 
 What all ranks of MPI gain over one, for batches of small, of middling and of mixed systems, and for the boxes of one
 hard system. Each is solved by rank 0 alone and by all in turns; prints the least times on the wall and the efficiency,
@@ -56,10 +56,14 @@ static void wait_for_all(const mpi::communicator& world)
     MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
 }
 
+static std::string part_of_names;
+
 // `alone` is called by rank 0, `together` by all.
 static void compare(const std::string& name, int rounds, const std::function<void()>& alone,
                     const std::function<void()>& together)
 {
+  if (name.find(part_of_names) == std::string::npos)
+    return;
   const mpi::communicator world;
   constexpr double never = (std::numeric_limits<double>::max)();
   Times least_alone{never, never}, least_together{never, never};
@@ -102,6 +106,7 @@ int main(int count, char** arguments)
 {
   mpi::environment environment(count, arguments);
   const int rounds = count > 1 ? std::atoi(arguments[1]) : 5;
+  part_of_names = count > 2 ? arguments[2] : "";
   std::cout << std::setprecision(3);
 
   compare_batches("10,000 of 9 roots", rounds, std::vector<System>(10000, cyclic_chebyshev(2, 3).system));

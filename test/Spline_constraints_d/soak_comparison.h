@@ -75,6 +75,13 @@ struct Soak_counts
   }
 };
 
+// Nodes after which runs end, so that the counts are the same on every machine; what was not looked at is undecided
+// then. Nearly all roots are found with these; most of the time would be spent on the few systems that take more.
+struct Soak_limits
+{
+  std::size_t exact = 50, certified = 2000;
+};
+
 // The system of a seed, solved by both.
 class Soak_comparison
 {
@@ -99,18 +106,15 @@ class Soak_comparison
   Soak_counts m_counts;
 
 public:
-  // The exact run ends after some nodes, so that the counts are the same on every machine; what it has not looked at
-  // is undecided then.
-  Soak_comparison(std::uint64_t seed, std::size_t exact_nodes, const SC::Visitor_reference& visitor = {})
-    : Soak_comparison(Soak_systems(seed).make(), exact_nodes, visitor)
+  Soak_comparison(std::uint64_t seed, const Soak_limits& limits = {}, const SC::Visitor_reference& visitor = {})
+    : Soak_comparison(Soak_systems(seed).make(), limits, visitor)
   {}
 
-  Soak_comparison(Soak_system problem, std::size_t exact_nodes, const SC::Visitor_reference& visitor = {})
+  Soak_comparison(Soak_system problem, const Soak_limits& limits = {}, const SC::Visitor_reference& visitor = {})
     : m_problem(std::move(problem))
   {
-    constexpr std::size_t certified_nodes = 200000;
-    const Run certified = solved<SC::Certified_solver_traits>(certified_nodes, visitor);
-    const Run exact = solved<SC::Exact_solver_traits>(exact_nodes, visitor);
+    const Run certified = solved<SC::Certified_solver_traits>(limits.certified, visitor);
+    const Run exact = solved<SC::Exact_solver_traits>(limits.exact, visitor);
     const std::size_t missing_in_exact = compare(certified, exact, Soak_counts::OPEN_IN_EXACT, true);
     const std::size_t missing_in_certified = compare(exact, certified, Soak_counts::OPEN_IN_CERTIFIED, false);
     m_counts[Soak_counts::SYSTEMS] = 1;

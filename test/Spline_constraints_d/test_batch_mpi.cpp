@@ -15,7 +15,10 @@ What the ranks of MPI find together is what one finds alone, bit by bit. It runs
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <numeric>
@@ -131,31 +134,96 @@ TEST(Batch_mpi, EveryTaskCountsOnce)
     std::vector<std::size_t> dealt, sizes;
     std::multiset<std::size_t> counted;
     while (!dealer.is_finished()) {
-      const std::vector<std::size_t> chunk = dealer.next_chunk();
-      if (!chunk.empty())
-        sizes.push_back(chunk.size());
-      dealt.insert(dealt.end(), chunk.begin(), chunk.end());
+      const std::vector<std::size_t> packet = dealer.next_packet();
+      if (!packet.empty())
+        sizes.push_back(packet.size());
+      dealt.insert(dealt.end(), packet.begin(), packet.end());
       for (int k = 0; k < 5 && !dealt.empty(); ++k) {
         const std::size_t task = dealt[random() % dealt.size()];
         if (random() % 3 == 0)
           dealer.give_back(task);
-        else if (dealer.finish(task, 1e-5))
+        else if (dealer.mark_as_done(task))
           counted.insert(task);
       }
     }
     EXPECT_EQ(counted.size(), count);
     EXPECT_EQ(std::set<std::size_t>(counted.begin(), counted.end()).size(), count);
   }
-  SC::internal::Task_dealer dealer(10000, 2);
-  dealer.finish(9999, 1e-6);
+}
+
+// The sizes of the packets, if each task takes so long and all are done at once.
+static std::vector<std::size_t> sizes_of_packets(std::size_t count, double seconds)
+{
+  SC::internal::Task_dealer dealer(count, 2);
   std::vector<std::size_t> sizes;
-  for (std::size_t all = 1; all < 10000; all += sizes.back())
-    sizes.push_back(dealer.next_chunk().size());
-  EXPECT_EQ(sizes.front(), 625u);
-  EXPECT_EQ(sizes.back(), 1u);
-  EXPECT_TRUE(std::is_sorted(sizes.rbegin(), sizes.rend()));
+  while (!dealer.is_finished()) {
+    const std::vector<std::size_t> packet = dealer.next_packet();
+    EXPECT_FALSE(packet.empty());
+    for (const std::size_t task : packet)
+      EXPECT_TRUE(dealer.mark_as_done(task));
+    dealer.add_time(packet.size(), seconds * static_cast<double>(packet.size()));
+    sizes.push_back(packet.size());
+  }
+  return sizes;
+}
+
+// Before the time of tasks is known packets are short; then they are a share of the rest, in the limits of time.
+TEST(Batch_mpi, PacketsHaveTheSizeOfTheirTime)
+{
+  const std::vector<std::size_t> short_tasks = sizes_of_packets(10000, 0x1p-17);
+  EXPECT_EQ(short_tasks[0], 16u);
+  EXPECT_EQ(short_tasks[1], 9984u / 16);
+  EXPECT_TRUE(std::is_sorted(short_tasks.rbegin(), short_tasks.rend() - 1));
+  EXPECT_TRUE(std::all_of(short_tasks.begin() + 1, short_tasks.end() - 1, [](std::size_t n) { return n >= 26; }));
+  EXPECT_EQ(sizes_of_packets(10000, 0x1p-27), (std::vector<std::size_t>{16, 9984}));
+  const std::vector<std::size_t> long_tasks = sizes_of_packets(10000, 0.25), single_tasks = sizes_of_packets(50, 3);
+  EXPECT_EQ(long_tasks[1], 4u);
+  EXPECT_EQ(long_tasks.back(), 1u);
+  EXPECT_EQ(std::accumulate(long_tasks.begin(), long_tasks.end(), std::size_t(0)), 10000u);
+  EXPECT_EQ(std::count(single_tasks.begin() + 1, single_tasks.end(), std::size_t(1)), 47);
+
+  SC::internal::Task_dealer dealer(1000, 2); // what a rank has not done is dealt out in packets as well
+  for (std::size_t all = 0; all < 1000;)
+    all += dealer.next_packet().size();
+  EXPECT_TRUE(dealer.next_packet().empty());
+  for (std::size_t task = 0; task < 1000; ++task)
+    dealer.give_back(task);
+  dealer.add_time(100, 0.1);
+  EXPECT_EQ(dealer.next_packet().size(), 62u);
   dealer.drop_from(0);
+  EXPECT_TRUE(dealer.next_packet().empty());
   EXPECT_TRUE(dealer.is_finished());
+}
+
+// Numbers of all sizes and signs.
+TEST(Batch_mpi, BytesHoldNumbers)
+{
+  std::mt19937_64 random(5);
+  for (int run = 0; run < 300; ++run) {
+    const int shift = static_cast<int>(random() % 64), bits = static_cast<int>(random() % 400);
+    const std::uint64_t size = random() >> shift;
+    const std::int64_t number = -static_cast<std::int64_t>(size >> 1);
+    const double real =
+        std::ldexp(static_cast<double>(random() % 1000) - 500, static_cast<int>(random() % 2000) - 1000);
+    Rational power(1), fine(random() >> 12);
+    for (int k = 0; k < bits; ++k)
+      power *= 2;
+    fine = (fine - Rational(1 << 30)) * (run % 2 == 0 ? power : Rational(1 / power)) / (run % 3 == 0 ? 7 : 1);
+    SC::internal::Byte_writer bytes;
+    bytes.add(size);
+    bytes.add(number);
+    bytes.add(real);
+    bytes.add(std::vector<Rational>{fine, Rational(0), Rational(real)});
+    bytes.add(std::vector<int>{-1, run});
+    const std::string text = bytes.take();
+    SC::internal::Byte_reader reader(text);
+    EXPECT_EQ(reader.get<std::uint64_t>(), size);
+    EXPECT_EQ(reader.get<std::int64_t>(), number);
+    EXPECT_EQ(reader.get<double>(), real);
+    EXPECT_EQ(reader.get<std::vector<Rational>>(), (std::vector<Rational>{fine, Rational(0), Rational(real)}));
+    EXPECT_EQ(reader.get<std::vector<int>>(), (std::vector<int>{-1, run}));
+    EXPECT_TRUE(reader.is_at_end());
+  }
 }
 
 TEST(Batch_mpi, GridOfParameters)
@@ -207,6 +275,31 @@ TEST(Batch_mpi, InvalidInputNamesTheSystemOnAllRanks)
   EXPECT_THROW(solve_batch_mpi(world, systems, {.silence = 0}), SC::Invalid_input);
   EXPECT_THROW(solve_batch_mpi(world, systems, {.solver = {.tolerance = -1}}), SC::Invalid_input);
   EXPECT_THROW(solve_mpi(world, cube(2, 0, 1)), SC::Invalid_input);
+}
+
+// Many tasks that take next to nothing in one packet, and between them some that take longer than all others: each
+// result comes once.
+TEST(Batch_mpi, TasksOfVeryDifferentCost)
+{
+  const mpi::communicator world;
+  constexpr std::size_t count = 20000;
+  std::vector<int> received(count, 0);
+  SC::Mpi_report report;
+  run_tasks_mpi(
+      world, count,
+      [&](std::size_t i, const SC::Visitor_reference& visitor) {
+        if (i % 2500 == 100)
+          for (int k = 0; k < 20 && !visitor.stop(); ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        return std::to_string(3 * i);
+      },
+      [&](std::size_t i, const std::string& text) { received[i] += text == std::to_string(3 * i) ? 1 : 100; }, {},
+      "tasks of very different cost", &report);
+  if (world.rank() != 0)
+    return;
+  EXPECT_EQ(std::count(received.begin(), received.end(), 1), static_cast<std::ptrdiff_t>(count));
+  EXPECT_EQ(std::accumulate(report.tasks.begin(), report.tasks.end(), std::size_t(0)), count);
+  EXPECT_EQ(report.repeated, 0u);
 }
 
 // Is told of the progress, and stops at a share of it.
@@ -328,7 +421,8 @@ static void report_losses(bool is_equal, const SC::Mpi_report& report)
   exit_after_mpi(report);
 }
 
-// The last rank is killed in its third system; all answers are there.
+// The last rank is killed in the midst of a packet, of which it has sent the first answers since the fifth system took
+// long; all answers are there.
 static int die_in_a_batch()
 {
   const mpi::communicator world;
@@ -338,7 +432,9 @@ static int die_in_a_batch()
   const auto found = solve_batch_mpi(
       world, grid,
       [&](const std::vector<Rational>& parameters) {
-        if (world.rank() == world.size() - 1 && ++mine == 3)
+        if (world.rank() == world.size() - 1 && ++mine == 5)
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        if (mine == 8)
           std::raise(SIGKILL);
         return circle_and_cubic(parameters);
       },

@@ -55,7 +55,7 @@ How the work was shared by the ranks of MPI. Rank 0 knows all of it, the others 
 struct Mpi_report
 {
   std::vector<std::size_t> tasks = {};   ///< done by each rank
-  std::vector<double> busy_seconds = {}; ///< processor time of each rank for its tasks
+  std::vector<double> busy_seconds = {}; ///< processor time of each rank for its tasks, and between them
   double seconds = 0;                    ///< on the wall, for all of it
   std::size_t repeated = 0;              ///< tasks that were dealt out again
   std::size_t from_journal = 0;          ///< results that were there before

@@ -102,9 +102,9 @@ all solutions of each of many systems, by all ranks of MPI: the answers of `solv
 bit but for the seconds they took, in the order of the systems. All ranks call this with the same arguments. Rank 0
 returns the answers, the others nothing.
 
-Systems are dealt out in chunks, large ones first and single systems at the end, to ranks as they are done with what
-they have; rank 0 solves some, too. Nothing is sent of a system but its index. Answers travel as the bits of their
-doubles and their rationals in words.
+Systems are dealt out in packets, large ones first and small ones at the end, to ranks as they are done with what they
+have; rank 0 solves some, too. Nothing is sent of a system but its index. The answers of a packet travel together, as
+the bits of their doubles and of the numerators and denominators of their rationals.
 
 Link `CGAL::Spline_constraints_d_MPI`, which CMake makes where Boost.MPI is found: with
 `find_package(Spline_constraints_d COMPONENTS MPI)`, or in the source tree with `SPLINE_CONSTRAINTS_WITH_MPI`.
@@ -181,7 +181,8 @@ stops the run. All ranks call this with the same arguments. Rank 0 returns the a
 
 The walk over the domain goes in rounds, and the boxes of a round are the tasks that are dealt out, as threads take them
 (\ref Spline_constraints_d_parallel_proofs); between rounds all ranks put together what was found, each for itself. So a
-rank that dies costs the repetition of its tasks in one round. For systems that take seconds; there is no journal.
+rank that dies costs the repetition of its tasks in one round. For systems that take seconds: those that one rank solves
+in less than a twentieth of a second are not faster with two, as rounds are short. There is no journal.
 
 \param ranks the processes that take part.
 \param system the constraints; at least as many equalities as unknowns.

@@ -48,7 +48,7 @@ struct Answer_bytes
     const std::size_t size = reader.get<std::size_t>();
     set.m_solutions.reserve((std::min)(size, bytes.size()));
     for (std::size_t i = 0; i < size; ++i)
-      set.m_solutions.push_back(solution<Coordinate>(reader));
+      read(reader, set.m_solutions.emplace_back());
     return set;
   }
 
@@ -79,12 +79,14 @@ struct Answer_bytes
   }
 
 private:
-  // Answers point at names that live as long as the program.
-  static const char* name_of_number_type(const std::string& name)
+  // Answers point at names that live as long as the program; what travels is their place.
+  static constexpr std::array<const char*, 5> names_of_number_types{"", "double", "interval", "multiprecision",
+                                                                    "exact"};
+
+  static std::size_t place_of_number_type(std::string_view name)
   {
-    static constexpr std::array<const char*, 5> names{"", "double", "interval", "multiprecision", "exact"};
-    const auto place = std::find(names.begin(), names.end(), std::string_view(name));
-    return place == names.end() ? "" : *place;
+    const auto place = std::find(names_of_number_types.begin(), names_of_number_types.end(), name);
+    return place == names_of_number_types.end() ? 0 : static_cast<std::size_t>(place - names_of_number_types.begin());
   }
 
   template <class Coordinate>
@@ -93,7 +95,7 @@ private:
     bytes.add(static_cast<int>(solution.m_kind));
     bytes.add(static_cast<int>(solution.m_reason));
     bytes.add(solution.m_multiplicity);
-    bytes.add(std::string_view(solution.m_number_type));
+    bytes.add(place_of_number_type(solution.m_number_type));
     bytes.add(solution.m_box);
     bytes.add(solution.m_region);
     bytes.add(solution.m_details != nullptr);
@@ -109,14 +111,13 @@ private:
   }
 
   template <class Coordinate>
-  static Solution_d<Coordinate> solution(Byte_reader& bytes)
+  static void read(Byte_reader& bytes, Solution_d<Coordinate>& result)
   {
     using Details = typename Solution_d<Coordinate>::Details;
-    Solution_d<Coordinate> result;
     result.m_kind = static_cast<Solution_kind>(bytes.get<int>());
     result.m_reason = static_cast<Undecided_reason>(bytes.get<int>());
     bytes.read(result.m_multiplicity);
-    result.m_number_type = name_of_number_type(bytes.get<std::string>());
+    result.m_number_type = names_of_number_types[bytes.get<std::size_t>() % names_of_number_types.size()];
     bytes.read(result.m_box);
     bytes.read(result.m_region);
     if (bytes.get<bool>()) {
@@ -129,7 +130,6 @@ private:
       bytes.read(details.ends);
       result.m_details = std::make_shared<const Details>(std::move(details));
     }
-    return result;
   }
 };
 

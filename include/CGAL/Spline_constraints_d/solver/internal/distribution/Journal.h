@@ -35,6 +35,7 @@ class Journal
 {
   std::string m_path;
   std::ofstream m_file;
+  Byte_writer m_record;
 
 public:
   // Calls known(task, bytes) for each record that is there. `work` is the same for the same tasks.
@@ -61,15 +62,19 @@ public:
       throw Invalid_input("journal " + path + ": it cannot be written");
   }
 
+  // It may be lost until flush() is called.
   void add(std::size_t task, std::string_view bytes)
   {
-    Byte_writer record;
-    record.add(task);
-    record.add(bytes);
-    const std::string text = record.take();
-    Byte_writer end;
-    end.add(sum_of(text));
-    m_file << text << end.take() << std::flush;
+    m_record.clear();
+    m_record.add(task);
+    m_record.add(bytes);
+    m_record.add(sum_of(m_record.bytes()));
+    m_file << m_record.bytes();
+  }
+
+  void flush()
+  {
+    m_file.flush();
     if (!m_file)
       throw std::runtime_error("journal " + m_path + ": it cannot be written");
   }
@@ -81,14 +86,15 @@ private:
   {
     while (true) {
       try {
-        Byte_reader reader(std::string_view(text).substr(begin));
+        const std::string_view rest = std::string_view(text).substr(begin);
+        Byte_reader reader(rest);
         const std::size_t task = reader.get<std::size_t>();
         const std::string bytes = reader.get<std::string>();
-        const std::size_t length = 8 + 8 + bytes.size();
-        if (reader.get<std::uint64_t>() != sum_of(std::string_view(text).substr(begin, length)))
+        const std::uint64_t sum = sum_of(rest.substr(0, rest.size() - reader.size()));
+        if (reader.get<std::uint64_t>() != sum)
           return begin;
         known(task, bytes);
-        begin += length + 8;
+        begin = text.size() - reader.size();
       } catch (const std::runtime_error&) { // the end
         return begin;
       }

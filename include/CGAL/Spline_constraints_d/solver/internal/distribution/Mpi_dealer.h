@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -28,10 +30,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// What becomes of the results of tasks, which come in packets.
+struct Receiver_of_results
+{
+  std::function<void(Task_result)> receive;
+  std::function<void()> end_packet = [] {};
+};
+
 /*
 Rank 0: deals out the tasks of rounds, and does what the others have not taken. It looks after the others between its
-own tasks, and within them as a visitor of the solver. A rank has two chunks at hand, so that it need not wait. Tasks of
-a rank that has been silent for long are dealt out again; whatever it says then, it is there again.
+own tasks, and within them as a visitor of the solver. A rank has two packets at hand, so that it need not wait. Tasks
+of a rank that has been silent for long are dealt out again; whatever it says then, it is there again.
 */
 class Mpi_dealer : public Round_distribution
 {
@@ -40,8 +49,8 @@ class Mpi_dealer : public Round_distribution
 
   struct Peer
   {
-    std::vector<std::size_t> dealt; // tasks of this round, without a result
-    std::size_t last_chunk = 0;
+    std::deque<std::size_t> dealt; // tasks of this round, without a result
+    std::size_t last_packet = 0;
     std::size_t round = no_round; // that it is ready for
     Clock::time_point heard = Clock::now();
     bool is_silent = false, has_left = false;
@@ -54,7 +63,7 @@ class Mpi_dealer : public Round_distribution
   std::vector<std::string> m_rounds; // messages with the results of those that have ended
   std::size_t m_round = 0;
   Task_dealer* m_tasks = nullptr; // of the round in hand
-  std::function<void(Task_result)> m_receive;
+  Receiver_of_results m_receiver;
   Clock::time_point m_last_look = Clock::now(), m_last_sign = m_last_look, m_last_report = m_last_look;
   bool m_is_stopped = false;
 
@@ -66,21 +75,15 @@ public:
     m_report.busy_seconds.resize(m_peers.size());
   }
 
-  // Does the tasks; calls receive(result) for the first result of each, until all are there or the work is to stop.
+  // Does the tasks; receives the first result of each, until all are there or the work is to stop.
   void run(Task_dealer& tasks, const std::function<std::string(std::size_t)>& run_task,
-           const std::function<void(Task_result)>& receive, const std::function<bool()>& must_stop)
+           const Receiver_of_results& receiver, const std::function<bool()>& must_stop)
   {
     m_tasks = &tasks;
-    m_receive = receive;
-    while (!tasks.is_finished() && !must_stop()) {
-      look();
-      if (const auto task = tasks.next_task())
-        take(0, Task_result::of(*task, run_task));
-      else {
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
-        look();
-      }
-    }
+    m_receiver = receiver;
+    while (!tasks.is_finished() && !must_stop())
+      if (!run_own_packet(run_task, must_stop))
+        wait();
     m_tasks = nullptr;
     for (Peer& peer : m_peers)
       peer.dealt.clear();
@@ -98,7 +101,7 @@ public:
       else
         exception = std::move(result.bytes);
     };
-    run(tasks, run_task, receive, [&] { return !exception.empty() || must_stop(); });
+    run(tasks, run_task, {receive}, [&] { return !exception.empty() || must_stop(); });
     if (!exception.empty())
       throw std::runtime_error(exception);
     for (std::size_t i = 0; i < count; ++i)
@@ -122,7 +125,7 @@ public:
   // As a visitor of the solvers of this rank: looks after the others, and asks the visitor of the options.
   bool stop()
   {
-    look();
+    look(false);
     m_is_stopped = m_is_stopped || m_options.solver.visitor.stop();
     return m_is_stopped;
   }
@@ -145,7 +148,7 @@ public:
     const Clock::time_point start = Clock::now();
     const auto is_awaited = [&](const Peer& peer) { return &peer != &m_peers[0] && !peer.has_left && !peer.is_silent; };
     while (std::any_of(m_peers.begin(), m_peers.end(), is_awaited) && seconds_since(start) < m_options.silence)
-      wait();
+      wait_for_mail();
     for (int rank = 1; rank < m_mail.size(); ++rank)
       if (!m_peers[rank].has_left)
         m_report.lost.push_back(rank);
@@ -154,7 +157,7 @@ public:
     send_to_all(closing.take());
     for (int rank = 1; rank < m_mail.size(); ++rank)
       while (m_peers[rank].has_left && !m_mail.is_sent(rank) && seconds_since(start) < 2 * m_options.silence)
-        wait();
+        wait_for_mail();
   }
 
 private:
@@ -169,17 +172,41 @@ private:
       m_mail.send(rank, message);
   }
 
-  void wait()
+  void wait_for_mail()
   {
     receive_mail();
     std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
 
-  // Now and then.
-  void look()
+  void wait()
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(50));
+    look(true);
+  }
+
+  // Some tasks of this rank; false when there is none.
+  bool run_own_packet(const std::function<std::string(std::size_t)>& run_task, const std::function<bool()>& must_stop)
+  {
+    auto task = m_tasks->next_task();
+    if (!task)
+      return false;
+    const Task_clock clock;
+    const Clock::time_point end = Clock::now() + std::chrono::milliseconds(1);
+    std::size_t count = 0;
+    for (; task; task = Clock::now() < end && !must_stop() ? m_tasks->next_task() : std::nullopt) {
+      take(Task_result::of(*task, run_task));
+      ++count;
+      look(false);
+    }
+    end_packet(0, clock.time_of(count));
+    return true;
+  }
+
+  // Now and then, or now.
+  void look(bool is_now)
   {
     const Clock::time_point now = Clock::now();
-    if (now - m_last_look < std::chrono::microseconds(200))
+    if (!is_now && now - m_last_look < std::chrono::microseconds(200))
       return;
     m_last_look = now;
     receive_mail();
@@ -218,8 +245,7 @@ private:
       break;
     case Subject::RESULTS:
       if (bytes.get<std::size_t>() == m_round)
-        while (!bytes.is_at_end())
-          take(rank, Task_result::read(bytes));
+        take_packet(rank, bytes);
       break;
     case Subject::LEAVES:
       peer.has_left = true;
@@ -229,13 +255,35 @@ private:
     }
   }
 
-  void take(int rank, Task_result result)
+  void take_packet(int rank, Byte_reader& bytes)
   {
-    ++m_report.tasks[rank];
-    m_report.busy_seconds[rank] += result.busy_seconds;
-    std::erase(m_peers[rank].dealt, result.task);
-    if (m_tasks != nullptr && m_tasks->finish(result.task, result.seconds))
-      m_receive(std::move(result));
+    std::deque<std::size_t>& dealt = m_peers[rank].dealt;
+    const Time_of_tasks time = Time_of_tasks::read(bytes);
+    while (!bytes.is_at_end()) {
+      Task_result result = Task_result::read(bytes);
+      if (!dealt.empty() && dealt.front() == result.task) // as a rule
+        dealt.pop_front();
+      else
+        std::erase(dealt, result.task);
+      take(std::move(result));
+    }
+    end_packet(rank, time);
+  }
+
+  void take(Task_result result)
+  {
+    if (m_tasks != nullptr && m_tasks->mark_as_done(result.task))
+      m_receiver.receive(std::move(result));
+  }
+
+  void end_packet(int rank, const Time_of_tasks& time)
+  {
+    m_report.tasks[rank] += time.count;
+    m_report.busy_seconds[rank] += time.busy_seconds;
+    if (m_tasks == nullptr || time.count == 0)
+      return;
+    m_tasks->add_time(time.count, time.seconds);
+    m_receiver.end_packet();
   }
 
   void note_silent_ranks()
@@ -255,20 +303,20 @@ private:
     }
   }
 
-  // Until it has one chunk more than that it is at.
+  // Until it has one packet more than that it is at.
   void deal(int rank)
   {
     Peer& peer = m_peers[rank];
-    while (peer.round == m_round && !peer.is_silent && peer.dealt.size() <= peer.last_chunk) {
-      const std::vector<std::size_t> chunk = m_tasks->next_chunk();
-      if (chunk.empty())
+    while (peer.round == m_round && !peer.is_silent && peer.dealt.size() <= peer.last_packet) {
+      const std::vector<std::size_t> packet = m_tasks->next_packet();
+      if (packet.empty())
         return;
       Byte_writer message = message_about(Subject::TASKS);
       message.add(m_round);
-      message.add(chunk);
+      message.add(packet);
       m_mail.send(rank, message.take());
-      peer.last_chunk = chunk.size();
-      peer.dealt.insert(peer.dealt.end(), chunk.begin(), chunk.end());
+      peer.last_packet = packet.size();
+      peer.dealt.insert(peer.dealt.end(), packet.begin(), packet.end());
     }
   }
 };

@@ -10,10 +10,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_DISTRIBUTION_MPI_MAIL_H
 
 #include <boost/mpi/communicator.hpp>
-#include <boost/mpi/exception.hpp>
-#include <boost/mpi/request.hpp>
-#include <boost/mpi/status.hpp>
-#include <boost/optional.hpp>
+
+#include <mpi.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,29 +31,38 @@ namespace internal {
 
 /*
 Messages between ranks of which one may die at any time. Nothing here waits for another rank. Messages travel as a
-stream of packets so short that MPI hands each over at once: of a long one, which is handed over when the receiver asks
-for it, a rank that has died would leave a part. Packets that are on their way at the end, to or from a rank that does
+stream of pieces so short that MPI hands each over at once: of a long one, which is handed over when the receiver asks
+for it, a rank that has died would leave a part. Pieces that are on their way at the end, to or from a rank that does
 not answer, keep their memory.
 */
 class Mpi_mail
 {
   static constexpr int tag = 0x5c;
-  static constexpr std::size_t size_of_packet = 2000;
+  static constexpr std::size_t size_of_piece = 4000;
 
-  struct Packet
+  // Its pieces are parts of one string.
+  struct Message
+  {
+    std::string bytes;
+    std::vector<MPI_Request> requests;
+    std::size_t complete = 0;
+  };
+
+  struct Piece
   {
     std::vector<char> bytes;
-    boost::mpi::request request;
+    MPI_Request request = MPI_REQUEST_NULL;
   };
 
   struct Stream
   {
-    std::deque<Packet> on_the_way;
-    std::string bytes; // of messages that are not complete
+    std::deque<Piece> on_the_way;
+    std::string bytes;     // of messages that are not complete,
+    std::size_t begin = 0; // from here on
   };
 
   boost::mpi::communicator m_ranks;
-  std::map<int, std::deque<Packet>> m_sent;
+  std::map<int, std::deque<Message>> m_sent;
   std::map<int, Stream> m_received;
   std::set<int> m_broken;
 
@@ -71,9 +78,9 @@ public:
 
   ~Mpi_mail()
   {
-    const auto is_open = [](const auto& of_rank) { return !packets(of_rank.second).empty(); };
-    if (m_broken.empty() && std::none_of(m_sent.begin(), m_sent.end(), is_open) &&
-        std::none_of(m_received.begin(), m_received.end(), is_open))
+    if (m_broken.empty() &&
+        std::all_of(m_sent.begin(), m_sent.end(), [](const auto& sent) { return sent.second.empty(); }) &&
+        std::all_of(m_received.begin(), m_received.end(), [](const auto& s) { return s.second.on_the_way.empty(); }))
       return;
     new std::pair(std::move(m_sent), std::move(m_received));
     new boost::mpi::communicator(m_ranks);
@@ -88,95 +95,93 @@ public:
   void send(int rank, const std::string& message)
   {
     const std::uint64_t size = message.size();
-    std::vector<char> bytes(sizeof size);
-    std::memcpy(bytes.data(), &size, sizeof size);
-    bytes.insert(bytes.end(), message.begin(), message.end());
-    for (std::size_t begin = 0; begin < bytes.size() && !is_broken(rank); begin += size_of_packet) {
-      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
-      Packet& packet = m_sent[rank].emplace_back();
-      packet.bytes.assign(first, first + static_cast<std::ptrdiff_t>((std::min)(size_of_packet, bytes.size() - begin)));
-      guarded(rank, [&] {
-        packet.request = m_ranks.isend(rank, tag, packet.bytes.data(), static_cast<int>(packet.bytes.size()));
-      });
+    Message& sent = m_sent[rank].emplace_back();
+    sent.bytes.resize(sizeof size + message.size());
+    std::memcpy(sent.bytes.data(), &size, sizeof size);
+    std::copy(message.begin(), message.end(), sent.bytes.begin() + sizeof size);
+    for (std::size_t begin = 0; begin < sent.bytes.size() && !is_broken(rank); begin += size_of_piece) {
+      const int length = static_cast<int>((std::min)(size_of_piece, sent.bytes.size() - begin));
+      note(rank,
+           MPI_Isend(sent.bytes.data() + begin, length, MPI_CHAR, rank, tag, m_ranks,
+                     &sent.requests.emplace_back(MPI_REQUEST_NULL)));
     }
   }
 
-  // Packets to this rank have left.
+  // Messages to this rank have left.
   bool is_sent(int rank)
   {
-    std::deque<Packet>& packets = m_sent[rank];
-    while (!packets.empty() && !is_broken(rank) && is_complete(rank, packets.front()))
-      packets.pop_front();
-    return packets.empty();
+    std::deque<Message>& messages = m_sent[rank];
+    while (!messages.empty()) {
+      Message& first = messages.front();
+      while (first.complete < first.requests.size() && is_complete(rank, first.requests[first.complete]))
+        ++first.complete;
+      if (first.complete < first.requests.size() || is_broken(rank))
+        break;
+      messages.pop_front();
+    }
+    return messages.empty();
   }
 
   // Calls receive(rank, message) for what has come.
   template <class Receiver>
   void receive(const Receiver& receive)
   {
-    while (const auto status = next_packet()) {
-      const int size = *status->template count<char>();
-      Packet& packet = m_received[status->source()].on_the_way.emplace_back();
-      packet.bytes.resize(static_cast<std::size_t>(size));
-      guarded(status->source(),
-              [&] { packet.request = m_ranks.irecv(status->source(), tag, packet.bytes.data(), size); });
-      take_messages(status->source(), receive);
+    for (MPI_Status status; has_piece(status);) {
+      int size = 0;
+      MPI_Get_count(&status, MPI_CHAR, &size);
+      const int rank = status.MPI_SOURCE;
+      Piece& piece = m_received[rank].on_the_way.emplace_back();
+      piece.bytes.resize(static_cast<std::size_t>(size));
+      note(rank, MPI_Irecv(piece.bytes.data(), size, MPI_CHAR, rank, tag, m_ranks, &piece.request));
+      take_messages(rank, receive);
     }
     for (auto& [rank, stream] : m_received)
       if (!stream.on_the_way.empty())
         take_messages(rank, receive);
-    for (auto& [rank, packets] : m_sent)
+    for (auto& [rank, messages] : m_sent)
       is_sent(rank);
   }
 
 private:
-  static const std::deque<Packet>& packets(const std::deque<Packet>& sent) { return sent; }
-  static const std::deque<Packet>& packets(const Stream& received) { return received.on_the_way; }
-
   // None as well when MPI only says that a connection has broken, without the rank.
-  boost::optional<boost::mpi::status> next_packet()
+  bool has_piece(MPI_Status& status)
   {
-    try {
-      return m_ranks.iprobe(boost::mpi::any_source, tag);
-    } catch (const boost::mpi::exception&) {
-      return {};
-    }
+    int is_there = 0;
+    return MPI_Iprobe(MPI_ANY_SOURCE, tag, m_ranks, &is_there, &status) == MPI_SUCCESS && is_there != 0;
   }
 
-  template <class Call>
-  void guarded(int rank, const Call& call)
+  // What MPI has said of a rank.
+  void note(int rank, int error)
   {
-    try {
-      call();
-    } catch (const boost::mpi::exception&) {
+    if (error != MPI_SUCCESS)
       m_broken.insert(rank);
-    }
   }
 
-  bool is_complete(int rank, Packet& packet)
+  bool is_complete(int rank, MPI_Request& request)
   {
-    bool result = false;
-    guarded(rank, [&] { result = packet.request.test().has_value(); });
-    return result;
+    int is_done = 0;
+    note(rank, MPI_Test(&request, &is_done, MPI_STATUS_IGNORE));
+    return is_done != 0 && !is_broken(rank);
   }
 
   template <class Receiver>
   void take_messages(int rank, const Receiver& receive)
   {
     Stream& stream = m_received[rank];
-    while (!stream.on_the_way.empty() && is_complete(rank, stream.on_the_way.front())) {
+    while (!stream.on_the_way.empty() && is_complete(rank, stream.on_the_way.front().request)) {
       stream.bytes.append(stream.on_the_way.front().bytes.begin(), stream.on_the_way.front().bytes.end());
       stream.on_the_way.pop_front();
     }
     std::uint64_t size = 0;
-    while (stream.bytes.size() >= sizeof size) {
-      std::memcpy(&size, stream.bytes.data(), sizeof size);
-      if (stream.bytes.size() < sizeof size + size)
+    while (stream.bytes.size() - stream.begin >= sizeof size) {
+      std::memcpy(&size, stream.bytes.data() + stream.begin, sizeof size);
+      if (stream.bytes.size() - stream.begin < sizeof size + size)
         break;
-      const std::string message = stream.bytes.substr(sizeof size, size);
-      stream.bytes.erase(0, sizeof size + size);
+      const std::string message = stream.bytes.substr(stream.begin + sizeof size, size);
+      stream.begin += sizeof size + size;
       receive(rank, message);
     }
+    stream.bytes.erase(0, std::exchange(stream.begin, 0));
   }
 };
 

@@ -33,26 +33,29 @@ struct Work_has_ended
 {};
 
 /*
-Another rank than 0: does the tasks of the rounds that it is given. It looks for messages between tasks, and within them
-as a visitor of the solver.
+Another rank than 0: does the tasks of the rounds that it is given, in packets. The results of a packet are sent
+together, and those that are there in any case before rank 0 waits for long. It looks for messages between tasks, and
+within them as a visitor of the solver.
 */
 class Mpi_worker : public Round_distribution
 {
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t size_of_results = 1500; // to be sent together
-  static constexpr double seconds_of_results = 0.05;
-  static constexpr double silence_of_rank_0 = 100;// times that of others: nobody does its work
+  static constexpr double seconds_of_results = 0.05; // after which they are sent before the packet is done
+  static constexpr double silence_of_rank_0 = 100;   // times that of others: nobody does its work
 
   Mpi_mail& m_mail;
   const Mpi_options& m_options;
   Mpi_report& m_report;
   std::size_t m_round = 0;
-  std::deque<std::size_t> m_tasks;
+  std::deque<std::vector<std::size_t>> m_packets; // the first one is in hand
+  std::size_t m_done = 0;                         // tasks of that one
   std::vector<std::string> m_results_of_round;
   bool m_has_results_of_round = false, m_has_ended = false, m_is_closed = false;
   End_of_work m_reason = End_of_work::DONE;
   std::string m_message;
   Byte_writer m_results; // that are not sent
+  std::size_t m_waiting_results = 0;
+  Task_clock m_clock; // of the tasks that they are of
   Clock::time_point m_heard = Clock::now(), m_last_look = m_heard, m_last_sign = m_heard;
 
 public:
@@ -70,28 +73,14 @@ public:
     message.add(m_round);
     send(message.take());
     while (!m_has_results_of_round) {
-      look(m_tasks.empty());
-      if (m_has_ended)
-        throw Work_has_ended();
-      if (m_tasks.empty()) {
-        send_results();
+      if (m_packets.empty())
         wait();
-        continue;
-      }
-      const std::size_t task = m_tasks.front();
-      m_tasks.pop_front();
-      const Task_result result = Task_result::of(task, run_task);
+      else
+        look(false);
       if (m_has_ended)
         throw Work_has_ended();
-      ++m_report.tasks[m_mail.rank()];
-      m_report.busy_seconds[m_mail.rank()] += result.busy_seconds;
-      if (m_results.size() == 0) {
-        m_results = message_about(Subject::RESULTS);
-        m_results.add(m_round);
-      }
-      result.write(m_results);
-      if (m_results.size() > size_of_results || m_tasks.empty())
-        send_results();
+      if (!m_packets.empty())
+        run_next(run_task);
     }
   }
 
@@ -99,8 +88,10 @@ public:
                                             const std::function<bool()>&) override
   {
     run(run_task);
-    m_tasks.clear();
-    m_results.take();
+    m_packets.clear();
+    m_done = 0;
+    m_results.clear();
+    m_waiting_results = 0;
     m_has_results_of_round = false;
     ++m_round;
     return std::move(m_results_of_round);
@@ -137,8 +128,8 @@ private:
 
   void wait()
   {
-    look(true);
     std::this_thread::sleep_for(std::chrono::microseconds(50));
+    look(true);
   }
 
   void send(const std::string& message)
@@ -149,10 +140,36 @@ private:
       throw std::runtime_error("Spline_constraints_d: rank 0 cannot be reached");
   }
 
+  // The next task of the packet in hand.
+  void run_next(const std::function<std::string(std::size_t)>& run_task)
+  {
+    if (m_waiting_results == 0)
+      m_clock = {};
+    Task_result::of(m_packets.front()[m_done], run_task).write(m_results);
+    if (m_has_ended)
+      throw Work_has_ended();
+    ++m_waiting_results;
+    if (++m_done < m_packets.front().size())
+      return;
+    m_packets.pop_front();
+    m_done = 0;
+    send_results();
+  }
+
   void send_results()
   {
-    if (m_results.size() > 0)
-      send(m_results.take());
+    if (m_waiting_results == 0)
+      return;
+    const Time_of_tasks time = m_clock.time_of(std::exchange(m_waiting_results, 0));
+    m_report.tasks[m_mail.rank()] += time.count;
+    m_report.busy_seconds[m_mail.rank()] += time.busy_seconds;
+    Byte_writer message = message_about(Subject::RESULTS);
+    message.add(m_round);
+    time.write(message);
+    message.append(m_results.bytes());
+    m_results.clear();
+    send(message.take());
+    m_clock = {};
   }
 
   // Now and then, or now.
@@ -181,8 +198,7 @@ private:
     switch (static_cast<Subject>(bytes.get<int>())) {
     case Subject::TASKS:
       if (bytes.get<std::size_t>() == m_round)
-        for (const std::size_t task : bytes.get<std::vector<std::size_t>>())
-          m_tasks.push_back(task);
+        bytes.read(m_packets.emplace_back());
       break;
     case Subject::ROUND:
       if (bytes.get<std::size_t>() == m_round) {

@@ -20,15 +20,16 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-Which of the tasks 0, ..., count - 1 are next. They are dealt out in order, in chunks that are a share of what is left,
-so that they are large first and single tasks at the end, and are as long as a second at most. What was given back is
-dealt out again, before the others; a task that several have done counts once.
+Which of the tasks 0, ..., count - 1 are next. They are dealt out in order, in packets that are a share of what is left,
+so that they are large first and small at the end, by the mean time of the tasks so far as long as a second at most, and
+at least as many tasks as take longer than to send their results. What was given back is dealt out again, before the
+others; a task that several have done counts once.
 */
 class Task_dealer
 {
-  static constexpr std::size_t chunks_of_rest = 8; // for each rank
-  static constexpr std::size_t first_chunk = 16;   // at most, before it is known how long tasks take
-  static constexpr double seconds_of_chunk = 1;
+  static constexpr std::size_t packets_of_rest = 8; // for each rank
+  static constexpr std::size_t first_packet = 16;   // at most, before it is known how long tasks take
+  static constexpr double most_seconds = 1, least_seconds = 2e-4;
 
   std::vector<char> m_is_done;
   std::deque<std::size_t> m_given_back;
@@ -47,13 +48,13 @@ public:
   // None of the tasks before `end` is left.
   bool is_finished() const { return m_left == 0; }
 
-  std::vector<std::size_t> next_chunk()
+  std::vector<std::size_t> next_packet()
   {
-    std::vector<std::size_t> chunk;
-    for (std::size_t size = size_of_chunk(); size > 0; --size)
+    std::vector<std::size_t> packet;
+    for (std::size_t size = size_of_packet(); size > 0; --size)
       if (const auto task = next_task())
-        chunk.push_back(*task);
-    return chunk;
+        packet.push_back(*task);
+    return packet;
   }
 
   std::optional<std::size_t> next_task()
@@ -69,15 +70,14 @@ public:
     return m_next < m_end ? std::optional(m_next++) : std::nullopt;
   }
 
-  // False for a task that was done before, or is not wanted any more.
-  bool finish(std::size_t task, double seconds)
+  // So long did some of the tasks take.
+  void add_time(std::size_t count, double seconds)
   {
+    m_timed += count;
     m_seconds += seconds;
-    ++m_timed;
-    return mark_as_done(task);
   }
 
-  // The same for one whose result was known.
+  // False for a task that was done before, or is not wanted any more.
   bool mark_as_done(std::size_t task)
   {
     if (task >= m_end || is_done(task))
@@ -99,14 +99,17 @@ public:
   }
 
 private:
-  std::size_t size_of_chunk() const
+  std::size_t size_of_packet() const
   {
-    const std::size_t share = (m_end - m_next) / (chunks_of_rest * m_ranks);
+    const std::size_t left = (m_next < m_end ? m_end - m_next : 0) + m_given_back.size(),
+                      share = left / (packets_of_rest * m_ranks);
     if (m_timed == 0)
-      return (std::max)(std::size_t(1), (std::min)(share, first_chunk));
-    const double in_time = seconds_of_chunk * static_cast<double>(m_timed) / (std::max)(m_seconds, 1e-9);
-    return in_time < static_cast<double>(share) ? (std::max)(std::size_t(1), static_cast<std::size_t>(in_time))
-                                                : (std::max)(std::size_t(1), share);
+      return std::clamp(share, std::size_t(1), first_packet);
+    const auto count_in = [&](double seconds) {
+      const double count = seconds * static_cast<double>(m_timed) / (std::max)(m_seconds, 1e-9);
+      return (std::max)(std::size_t(1), static_cast<std::size_t>((std::min)(count, static_cast<double>(left))));
+    };
+    return std::clamp(share, count_in(least_seconds), count_in(most_seconds));
   }
 };
 

@@ -35,7 +35,6 @@ struct Task_result
 {
   std::size_t task = 0;
   Outcome_kind kind = Outcome_kind::RESULT;
-  double seconds = 0, busy_seconds = 0; // on the wall, and of the processor
   std::string bytes = {};
 
   // Runs a task.
@@ -44,8 +43,6 @@ struct Task_result
   {
     Task_result result;
     result.task = task;
-    const auto start = std::chrono::steady_clock::now();
-    const std::clock_t processor = std::clock();
     try {
       result.bytes = run(task);
     } catch (const Invalid_input& error) {
@@ -55,8 +52,6 @@ struct Task_result
       result.kind = Outcome_kind::OTHER_EXCEPTION;
       result.bytes = error.what();
     }
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.busy_seconds = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
     return result;
   }
 
@@ -64,8 +59,6 @@ struct Task_result
   {
     bytes_to.add(task);
     bytes_to.add(static_cast<int>(kind));
-    bytes_to.add(seconds);
-    bytes_to.add(busy_seconds);
     bytes_to.add(std::string_view(bytes));
   }
 
@@ -74,10 +67,46 @@ struct Task_result
     Task_result result;
     from.read(result.task);
     result.kind = static_cast<Outcome_kind>(from.get<int>());
-    from.read(result.seconds);
-    from.read(result.busy_seconds);
     from.read(result.bytes);
     return result;
+  }
+};
+
+// How long some tasks took. To ask for the time of the processor takes as long as a tenth of a small task: it is asked
+// once for a packet of them.
+struct Time_of_tasks
+{
+  std::size_t count = 0;
+  double seconds = 0, busy_seconds = 0; // on the wall, and of the processor
+
+  void write(Byte_writer& to) const
+  {
+    to.add(count);
+    to.add(seconds);
+    to.add(busy_seconds);
+  }
+
+  static Time_of_tasks read(Byte_reader& from)
+  {
+    Time_of_tasks result;
+    from.read(result.count);
+    from.read(result.seconds);
+    from.read(result.busy_seconds);
+    return result;
+  }
+};
+
+// Takes the time of tasks, from when it is made.
+class Task_clock
+{
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+  std::clock_t m_processor = std::clock();
+
+public:
+  Time_of_tasks time_of(std::size_t count) const
+  {
+    return {count, std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(),
+            static_cast<double>(std::clock() - m_processor) / CLOCKS_PER_SEC};
   }
 };
 
@@ -85,7 +114,7 @@ struct Task_result
 enum class Subject
 {
   READY,   // for the tasks of a round, which follows
-  RESULTS, // the round, and results
+  RESULTS, // the round, the time of the tasks, and their results
   ALIVE,   // nothing else
   LEAVES,  // the last message of a rank
   TASKS,   // the round, and indices

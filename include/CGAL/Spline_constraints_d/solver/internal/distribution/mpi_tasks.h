@@ -84,19 +84,22 @@ inline void deal_out(Mpi_mail& mail, std::size_t count, const std::string& name,
       });
     Task_result failed;
     failed.task = (std::numeric_limits<std::size_t>::max)();
+    const Receiver_of_results receiver{[&](Task_result result) {
+                                         if (result.kind != Outcome_kind::RESULT) {
+                                           tasks.drop_from(result.task); // the others have smaller indices
+                                           failed = std::move(result);
+                                           return;
+                                         }
+                                         if (journal && !dealer.is_stopped())
+                                           journal->add(result.task, result.bytes);
+                                         receive(result.task, std::move(result.bytes));
+                                       },
+                                       [&] {
+                                         if (journal)
+                                           journal->flush();
+                                       }};
     dealer.run(
-        tasks, [&](std::size_t i) { return task(i, dealer); },
-        [&](Task_result result) {
-          if (result.kind != Outcome_kind::RESULT) {
-            tasks.drop_from(result.task); // all that are still done have smaller indices
-            failed = std::move(result);
-            return;
-          }
-          if (journal && !dealer.is_stopped())
-            journal->add(result.task, result.bytes);
-          receive(result.task, std::move(result.bytes));
-        },
-        [&] { return dealer.stop(); });
+        tasks, [&](std::size_t i) { return task(i, dealer); }, receiver, [&] { return dealer.stop(); });
     if (failed.kind == Outcome_kind::RESULT)
       return std::pair(tasks.is_finished() ? End_of_work::DONE : End_of_work::STOPPED, std::string());
     return std::pair(failed.kind == Outcome_kind::INVALID_INPUT ? End_of_work::INVALID_INPUT
