@@ -22,7 +22,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -64,7 +63,7 @@ class Mpi_dealer : public Round_distribution
   std::size_t m_round = 0;
   Task_dealer* m_tasks = nullptr; // of the round in hand
   Receiver_of_results m_receiver;
-  Clock::time_point m_last_look = Clock::now(), m_last_sign = m_last_look, m_last_report = m_last_look;
+  Clock::time_point m_heard = Clock::now(), m_last_look = m_heard, m_last_sign = m_heard, m_last_report = m_heard;
   bool m_is_stopped = false;
 
 public:
@@ -175,12 +174,12 @@ private:
   void wait_for_mail()
   {
     receive_mail();
-    std::this_thread::sleep_for(std::chrono::microseconds(50));
+    wait_since(m_heard);
   }
 
   void wait()
   {
-    std::this_thread::sleep_for(std::chrono::microseconds(50));
+    wait_since(m_heard);
     look(true);
   }
 
@@ -234,7 +233,7 @@ private:
   void receive(int rank, const std::string& message)
   {
     Peer& peer = m_peers[rank];
-    peer.heard = Clock::now();
+    m_heard = peer.heard = Clock::now();
     peer.is_silent = false;
     Byte_reader bytes(message);
     switch (static_cast<Subject>(bytes.get<int>())) {

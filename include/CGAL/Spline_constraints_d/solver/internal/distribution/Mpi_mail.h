@@ -14,6 +14,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -22,12 +23,22 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// Waits a little for the next message. The longer there was none, the longer: the processor is left to others, and what
+// comes is seen after an eighth of the time that it took at most.
+inline void wait_since(std::chrono::steady_clock::time_point last_message)
+{
+  using std::chrono::microseconds;
+  const auto waited = std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - last_message);
+  std::this_thread::sleep_for(std::clamp(waited / 8, microseconds(50), microseconds(1000)));
+}
 
 /*
 Messages between ranks of which one may die at any time. Nothing here waits for another rank. Messages travel as a

@@ -20,7 +20,6 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -128,7 +127,7 @@ private:
 
   void wait()
   {
-    std::this_thread::sleep_for(std::chrono::microseconds(50));
+    wait_since(m_heard);
     look(true);
   }
 
