@@ -7,7 +7,8 @@ mpirun -n 2 survey_ranks [rounds = 5] [part of a name]
 What all ranks of MPI gain over one, for batches of small, of middling and of mixed systems, and for the boxes of one
 hard system. Each is solved by rank 0 alone and by all in turns; prints the least times on the wall and the efficiency,
 which is the time alone divided by the time together and by the number of ranks. The efficiency by processor time has
-the time of the rank that worked most; it leaves waiting out, and so what other programs on the machine take.
+the time of the rank that worked most; it leaves waiting out, and so what other programs on the machine take. Of these
+times it is the medians, as other programs make a core now faster and now slower.
 */
 
 #include "solver_test_systems.h"
@@ -20,12 +21,12 @@ the time of the rank that worked most; it leaves waiting out, and so what other 
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -56,6 +57,20 @@ static void wait_for_all(const mpi::communicator& world)
     MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
 }
 
+// On the wall.
+static double least(const std::vector<Times>& times)
+{
+  return std::ranges::min(times, {}, &Times::on_the_wall).on_the_wall;
+}
+
+// Of the processor.
+static double median(std::vector<Times> times)
+{
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::ranges::nth_element(times, middle, {}, &Times::of_the_processor);
+  return middle->of_the_processor;
+}
+
 static std::string part_of_names;
 
 // `alone` is called by rank 0, `together` by all.
@@ -65,25 +80,20 @@ static void compare(const std::string& name, int rounds, const std::function<voi
   if (name.find(part_of_names) == std::string::npos)
     return;
   const mpi::communicator world;
-  constexpr double never = (std::numeric_limits<double>::max)();
-  Times least_alone{never, never}, least_together{never, never};
-  const auto keep_least = [](Times& least, const Times& times) {
-    least.on_the_wall = (std::min)(least.on_the_wall, times.on_the_wall);
-    least.of_the_processor = (std::min)(least.of_the_processor, times.of_the_processor);
-  };
+  std::vector<Times> all_alone, all_together;
   for (int round = 0; round < rounds; ++round) {
     if (world.rank() == 0)
-      keep_least(least_alone, times_of(alone));
+      all_alone.push_back(times_of(alone));
     wait_for_all(world);
-    Times times = times_of(together);
+    Times& times = all_together.emplace_back(times_of(together));
     times.of_the_processor = mpi::all_reduce(world, times.of_the_processor, mpi::maximum<double>());
-    keep_least(least_together, times);
   }
-  if (world.rank() == 0)
-    std::cout << std::left << std::setw(28) << name << std::right << std::setw(9) << least_alone.on_the_wall << " s"
-              << std::setw(9) << least_together.on_the_wall << " s, efficiency "
-              << least_alone.on_the_wall / least_together.on_the_wall / world.size() << ", by processor time "
-              << least_alone.of_the_processor / least_together.of_the_processor / world.size() << std::endl;
+  if (world.rank() != 0)
+    return;
+  const double least_alone = least(all_alone), least_together = least(all_together);
+  std::cout << std::left << std::setw(28) << name << std::right << std::setw(9) << least_alone << " s" << std::setw(9)
+            << least_together << " s, efficiency " << least_alone / least_together / world.size()
+            << ", by processor time " << median(all_alone) / median(all_together) / world.size() << std::endl;
 }
 
 static void compare_batches(const std::string& name, int rounds, const std::vector<System>& systems)

@@ -79,7 +79,7 @@ class Mpi_mail
 
 public:
   // To be called by all ranks together.
-  explicit Mpi_mail(const boost::mpi::communicator& ranks) : m_ranks(ranks, boost::mpi::comm_duplicate)
+  explicit Mpi_mail(const boost::mpi::communicator& ranks) : m_ranks(copy_of(ranks), boost::mpi::comm_take_ownership)
   {
     MPI_Comm_set_errhandler(m_ranks, MPI_ERRORS_RETURN);
   }
@@ -154,6 +154,23 @@ public:
   }
 
 private:
+  // Unlike MPI_Comm_dup(), it leaves the core to others while some rank is late.
+  static MPI_Comm copy_of(const boost::mpi::communicator& ranks)
+  {
+    constexpr int tests_at_once = 100;
+    const auto start = std::chrono::steady_clock::now();
+    MPI_Comm copy = MPI_COMM_NULL;
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Comm_idup(ranks, &copy, &request);
+    int is_there = 0;
+    for (int tests = 0; is_there == 0; ++tests) {
+      MPI_Test(&request, &is_there, MPI_STATUS_IGNORE);
+      if (is_there == 0 && tests > tests_at_once)
+        wait_since(start);
+    }
+    return copy;
+  }
+
   // None as well when MPI only says that a connection has broken, without the rank.
   bool has_piece(MPI_Status& status)
   {
