@@ -31,6 +31,15 @@ TEST(Soak, NothingLostAndNothingExtra)
   EXPECT_EQ(Soak_report::read(report.text()).text(), report.text());
 }
 
+// Two roots close to each other: more precision encloses one of them a second time, in a box that is tiny on three axes
+// alone and lies in no region.
+TEST(Soak, RootInAThinBoxIsThereOnce)
+{
+  const Soak_comparison comparison(22573);
+  EXPECT_EQ(comparison.problem().planted.size(), 12u);
+  EXPECT_EQ(comparison.counts()[Soak_counts::LOST] + comparison.counts()[Soak_counts::EXTRA], 0u);
+}
+
 // What is not a solution, and a solution that was not planted, are found out.
 TEST(Soak, FindsWhatIsWrong)
 {

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -185,6 +186,11 @@ private:
       std::tie(region.lower[j], region.upper[j]) =
           dyadic_hull<Exact_rational>(below(region.lower[j], margin), above(region.upper[j], margin), 300);
     }
+    return holds_one_root(region);
+  }
+
+  bool holds_one_root(Certified_region<Exact_rational>& region) const
+  {
     using Certification = Piecewise_certification<Exact_rational>;
     if (Certification(m_layout, m_source).certify(region) == Certification::ONE_ROOT)
       return true;
@@ -233,11 +239,17 @@ private:
       open.push_back({task.lower, task.upper, reason, task.cell});
     merge_boxes_that_meet(open);
     std::vector<Solution_d<Exact_rational>> reported;
-    for (const auto& root : roots.roots())
-      if (!is_known(root)) {
-        report_root<Number>(root, reported);
-        m_climbed.push_back(root);
+    for (const auto& root : roots.roots()) {
+      if (is_known(root))
+        continue;
+      if (meets_known(root.enclosure)) {
+        if (!is_same_as_known(root)) // or else it may be another one: not to be counted
+          open.push_back(open_box(root.enclosure));
+        continue;
       }
+      report_root<Number>(root, reported);
+      m_climbed.push_back(root);
+    }
     for (const auto& solution : reported)
       solutions.emplace_back(solution, bits);
     return std::move(open);
@@ -251,6 +263,54 @@ private:
     };
     return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) ||
         std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+  }
+
+  bool meets_known(const Exact_box& box) const
+  {
+    const auto meets = [&](const auto& known) { return meet(box, known.enclosure); };
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), meets) ||
+        std::any_of(m_climbed.begin(), m_climbed.end(), meets);
+  }
+
+  // The least box around the enclosures of the root and of a known one that meet, a little wider, holds only one.
+  bool is_same_as_known(const Found_root<Exact_rational>& root) const
+  {
+    const auto is_same = [&](const auto& known) {
+      if (!meet(root.enclosure, known.enclosure))
+        return false;
+      Certified_region<Exact_rational> region;
+      for (std::size_t j = 0; j < root.enclosure.size(); ++j) {
+        const Exact_rational first(known.enclosure[j].first), second(known.enclosure[j].second);
+        const Exact_rational lower = (std::min)(root.enclosure[j].first, first),
+                             upper = (std::max)(root.enclosure[j].second, second), margin = (upper - lower) / 8;
+        region.lower.push_back(lower - margin);
+        region.upper.push_back(upper + margin);
+      }
+      return holds_one_root(region);
+    };
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) ||
+        std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+  }
+
+  Box open_box(const Exact_box& enclosure) const
+  {
+    Box result{{}, {}, Undecided_reason::TOLERANCE, {}};
+    for (const auto& [lower, upper] : enclosure) {
+      result.lower.push_back(lower);
+      result.upper.push_back(upper);
+    }
+    result.cell = m_source.cell_of(std::span<const Exact_rational>(result.lower));
+    return result;
+  }
+
+  template <class Box_of_numbers, class Other_box>
+  static bool meet(const Box_of_numbers& a, const Other_box& b)
+  {
+    for (std::size_t j = 0; j < a.size(); ++j)
+      if (Exact_rational(a[j].second) < Exact_rational(b[j].first) ||
+          Exact_rational(b[j].second) < Exact_rational(a[j].first))
+        return false;
+    return true;
   }
 
   template <class Box_of_numbers, class Other_box>
