@@ -105,17 +105,12 @@ private:
 
   Field::Number value_at(const Point& point) const
   {
-    std::vector<Point> powers;
-    for (const Field::Number x : point) {
-      powers.emplace_back(1, 1);
-      for (std::size_t k = 0; k < m_degree; ++k)
-        powers.back().push_back(powers.back().back() * x % Field::prime);
-    }
     Field::Number sum = 0;
     for (const auto& [monomial, coefficient] : m_terms) {
       Field::Number term = coefficient;
       for (const auto& [unknown, exponent] : monomial->powers)
-        term = term * powers[static_cast<std::size_t>(unknown)][static_cast<std::size_t>(exponent)] % Field::prime;
+        for (int k = 0; k < exponent; ++k)
+          term = term * point[static_cast<std::size_t>(unknown)] % Field::prime;
       sum += term;
     }
     return sum % Field::prime;
