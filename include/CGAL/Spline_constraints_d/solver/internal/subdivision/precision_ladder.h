@@ -255,27 +255,30 @@ private:
     return std::move(open);
   }
 
-  // A root that was certified in double, or on a higher rung, beside the open box.
+  // Whether it is so for a root that was certified in double, or on a higher rung, beside the open box.
+  template <class Predicate>
+  bool is_any_known(const Predicate& predicate) const
+  {
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), predicate) ||
+        std::any_of(m_climbed.begin(), m_climbed.end(), predicate);
+  }
+
   bool is_known(const Found_root<Exact_rational>& root) const
   {
-    const auto is_same = [&](const auto& known) {
+    return is_any_known([&](const auto& known) {
       return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region);
-    };
-    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) ||
-        std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+    });
   }
 
   bool meets_known(const Exact_box& box) const
   {
-    const auto meets = [&](const auto& known) { return meet(box, known.enclosure); };
-    return std::any_of(m_known.roots().begin(), m_known.roots().end(), meets) ||
-        std::any_of(m_climbed.begin(), m_climbed.end(), meets);
+    return is_any_known([&](const auto& known) { return meet(box, known.enclosure); });
   }
 
   // The least box around the enclosures of the root and of a known one that meet, a little wider, holds only one.
   bool is_same_as_known(const Found_root<Exact_rational>& root) const
   {
-    const auto is_same = [&](const auto& known) {
+    return is_any_known([&](const auto& known) {
       if (!meet(root.enclosure, known.enclosure))
         return false;
       Certified_region<Exact_rational> region;
@@ -287,9 +290,7 @@ private:
         region.upper.push_back(upper + margin);
       }
       return holds_one_root(region);
-    };
-    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) ||
-        std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+    });
   }
 
   Box open_box(const Exact_box& enclosure) const
