@@ -40,6 +40,14 @@ TEST(Soak, RootInAThinBoxIsThereOnce)
   EXPECT_EQ(comparison.counts()[Soak_counts::LOST] + comparison.counts()[Soak_counts::EXTRA], 0u);
 }
 
+// Gradients at an open box are so nearly dependent that 256 bits do not tell a pivot from zero.
+TEST(Soak, GradientsThatRoundingCannotTellApart)
+{
+  const Soak_comparison comparison(580490);
+  EXPECT_EQ(comparison.counts()[Soak_counts::SYSTEMS], 1u);
+  EXPECT_EQ(comparison.counts()[Soak_counts::LOST] + comparison.counts()[Soak_counts::EXTRA], 0u);
+}
+
 // What is not a solution, and a solution that was not planted, are found out.
 TEST(Soak, FindsWhatIsWrong)
 {

@@ -80,8 +80,9 @@ inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_po
     for (std::size_t j = 0; j < n && longest > 0 && longest < HUGE_VAL; ++j)
       rows[i * (n + m) + j] = Mpfr_interval(Exact_rational(jets.gradient(i, j).midpoint() / Exact_rational(longest)));
   }
+  // what rounding cannot tell from zero is no pivot
   const auto size = [](const Mpfr_interval& x) {
-    return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0;
+    return x.is_bounded() && CGAL::is_certain(x.sign()) ? std::abs(CGAL::to_double(x.midpoint())) : 0.0;
   };
   return gauss_jordan(rows, n + m, n, rank, size).empty() ? std::vector<Mpfr_interval>() : rows;
 }
