@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Box_shaving.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Constraint_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Determining_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Preconditioned_rows.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
@@ -68,6 +69,7 @@ class Depth_first_propagation
   Krawczyk_test m_krawczyk_test;
   Univariate_interval_polynomial m_polynomial;
   Box_of_ranges m_box, m_before;
+  std::vector<char> m_is_determining;
   std::vector<double> m_rating;
   std::vector<std::pair<int, double>> m_smear; // of the unknowns of the constraint in hand
   std::vector<int> m_shaved;                   // unknowns
@@ -85,8 +87,14 @@ public:
   Depth_first_propagation(const Sparse_system& system, const Block_order& blocks, Run_control& control)
     : m_system(system), m_blocks(blocks), m_control(control), m_check([this] { m_control.check(); }),
       m_propagation(system), m_shaving(m_propagation, m_check), m_rows(system, m_check),
-      m_krawczyk_test(m_rows, !system.is_polynomial())
-  {}
+      m_krawczyk_test(m_rows, !system.is_polynomial()), m_is_determining(system.dimension(), 0)
+  {
+    for (const Equation_block& block : blocks.blocks()) {
+      const Determining_unknowns determining(system, block);
+      for (const int j : determining.unknowns())
+        m_is_determining[j] = 1;
+    }
+  }
 
   Depth_first_propagation(const Depth_first_propagation&) = delete;
   Depth_first_propagation& operator=(const Depth_first_propagation&) = delete;
@@ -280,7 +288,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::open_block() const
 // The one with the largest rating of those of the first open block that are not much better known than others there.
 CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::unknown_to_split()
 {
-  constexpr double well_known = 0.01;
+  constexpr double well_known = 0.01, preference = 10;
   rate_unknowns();
   const int block = open_block();
   const double least = well_known * largest_ignorance(block);
@@ -288,7 +296,9 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::unknown_to_split()
   double best = -1;
   for (int j = 0; j < unknowns_to_split(); ++j)
     if (m_blocks.block(j) == block && may_be_split(m_box[j]) && ignorance(j) >= least)
-      if (const double rating = m_rating[j] * std::sqrt(std::sqrt(ignorance(j))); result < 0 || rating > best) {
+      if (const double rating =
+              m_rating[j] * (m_is_determining[j] != 0 ? preference : 1) * std::sqrt(std::sqrt(ignorance(j)));
+          result < 0 || rating > best) {
         result = j;
         best = rating;
       }
