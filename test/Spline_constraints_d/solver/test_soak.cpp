@@ -48,6 +48,15 @@ TEST(Soak, GradientsThatRoundingCannotTellApart)
   EXPECT_EQ(comparison.counts()[Soak_counts::LOST] + comparison.counts()[Soak_counts::EXTRA], 0u);
 }
 
+// Four roots so close to each other that 128 bits leave boxes open. One box is beside a root of another box: it holds
+// none.
+TEST(Soak, RootBesideABoxIsNotInIt)
+{
+  const Soak_comparison comparison(689866);
+  EXPECT_EQ(comparison.problem().planted.size(), 4u);
+  EXPECT_EQ(comparison.counts()[Soak_counts::LOST] + comparison.counts()[Soak_counts::EXTRA], 0u);
+}
+
 // What is not a solution, and a solution that was not planted, are found out.
 TEST(Soak, FindsWhatIsWrong)
 {

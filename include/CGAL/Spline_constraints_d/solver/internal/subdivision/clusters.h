@@ -112,7 +112,8 @@ std::vector<Exact_rational> rational_solution_in(const Constraint_system_d& syst
   return satisfies(system, point) ? point : std::vector<Exact_rational>();
 }
 
-// A solution in a small box, in the interior of the domain, with some rational coordinates, if that can be proved.
+// A solution in a small box, in the interior of the domain, with some rational coordinates, if that can be proved; one
+// that is only near the box may be that of another box.
 // Chance puts a rational of about log2(1/width) bits into any range: only clearly shorter ones are tried.
 template <class Coordinate>
 Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& system, const Open_box<Coordinate>& box)
@@ -130,7 +131,12 @@ Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& 
   }
   const std::vector<Exact_rational> lower(box.lower.begin(), box.lower.end()),
       upper(box.upper.begin(), box.upper.end());
-  return partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
+  Partly_rational_solution result =
+      partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
+  for (std::size_t j = 0; j < lower.size(); ++j)
+    if (result.is_proved() && (result.lower[j] < lower[j] || upper[j] < result.upper[j]))
+      return none;
+  return result;
 }
 
 /*
