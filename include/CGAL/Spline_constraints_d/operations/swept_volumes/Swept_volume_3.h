@@ -66,7 +66,8 @@ public:
   {}
 
   //! the boundary, closed, with normals that point outwards. Edges and vertices where it touches itself are there once
-  //! for each part of the inside that meets there.
+  //! for each part of the inside that meets there. Handles thinner than the chord error are closed by two disks in the
+  //! same place, if the center of the disk is proved to be on the other side.
   const Mesh& mesh() const { return m_mesh; }
 
   //! how far the triangles are from the boundary: the chord error that was asked for, or what was measured if that is

@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Boundary_of_cells.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Shell_samples.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Simple_cells.h>
+#include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/Thin_handles.h>
 #include <CGAL/Spline_constraints_d/operations/swept_volumes/internal/arrangement/features_away.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -42,6 +43,7 @@ class Cell_labels
   std::vector<bool> m_is_inside;
   std::vector<std::pair<std::size_t, double>> m_thin; // shells, and bounds of their depths
   std::vector<std::vector<std::size_t>> m_clusters;   // of thin cells
+  Boundary_of_cells::Mesh m_mesh;
   std::vector<Thin_cell> m_thin_cells;
   std::vector<Undecided_part> m_undecided;
   double m_chord_error;
@@ -57,10 +59,12 @@ public:
       label(shell, samples, is_swept);
     join_thin_cells();
     find_clusters();
-    check_thin_cells(samples, choose_thin_cells(is_swept), is_swept);
+    choose_thin_cells(is_swept);
+    check_thin_cells(samples, is_swept);
   }
 
-  const std::vector<bool>& is_inside() const { return m_is_inside; }
+  // The boundary of what is swept, without thin handles that are proved to be wrong.
+  Boundary_of_cells::Mesh& mesh() { return m_mesh; }
   const std::vector<Thin_cell>& thin_cells() const { return m_thin_cells; }
   const std::vector<Undecided_part>& undecided() const { return m_undecided; }
 
@@ -190,26 +194,42 @@ private:
 
   // The simplest boundary that is found when thin cells begin as their neighbours are, all outside, and all inside.
   // What it has besides one sphere is doubtful where thin cells are near.
-  Topology choose_thin_cells(Sweep_membership& is_swept)
+  void choose_thin_cells(Sweep_membership& is_swept)
   {
-    Topology result = simplify(is_swept);
+    Topology result = close_handles(simplify(is_swept), is_swept);
     std::vector<bool> chosen = m_is_inside;
+    Boundary_of_cells::Mesh simplest = m_mesh;
     for (const bool is_inside : {false, true}) {
       if (result.complexity() <= m_of_sphere)
         break;
       for (const auto& [shell, depth] : m_thin)
         m_is_inside[shell] = is_inside;
-      const Topology other = simplify(is_swept);
+      const Topology other = close_handles(simplify(is_swept), is_swept);
       if (other.complexity() < result.complexity()) {
         result = other;
         chosen = m_is_inside;
+        simplest = m_mesh;
       }
     }
     m_is_inside = std::move(chosen);
+    m_mesh = std::move(simplest);
     if (result.complexity() > m_of_sphere && !is_swept.must_stop() &&
-        !has_all_features_away(Boundary_of_cells(m_complex, m_shells, m_is_inside)(), result, beside_thin_cells()))
+        !has_all_features_away(m_mesh, result, beside_thin_cells()))
       m_undecided.push_back({{}, {}, "the topology of the boundary depends on thin cells"});
-    return result;
+  }
+
+  // Makes the mesh, and closes its wrong handles. The topology of the result.
+  Topology close_handles(Topology topology, Sweep_membership& is_swept)
+  {
+    m_mesh = Boundary_of_cells(m_complex, m_shells, m_is_inside)();
+    if (topology.complexity() <= m_of_sphere || is_swept.must_stop())
+      return topology;
+    Thin_handles handles(std::move(m_mesh), m_chord_error);
+    topology.characteristic += 2 * handles.close([&](const Boundary_of_cells::Mesh::Point& p) {
+      return is_swept.must_stop() ? std::nullopt : is_swept({p.x(), p.y(), p.z()});
+    });
+    m_mesh = handles.mesh();
+    return topology;
   }
 
   // What is near thin cells that are not pushed in and out easily, and may be more than a cavity inside.
@@ -230,8 +250,9 @@ private:
 
   // Tells which thin cells could change the topology of the boundary; but for cells that are thinner than points are
   // rounded.
-  void check_thin_cells(const Shell_samples& samples, const Topology& topology, Sweep_membership& is_swept)
+  void check_thin_cells(const Shell_samples& samples, Sweep_membership& is_swept)
   {
+    const Topology before = topology();
     const std::vector<Double_kernel::Point_3> places = places_of_shells();
     const Simple_cells is_simple(m_complex, m_shells, m_is_inside);
     for (const auto& [shell, depth] : m_thin) {
@@ -246,7 +267,7 @@ private:
       if (is_inside && (*is_inside == m_is_inside[shell] || leads_to_deep_cell(p, *is_inside, samples, is_swept)))
         continue;
       flip(shell);
-      if (!(this->topology() == topology))
+      if (!(topology() == before))
         add_undecided(p, "the boundary may have another topology at a thin cell");
       flip(shell);
     }

@@ -185,10 +185,10 @@ CGAL_SPLINE_CONSTRAINTS_INLINE Swept_volume_3 swept_volume_of(const std::vector<
       const Triangle_shells shells(*complex);
       if (!shells.is_closed())
         undecided.push_back({{}, {}, "the triangles do not bound cells"});
-      const Cell_labels labels(*complex, shells, fineness.chord_error, membership);
+      Cell_labels labels(*complex, shells, fineness.chord_error, membership);
       add_undecided(labels.undecided());
       thin_cells = labels.thin_cells();
-      mesh = Boundary_of_cells(*complex, shells, labels.is_inside())();
+      mesh = std::move(labels.mesh());
     }
   }
   if (budget.must_stop())
