@@ -40,7 +40,7 @@ TEST(Random_swept_solid, against_certified_points)
   EXPECT_EQ(complete, 5);
 }
 
-// At the end of a crease triangles of two sheets may leave a slit, through which a handle goes that the truth has not.
+// Triangles of two sheets that are near each other may leave a slit, with a handle that the truth has not.
 TEST(Random_swept_solid, thin_handles)
 {
   for (const unsigned seed : {18u, 30u}) { // which had one each
