@@ -92,16 +92,17 @@ double distance_from_surface(const Function& f, const Point& from)
   return std::sqrt(CGAL::squared_distance(from, p));
 }
 
+// Of middles of triangles and of edges: where a surface bends to both sides it is far from edges alone.
 double measured_error(const Function& f, const Mesh& mesh)
 {
   double result = 0;
+  const auto add = [&](const Point& p) { result = (std::max)(result, distance_from_surface(f, p)); };
   for (const auto face : mesh.faces()) {
     const auto h = mesh.halfedge(face);
-    result = (std::max)(result,
-                        distance_from_surface(f,
-                                              CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                                             mesh.point(mesh.target(mesh.next(h))))));
+    add(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
   }
+  for (const auto e : mesh.edges())
+    add(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   return result;
 }
 

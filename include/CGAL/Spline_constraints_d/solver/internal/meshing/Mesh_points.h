@@ -62,6 +62,7 @@ public:
     constexpr double infinity = std::numeric_limits<double>::infinity();
     m_options = {.chord_error = infinity, .angle = angle, .edge_length = infinity};
   }
+  bool has_angle_only() const { return !std::isfinite(m_options.chord_error); }
   Surface_points& surface() { return m_surface; }
   Surface_image& image() { return m_image; }
   std::size_t size() const { return m_points.size(); }
@@ -134,8 +135,8 @@ public:
     const double length = std::sqrt(CGAL::squared_distance(p, q)), distance = distance_from_chord(p, middle, q);
     const bool is_flat =
         8 * distance <= m_options.angle * length; // a circle turns by 8 times its sagitta over the chord
-    const bool is_tiny = std::isfinite(m_options.chord_error) &&
-        (distance <= share * m_options.chord_error || length <= m_options.chord_error);
+    const bool is_tiny =
+        !has_angle_only() && (distance <= share * m_options.chord_error || length <= m_options.chord_error);
     return distance <= m_options.chord_error && length <= m_options.edge_length &&
         (is_flat || is_tiny || is_rounding(distance));
   }

@@ -81,11 +81,23 @@ public:
     return m_triangulation.dimension() == 2;
   }
 
+  // The chords of the boundary that the surface is too far from.
+  std::set<Chord> steep_chords()
+  {
+    std::set<Chord> result;
+    for (const auto& edge : m_triangulation.constrained_edges()) {
+      const Chord chord = chord_of(edge);
+      if (!m_points.is_near_chord(m_patch, chord.first, chord.second))
+        result.insert(chord);
+    }
+    return result;
+  }
+
   // Adds points until all triangles are fine. The chords of the boundary that have to be halved before they can be so.
   std::set<Chord> refine()
   {
     constexpr int most_rounds = 24;
-    std::set<Chord> coarse = steep_chords();
+    std::set<Chord> coarse;
     for (int round = 0; round < most_rounds; ++round) {
       mark_inside();
       std::vector<std::size_t> added;
@@ -160,17 +172,6 @@ private:
   {
     return std::minmax(edge.first->vertex(Triangulation::ccw(edge.second))->info(),
                        edge.first->vertex(Triangulation::cw(edge.second))->info());
-  }
-
-  std::set<Chord> steep_chords()
-  {
-    std::set<Chord> result;
-    for (const auto& edge : m_triangulation.constrained_edges()) {
-      const Chord chord = chord_of(edge);
-      if (!m_points.is_near_chord(m_patch, chord.first, chord.second))
-        result.insert(chord);
-    }
-    return result;
   }
 
   // A point that splits an edge which is not fine. Where the surface above it is beyond the boundary of the patch,

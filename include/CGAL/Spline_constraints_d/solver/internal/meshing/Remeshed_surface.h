@@ -32,6 +32,7 @@ struct Remeshed_vertex
   std::size_t patch;           // whose polynomials are used there
   std::vector<int> fixed = {}; // the unknowns that the features at the vertex fix
   bool is_corner = false;      // features end or turn there, so that it stays
+  bool is_singular = false;    // the surface has no normal there; a corner, too
   double length = 0;           // that edges should have
   double longest = 0;          // that they may have while the mesh is coarser than it should be
   Surface_differentials_3::Vector normal{0, 0, 0};
@@ -72,6 +73,14 @@ protected:
   // where edges turn by 1 at most. With 0 it goes on up to rounding.
   double m_enough = 0.01;
 
+  // Distances from the surface that were measured, of edges and faces by their indices.
+  struct Measured
+  {
+    double distance = 0;
+    bool is_fine = true, is_known = false;
+  };
+  std::vector<Measured> m_edges, m_faces;
+
 private:
   double m_longest;
 
@@ -90,19 +99,27 @@ protected:
   const Unknowns& unknowns(Vertex v) const { return m_result.unknowns[v]; }
   bool is_feature(Edge e) const { return m_result.is_feature[e]; }
 
-  void describe(Vertex v) { describe(v, m_points.image().differentials(data(v).patch, unknowns(v))); }
+  void describe(Vertex v)
+  {
+    describe(v,
+             data(v).is_singular ? Surface_image::no_differentials()
+                                 : m_points.image().differentials(data(v).patch, unknowns(v)));
+  }
 
   void describe(Vertex v, const Surface_differentials_3& own)
   {
     const Surface_mesh_options& options = m_points.options();
-    const double curvature = (std::max)(std::abs(own.curvatures[0]), std::abs(own.curvatures[1]));
-    // the middle of an equilateral triangle is l^2 / 6 times the curvature away; edges are longer by a third at most
-    constexpr double margin = 0.9, share = 4; // see Mesh_points::is_fine()
-    constexpr double greatest_angle = 0.6;    // of edges while the mesh is coarser
+    const auto [least, greatest] = own.curvatures;
+    const double curvature = (std::max)(std::abs(least), std::abs(greatest));
+    // the middle of an edge is l^2 / 8 times the curvature away, that of an equilateral triangle l^2 / 6 times the mean
+    // one; few edges are much longer than they should be, and split in the end
+    const double distance = (std::max)(curvature / 8, std::abs(least + greatest) / 12);
+    constexpr double margin = 0.95, share = 4; // see Mesh_points::is_fine()
+    constexpr double greatest_angle = 0.6;     // of edges while the mesh is coarser
     double length = (std::min)(options.edge_length, m_longest);
     data(v).longest = m_longest;
     if (curvature > 0) {
-      const double of_error = margin * std::sqrt(6 * options.chord_error / curvature);
+      const double of_error = margin * std::sqrt(options.chord_error / distance);
       length = (std::min)({length, of_error, (std::max)(margin * options.angle / curvature, of_error / share)});
       data(v).longest = (std::min)(m_longest, greatest_angle / curvature);
     }
@@ -184,9 +201,21 @@ protected:
     return m_points.is_fine(m_mesh.point(m_mesh.source(h)), m_middle.image, m_mesh.point(m_mesh.target(h)));
   }
 
+  // The edge and the triangles beside it change.
+  void forget(Edge e)
+  {
+    if (m_edges.empty())
+      return;
+    m_edges[e] = {};
+    for (const Halfedge h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+      if (!m_mesh.is_border(h))
+        m_faces[m_mesh.face(h)] = {};
+  }
+
   // At m_middle.
   Vertex split(Edge e)
   {
+    forget(e);
     const bool is_on_feature = is_feature(e);
     const Halfedge h = m_mesh.halfedge(e);
     Remeshed_vertex own{m_middle.patch, fixed_along(e)};
@@ -203,6 +232,10 @@ protected:
         for (const Halfedge side : {diagonal, m_mesh.opposite(diagonal)})
           m_result.surface[m_mesh.face(side)] = m_result.surface[face];
       }
+    if (!m_edges.empty()) {
+      m_edges.resize(m_mesh.num_edges());
+      m_faces.resize(m_mesh.num_faces());
+    }
     return vertex;
   }
 

@@ -163,13 +163,20 @@ public:
     return size > 0 ? vector / size : Vector(CGAL::NULL_VECTOR);
   }
 
+  // Where the surface has no tangent plane: zero.
+  static Surface_differentials_3 no_differentials()
+  {
+    const Vector zero(0, 0, 0);
+    return {{zero, zero}, zero, {0, 0, 0}, {0, 0}, {zero, zero}};
+  }
+
   Surface_differentials_3 differentials(std::size_t patch, const Unknowns& unknowns)
   {
     if (is_level_set())
       return differentials_of_level_set(patch, unknowns);
     const Tangents tangent = tangents(patch, unknowns, 2);
     const auto& [first, second] = tangent.images;
-    Surface_differentials_3 result{};
+    Surface_differentials_3 result = no_differentials();
     const Vector cross = CGAL::cross_product(first, second);
     const double area = length(cross);
     if (!(area > 0))
@@ -201,7 +208,7 @@ private:
   Surface_differentials_3 differentials_of_level_set(std::size_t patch, const Unknowns& unknowns)
   {
     m_points.functions(patch).evaluate(unknowns, 2, m_jets);
-    Surface_differentials_3 result{};
+    Surface_differentials_3 result = no_differentials();
     const Vector gradient(m_jets.gradients[0], m_jets.gradients[1], m_jets.gradients[2]);
     const double size = length(gradient);
     if (!(size > 0))

@@ -148,14 +148,15 @@ private:
     return value == lower || value == upper;
   }
 
-  // The points of an arc behind one up to another; chords are halved once at least.
+  // The points of an arc behind one up to another; chords that have to be near are halved once at least, for their
+  // middles may be near by chance.
   void append(std::size_t a, std::size_t from, std::size_t to, int depth)
   {
     constexpr int most_depth = 24;
     const Surface_arc& arc = m_set.arcs()[a];
     if (arc.parameter >= 0 && !m_patches_of_arc[a].empty() && depth < most_depth && !m_control.must_stop(false))
       if (const std::optional<std::size_t> middle = m_points.add_between(a, m_patches_of_arc[a].front(), from, to);
-          middle && (depth == 0 || !m_points.is_fine(from, *middle, to))) {
+          middle && ((depth == 0 && !m_points.has_angle_only()) || !m_points.is_fine(from, *middle, to))) {
         append(a, from, *middle, depth + 1);
         append(a, *middle, to, depth + 1);
         return;
@@ -166,7 +167,7 @@ private:
   // In the last round arcs stay as they are, so that all patches see the same.
   void triangulate_all()
   {
-    constexpr int most_rounds = 6;
+    constexpr int most_rounds = 8;
     std::set<std::size_t> open;
     for (std::size_t p = 0; p < m_triangles.size(); ++p)
       open.insert(p);
@@ -175,8 +176,8 @@ private:
       for (const std::size_t p : open) {
         if (m_control.must_stop(true))
           break;
-        const std::set<Patch_triangulation::Chord> coarse = triangulate(p);
-        if (!coarse.empty() && round < most_rounds)
+        const std::set<Patch_triangulation::Chord> coarse = triangulate(p, round == most_rounds);
+        if (round < most_rounds)
           for (const Surface_patch::Side& side : m_set.patches()[p].boundary)
             if (halve(side.arc, coarse))
               next.insert(m_patches_of_arc[side.arc].begin(), m_patches_of_arc[side.arc].end());
@@ -203,8 +204,9 @@ private:
     return result;
   }
 
-  // Triangulates a patch. The chords of its boundary that are too long for it, all where they cross each other.
-  std::set<Patch_triangulation::Chord> triangulate(std::size_t patch)
+  // Triangulates a patch. The chords of its boundary that are too long for it, all where they cross each other. Unless
+  // this is the last round, there are triangles only where no chord is too long.
+  std::set<Patch_triangulation::Chord> triangulate(std::size_t patch, bool is_last)
   {
     if (m_set.patches()[patch].apex) {
       m_triangles[patch] = cone_of(patch);
@@ -215,8 +217,11 @@ private:
     std::set<Patch_triangulation::Chord> coarse;
     m_triangles[patch].clear();
     if (triangulation.set_boundary(loop)) {
-      coarse = triangulation.refine();
-      m_triangles[patch] = triangulation.triangles();
+      coarse = triangulation.steep_chords();
+      if (coarse.empty() || is_last)
+        coarse.merge(triangulation.refine());
+      if (coarse.empty() || is_last)
+        m_triangles[patch] = triangulation.triangles();
     } else
       for (std::size_t k = 0; k < loop.size(); ++k)
         coarse.insert(std::minmax(loop[k], loop[(k + 1) % loop.size()]));

@@ -52,19 +52,19 @@ public:
       m_enough = m_enough_of_moves = 0;
     for (const Vertex v : m_mesh.vertices())
       describe(v);
+    reserve();
     for (const double coarseness : {4.0, 2.0, 1.0}) {
+      if (m_control.must_stop(true))
+        break;
       m_coarseness = coarseness;
-      constexpr int iterations = 2;
-      for (int k = 0; k < iterations && !m_control.must_stop(true); ++k) {
-        if (k == 0 || coarseness > 1) {
-          split_long_edges();
-          collapse_short_edges();
-        }
-        flip_edges();
-        smooth();
-      }
-      m_mesh.collect_garbage();
+      split_long_edges();
+      collapse_short_edges();
+      flip_edges();
+      smooth();
     }
+    flip_edges();
+    smooth();
+    m_mesh.collect_garbage();
     if (!is_exact && !move_to_surface())
       return false;
     for (const Vertex v : m_mesh.vertices())
@@ -77,22 +77,24 @@ public:
   // the edges that are not fine, and the longest ones of triangles whose middle is too far from the surface.
   std::vector<Edge> measure_error()
   {
-    constexpr double enough = 0.05;
+    constexpr double enough = 0.02;
     const double enough_before = std::exchange(m_enough, enough);
+    m_edges.resize(m_mesh.num_edges());
+    m_faces.resize(m_mesh.num_faces());
     std::vector<Edge> coarse;
     m_result.error = 0;
     for (const Face face : m_mesh.faces()) {
-      const double distance = distance_at_middle(face);
-      m_result.error = (std::max)(m_result.error, distance);
-      if (distance > m_points.options().chord_error)
+      const Measured& own = measured(face);
+      m_result.error = (std::max)(m_result.error, own.distance);
+      if (!own.is_fine)
         coarse.push_back(longest_edge(face));
     }
-    for (const Edge e : m_mesh.edges())
-      if (find_middle(e)) {
-        m_result.error = (std::max)(m_result.error, distance_of_middle(e));
-        if (!is_fine_with_middle(e))
-          coarse.push_back(e);
-      }
+    for (const Edge e : m_mesh.edges()) {
+      const Measured& own = measured(e);
+      m_result.error = (std::max)(m_result.error, own.distance);
+      if (!own.is_fine)
+        coarse.push_back(e);
+    }
     m_enough = enough_before;
     std::sort(coarse.begin(), coarse.end());
     coarse.erase(std::unique(coarse.begin(), coarse.end()), coarse.end());
@@ -100,6 +102,40 @@ public:
   }
 
 private:
+  // Room for about as many vertices as there will be: equilateral triangles have areas of 0.43 times their squared
+  // edges, and there are two of them for a vertex.
+  void reserve()
+  {
+    double vertices = 0;
+    for (const Face face : m_mesh.faces()) {
+      const auto [a, b, c] = corners_of(face);
+      const double length = (std::min)({data(a).length, data(b).length, data(c).length});
+      vertices +=
+          Surface_image::length(normal_of(m_mesh.point(a), m_mesh.point(b), m_mesh.point(c))) / (length * length);
+    }
+    constexpr double margin = 0.7, most = 1e7;
+    const auto count = static_cast<Mesh::size_type>((std::min)(most, margin * vertices));
+    m_mesh.reserve(count, 3 * count, 2 * count);
+  }
+
+  const Measured& measured(Face face)
+  {
+    Measured& own = m_faces[face];
+    if (!own.is_known) {
+      const double distance = distance_at_middle(face);
+      own = {distance, distance <= m_points.options().chord_error, true};
+    }
+    return own;
+  }
+
+  const Measured& measured(Edge e)
+  {
+    Measured& own = m_edges[e];
+    if (!own.is_known)
+      own = find_middle(e) ? Measured{distance_of_middle(e), is_fine_with_middle(e), true} : Measured{0, true, true};
+    return own;
+  }
+
   static Vector normal_of(const Point& a, const Point& b, const Point& c) { return CGAL::cross_product(b - a, c - a); }
 
   // Whether a triangle with these corners faces the side that the normals of its vertices do.
@@ -227,6 +263,7 @@ private:
     for (int pass = 0; pass < most_passes && std::exchange(has_changed, false); ++pass)
       for (const Edge e : m_mesh.edges())
         if (!m_mesh.is_border(e) && !is_feature(e) && is_better_flipped(m_mesh.halfedge(e))) {
+          forget(e);
           CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh);
           has_changed = true;
         }

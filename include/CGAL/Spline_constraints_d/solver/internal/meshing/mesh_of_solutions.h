@@ -12,19 +12,15 @@
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/internal/meshing/Mesh_crossings.h>
 #include <CGAL/Spline_constraints_d/solver/internal/meshing/Mesh_points.h>
 #include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_mesher.h>
 #include <CGAL/Spline_constraints_d/solver/internal/meshing/Surface_remesher.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -72,7 +68,8 @@ public:
   }
 
 private:
-  // Whether it is remeshed and embedded, if that is so in the space of the unknowns; otherwise it is as it was before.
+  // Whether it is remeshed and embedded, if that is so in the space of the unknowns; otherwise, unless it began coarse,
+  // it is as it was before.
   bool remesh(Solution_surface_mesh& result, bool begins_coarse)
   {
     constexpr double angle = 1;
@@ -82,64 +79,16 @@ private:
     m_points.set_options(m_options);
     if (!m_options.is_remeshed)
       return false;
-    Solution_surface_mesh before = result;
+    std::optional<Solution_surface_mesh> before;
+    if (!begins_coarse)
+      before = result;
     if (Surface_remesher(result, m_points, m_vertices, m_control).run(!begins_coarse) &&
-        (m_points.surface().dimension() != 3 || !crosses_itself(result)))
+        (m_points.surface().dimension() != 3 || !Mesh_crossings(result, m_set).exist()))
       return true;
-    result = std::move(before);
-    m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
-    return false;
-  }
-
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-  // The points of the vertices in a kernel whose predicates are exact.
-  struct Points_for_predicates
-  {
-    using key_type = Vertex;
-    using value_type = Kernel::Point_3;
-    using reference = Kernel::Point_3;
-    using category = boost::readable_property_map_tag;
-
-    const Mesh* mesh;
-
-    friend Kernel::Point_3 get(const Points_for_predicates& map, Vertex v)
-    {
-      const auto& point = map.mesh->point(v);
-      return {point.x(), point.y(), point.z()};
+    if (before) {
+      result = *std::move(before);
+      m_vertices = result.mesh.add_property_map<Vertex, Remeshed_vertex>("v:remeshing").first;
     }
-  };
-
-  // Whether triangles of one system meet elsewhere than in common vertices and edges, and in singular points, of which
-  // each fan has a vertex of its own.
-  bool crosses_itself(const Solution_surface_mesh& result) const
-  {
-    const Mesh& mesh = result.mesh;
-    const auto system = [&](Mesh::Face_index face) { return m_set.surfaces()[result.surface[face]].system; };
-    std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-    Polygon_mesh_processing::self_intersections(
-        mesh, std::back_inserter(pairs),
-        CGAL::parameters::vertex_point_map(Points_for_predicates{&mesh}).geom_traits(Kernel()));
-    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
-      return system(pair.first) == system(pair.second) && !meet_in_a_corner_only(mesh, pair.first, pair.second);
-    });
-  }
-
-  static std::array<Kernel::Point_3, 3> corners_of(const Mesh& mesh, Mesh::Face_index face)
-  {
-    const auto h = mesh.halfedge(face);
-    const auto point = [&](Vertex v) { return get(Points_for_predicates{&mesh}, v); };
-    return {point(mesh.source(h)), point(mesh.target(h)), point(mesh.target(mesh.next(h)))};
-  }
-
-  static bool meet_in_a_corner_only(const Mesh& mesh, Mesh::Face_index first, Mesh::Face_index second)
-  {
-    std::array<Kernel::Point_3, 3> p = corners_of(mesh, first), q = corners_of(mesh, second);
-    for (int i = 0; i < 3; ++i, std::rotate(p.begin(), p.begin() + 1, p.end()))
-      for (int k = 0; k < 3; ++k, std::rotate(q.begin(), q.begin() + 1, q.end()))
-        if (p[0] == q[0]) // each opposite edge misses the other triangle
-          return !CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), Kernel::Triangle_3(q[0], q[1], q[2])) &&
-              !CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), Kernel::Triangle_3(p[0], p[1], p[2]));
     return false;
   }
 
@@ -212,8 +161,10 @@ private:
     for (std::size_t k = 0; k < copies.size(); ++k)
       apexes.push_back(m_points.size() + k);
     for (const std::size_t i : apexes)
-      if (const Vertex v = m_vertex_of[i]; v != Mesh::null_vertex())
-        m_vertices[v].is_corner = true;
+      if (const Vertex v = m_vertex_of[i]; v != Mesh::null_vertex()) {
+        m_vertices[v].is_corner = m_vertices[v].is_singular = true;
+        result.differentials[v] = Surface_image::no_differentials(); // not those of a gradient that is rounding errors
+      }
   }
 
   // The edge between two points, or a copy of one; null if there is none.
