@@ -148,15 +148,15 @@ private:
     return value == lower || value == upper;
   }
 
-  // The points of an arc behind one up to another; chords that have to be near are halved once at least, for their
-  // middles may be near by chance.
+  // The points of an arc behind one up to another; chords are halved once at least, for their middles may be near by
+  // chance.
   void append(std::size_t a, std::size_t from, std::size_t to, int depth)
   {
     constexpr int most_depth = 24;
     const Surface_arc& arc = m_set.arcs()[a];
     if (arc.parameter >= 0 && !m_patches_of_arc[a].empty() && depth < most_depth && !m_control.must_stop(false))
       if (const std::optional<std::size_t> middle = m_points.add_between(a, m_patches_of_arc[a].front(), from, to);
-          middle && ((depth == 0 && !m_points.has_angle_only()) || !m_points.is_fine(from, *middle, to))) {
+          middle && (depth == 0 || !m_points.is_fine(from, *middle, to))) {
         append(a, from, *middle, depth + 1);
         append(a, *middle, to, depth + 1);
         return;
