@@ -114,7 +114,7 @@ Counts checked_labels(const SC::Trimmed_envelope_surface_3& trimmed, const First
   for (std::size_t i = 0; i < trimmed.untrimmed().parts().size(); ++i) {
     const SC::Envelope_part_3& part = trimmed.untrimmed().parts()[i];
     const SC::Solution_surface_mesh mesh =
-        SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.01, .angle = 10});
+        SC::to_surface_mesh(part.solutions, part.image, {.chord_error = 0.005, .angle = 10});
     for (const auto v : mesh.mesh.vertices()) {
       const Point& p = mesh.mesh.point(v);
       const std::array<double, 2> own = distances(mesh.unknowns[v], p);
