@@ -139,7 +139,8 @@ inline int print_trimmed(const CGAL::Spline_constraints::Trimmed_envelope_surfac
       corners.push_back(mesh.point(v));
     return std::sqrt(CGAL::squared_area(corners[0], corners[1], corners[2]));
   };
-  const auto labels = trimmed.mesh.property_map<Mesh::Face_index, Nearest_feet_label>("f:label").first;
+  Mesh labelled = trimmed.mesh; // finding a map is different in CGAL 6, adding one that is there is not
+  const auto labels = labelled.add_property_map<Mesh::Face_index, Nearest_feet_label>("f:label").first;
   double kept = 0, undecided = 0, all = 0;
   for (const auto f : trimmed.mesh.faces())
     (labels[f] == Nearest_feet_label::NEAREST ? kept : undecided) += area(trimmed.mesh, f);

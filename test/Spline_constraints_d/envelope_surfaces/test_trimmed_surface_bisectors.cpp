@@ -211,8 +211,8 @@ TEST(Trimmed_surface_bisectors, trough)
     least = (std::min)(least, x);
   }
   EXPECT_NEAR(least, border, 1e-4);
-  const auto labels =
-      mesh.mesh.property_map<SC::Solution_surface_mesh::Mesh::Face_index, Nearest_feet_label>("f:label").first;
+  SC::Solution_surface_mesh::Mesh labelled = mesh.mesh; // finding a map is different in CGAL 6, adding a known one not
+  const auto labels = labelled.add_property_map<CGAL::SM_Face_index, Nearest_feet_label>("f:label").first;
   EXPECT_GT(mesh.mesh.number_of_faces(), 10u);
   for (const auto f : mesh.mesh.faces())
     EXPECT_EQ(labels[f], Nearest_feet_label::NEAREST);
