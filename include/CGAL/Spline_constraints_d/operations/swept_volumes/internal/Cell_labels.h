@@ -63,7 +63,7 @@ public:
     check_thin_cells(samples, is_swept);
   }
 
-  // The boundary of what is swept, without thin handles that are proved to be wrong.
+  // The boundary of what is swept; handles that are thinner than the chord error may be closed.
   Boundary_of_cells::Mesh& mesh() { return m_mesh; }
   const std::vector<Thin_cell>& thin_cells() const { return m_thin_cells; }
   const std::vector<Undecided_part>& undecided() const { return m_undecided; }
