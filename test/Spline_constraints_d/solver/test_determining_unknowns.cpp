@@ -30,15 +30,14 @@ namespace {
 
 Power_polynomial unknown(int j) { return Power_polynomial::variable(j); }
 
-// Of the largest block.
 std::vector<int> determining_unknowns(int dimension, const Constraints& constraints)
 {
   const SC::internal::Sparse_system system(dimension, constraints, [] {});
-  const SC::internal::Block_order order(system);
-  const auto size = [](const SC::internal::Equation_block& block) { return block.unknowns().size(); };
-  const auto block = std::ranges::max_element(order.blocks(), {}, size);
-  std::vector<int> result = SC::internal::Determining_unknowns(system, *block).unknowns();
-  std::ranges::sort(result);
+  const SC::internal::Determining_unknowns determining(system, SC::internal::Block_order(system));
+  std::vector<int> result;
+  for (int j = 0; j < dimension; ++j)
+    if (determining[j])
+      result.push_back(j);
   return result;
 }
 

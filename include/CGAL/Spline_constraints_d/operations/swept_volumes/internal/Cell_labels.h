@@ -228,7 +228,7 @@ private:
     topology.characteristic += 2 * handles.close([&](const Boundary_of_cells::Mesh::Point& p) {
       return is_swept.must_stop() ? std::nullopt : is_swept({p.x(), p.y(), p.z()});
     });
-    m_mesh = handles.mesh();
+    m_mesh = std::move(handles.mesh());
     return topology;
   }
 

@@ -61,6 +61,7 @@ class Depth_first_propagation
 {
   const Sparse_system& m_system;
   const Block_order& m_blocks;
+  const Determining_unknowns& m_determining;
   Run_control& m_control;
   std::function<void()> m_check;
   Constraint_propagation m_propagation;
@@ -69,7 +70,6 @@ class Depth_first_propagation
   Krawczyk_test m_krawczyk_test;
   Univariate_interval_polynomial m_polynomial;
   Box_of_ranges m_box, m_before;
-  std::vector<char> m_is_determining;
   std::vector<double> m_rating;
   std::vector<std::pair<int, double>> m_smear; // of the unknowns of the constraint in hand
   std::vector<int> m_shaved;                   // unknowns
@@ -84,17 +84,12 @@ class Depth_first_propagation
   };
 
 public:
-  Depth_first_propagation(const Sparse_system& system, const Block_order& blocks, Run_control& control)
-    : m_system(system), m_blocks(blocks), m_control(control), m_check([this] { m_control.check(); }),
-      m_propagation(system), m_shaving(m_propagation, m_check), m_rows(system, m_check),
-      m_krawczyk_test(m_rows, !system.is_polynomial()), m_is_determining(system.dimension(), 0)
-  {
-    for (const Equation_block& block : blocks.blocks()) {
-      const Determining_unknowns determining(system, block);
-      for (const int j : determining.unknowns())
-        m_is_determining[j] = 1;
-    }
-  }
+  Depth_first_propagation(const Sparse_system& system, const Block_order& blocks,
+                          const Determining_unknowns& determining, Run_control& control)
+    : m_system(system), m_blocks(blocks), m_determining(determining), m_control(control),
+      m_check([this] { m_control.check(); }), m_propagation(system), m_shaving(m_propagation, m_check),
+      m_rows(system, m_check), m_krawczyk_test(m_rows, !system.is_polynomial())
+  {}
 
   Depth_first_propagation(const Depth_first_propagation&) = delete;
   Depth_first_propagation& operator=(const Depth_first_propagation&) = delete;
@@ -296,8 +291,7 @@ CGAL_SPLINE_CONSTRAINTS_INLINE int Depth_first_propagation::unknown_to_split()
   double best = -1;
   for (int j = 0; j < unknowns_to_split(); ++j)
     if (m_blocks.block(j) == block && may_be_split(m_box[j]) && ignorance(j) >= least)
-      if (const double rating =
-              m_rating[j] * (m_is_determining[j] != 0 ? preference : 1) * std::sqrt(std::sqrt(ignorance(j)));
+      if (const double rating = m_rating[j] * (m_determining[j] ? preference : 1) * std::sqrt(std::sqrt(ignorance(j)));
           result < 0 || rating > best) {
         result = j;
         best = rating;

@@ -10,6 +10,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PROPAGATION_DETERMINING_UNKNOWNS_H
 
 #include <CGAL/Spline_constraints_d/internal/compatibility.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Equation_block.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 
@@ -30,10 +31,10 @@ these, as what is known of the others depends on them. There are two ways to fol
 All at once: every term has at most one factor that is not among the few, which are a vertex cover of the graph of the
 unknowns that are multiplied. A third of the unknowns at most.
 
-One after the other, each by an equality that is linear in it (tearing). As long as no equality tells
-an unknown, one of those of the equality with the fewest is torn, which occurs most often. These are of use where they
-are at most a quarter of the unknowns, and one of them is in half of the equalities: in a chain, where each is in a few,
-what is far along it depends too much on them, and neighbours tell more.
+One after the other, each by an equality that is linear in it (tearing). As long as no equality tells an unknown, one of
+those of the equality with the fewest is torn, which occurs most often. These are of use where they are at most a
+quarter of the unknowns, and one of them is in half of the equalities: in a chain, where each is in a few, what is far
+along it depends too much on them, and neighbours tell more.
 */
 class Determining_unknowns
 {
@@ -44,24 +45,25 @@ class Determining_unknowns
   };
 
   const Sparse_system& m_system;
-  const Equation_block& m_block;
-  std::vector<char> m_is_open; // those of the block that do not follow yet
-  std::vector<Equality> m_equalities;
-  std::vector<std::vector<int>> m_equalities_of; // unknowns
-  std::set<std::pair<std::size_t, int>> m_queue; // equalities with open unknowns, by their number
-  std::vector<int> m_unknowns;
+  std::vector<char> m_is_determining;
+  std::vector<char> m_is_open;                               // of the block in hand, and does not follow yet
+  std::vector<std::vector<int>> m_partners, m_equalities_of; // of unknowns
+  std::vector<std::size_t> m_open_partners;
+  std::vector<Equality> m_equalities;            // of the block in hand
+  std::set<std::pair<std::size_t, int>> m_queue; // of these, those with open unknowns, by their number
+  std::vector<int> m_few;
 
 public:
-  // In O(e log n + n^2) for n unknowns and e occurrences of pairs of them in terms.
-  Determining_unknowns(const Sparse_system& system, const Equation_block& block);
+  // In O(e log n + n^2) for the n unknowns of the largest block and e occurrences of pairs of unknowns in terms.
+  Determining_unknowns(const Sparse_system& system, const Block_order& order);
 
-  // None where those that were found are of no use.
-  const std::vector<int>& unknowns() const { return m_unknowns; }
+  // Whether it is one of few.
+  bool operator[](int unknown) const { return m_is_determining[unknown] != 0; }
 
 private:
-  bool cover_products();
-  std::vector<std::vector<int>> multiplied_unknowns() const;
-  bool tear();
+  bool cover_products(const Equation_block& block);
+  void find_partners(const Equation_block& block);
+  bool tear(const Equation_block& block);
   void add_equality(int constraint);
   bool follow_unknown();
   int unknown_to_tear() const;
@@ -70,50 +72,53 @@ private:
 
 #ifndef CGAL_SPLINE_CONSTRAINTS_COMPILED
 CGAL_SPLINE_CONSTRAINTS_INLINE Determining_unknowns::Determining_unknowns(const Sparse_system& system,
-                                                                          const Equation_block& block)
-  : m_system(system), m_block(block), m_is_open(system.dimension(), 0), m_equalities_of(system.dimension())
+                                                                          const Block_order& order)
+  : m_system(system), m_is_determining(system.dimension(), 0), m_is_open(system.dimension(), 0),
+    m_partners(system.dimension()), m_equalities_of(system.dimension()), m_open_partners(system.dimension(), 0)
 {
-  for (const int j : block.unknowns())
-    m_is_open[j] = 1;
-  if (cover_products() || tear())
-    return;
-  m_unknowns.clear();
+  for (const Equation_block& block : order.blocks()) {
+    for (const int j : block.unknowns())
+      m_is_open[j] = 1;
+    if (cover_products(block) || tear(block))
+      for (const int j : m_few)
+        m_is_determining[j] = 1;
+    for (const int j : block.unknowns())
+      m_is_open[j] = 0;
+  }
 }
 
 // Greedily, those first that are multiplied by themselves or by most others; whether few are enough.
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Determining_unknowns::cover_products()
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Determining_unknowns::cover_products(const Equation_block& block)
 {
   constexpr std::size_t part = 3;
-  std::vector<std::vector<int>> partners = multiplied_unknowns();
-  std::vector<std::size_t> open_partners(partners.size(), 0);
-  for (const int j : m_block.unknowns()) {
-    const bool is_own_partner = std::ranges::binary_search(partners[j], j);
-    open_partners[j] = is_own_partner ? partners.size() + 1 : partners[j].size();
+  m_few.clear();
+  find_partners(block);
+  for (const int j : block.unknowns()) {
+    const bool is_own_partner = std::ranges::binary_search(m_partners[j], j);
+    m_open_partners[j] = is_own_partner ? m_partners.size() + 1 : m_partners[j].size();
   }
   for (;;) {
-    const auto next = std::ranges::max_element(open_partners);
-    if (*next == 0)
+    const int next = *std::ranges::max_element(block.unknowns(), {}, [this](int j) { return m_open_partners[j]; });
+    if (m_open_partners[next] == 0)
       return true;
-    if (part * (m_unknowns.size() + 1) > m_block.unknowns().size())
+    if (part * (m_few.size() + 1) > block.unknowns().size())
       return false;
-    const int unknown = static_cast<int>(next - open_partners.begin());
-    m_unknowns.push_back(unknown);
-    *next = 0;
-    for (const int other : partners[unknown])
-      if (open_partners[other] > 0)
-        --open_partners[other];
+    m_few.push_back(next);
+    m_open_partners[next] = 0;
+    for (const int other : m_partners[next])
+      if (m_open_partners[other] > 0)
+        --m_open_partners[other];
   }
 }
 
-// Of each unknown those of the block in a term with it, in ascending order; itself where it has a power.
-CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::vector<int>> Determining_unknowns::multiplied_unknowns() const
+// Of each unknown of the block those in a term with it, in ascending order; itself where it has a power.
+CGAL_SPLINE_CONSTRAINTS_INLINE void Determining_unknowns::find_partners(const Equation_block& block)
 {
-  std::vector<std::vector<int>> result(m_system.dimension());
   const auto add = [&](int i, int j) {
     if (m_is_open[i] != 0 && m_is_open[j] != 0)
-      result[i].push_back(j);
+      m_partners[i].push_back(j);
   };
-  for (const int i : m_block.equalities()) {
+  for (const int i : block.equalities()) {
     for (const auto& part : m_system.parts(i))
       if (part.degree > 1)
         add(part.unknown, part.unknown);
@@ -127,26 +132,27 @@ CGAL_SPLINE_CONSTRAINTS_INLINE std::vector<std::vector<int>> Determining_unknown
           if (f != g || m_system.factor(f).exponent > 1)
             add(m_system.factor(f).unknown, m_system.factor(g).unknown);
   }
-  for (std::vector<int>& partners : result) {
-    std::ranges::sort(partners);
-    partners.erase(std::ranges::unique(partners).begin(), partners.end());
+  for (const int j : block.unknowns()) {
+    std::ranges::sort(m_partners[j]);
+    m_partners[j].erase(std::ranges::unique(m_partners[j]).begin(), m_partners[j].end());
   }
-  return result;
 }
 
 // Whether few are enough, and one of them is in many equalities.
-CGAL_SPLINE_CONSTRAINTS_INLINE bool Determining_unknowns::tear()
+CGAL_SPLINE_CONSTRAINTS_INLINE bool Determining_unknowns::tear(const Equation_block& block)
 {
   constexpr std::size_t part = 4, part_of_equalities = 2;
-  m_unknowns.clear();
-  for (const int i : m_block.equalities())
+  m_few.clear();
+  m_equalities.clear();
+  m_queue.clear();
+  for (const int i : block.equalities())
     add_equality(i);
-  while (!m_queue.empty() && part * m_unknowns.size() <= m_block.unknowns().size())
+  while (!m_queue.empty() && part * m_few.size() <= block.unknowns().size())
     if (!follow_unknown()) {
-      m_unknowns.push_back(unknown_to_tear());
-      set_known(m_unknowns.back());
+      m_few.push_back(unknown_to_tear());
+      set_known(m_few.back());
     }
-  return part * m_unknowns.size() <= m_block.unknowns().size() && std::ranges::any_of(m_unknowns, [this](int j) {
+  return part * m_few.size() <= block.unknowns().size() && std::ranges::any_of(m_few, [this](int j) {
            return part_of_equalities * m_equalities_of[j].size() >= m_equalities.size();
          });
 }

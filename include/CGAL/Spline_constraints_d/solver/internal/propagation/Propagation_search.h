@@ -17,6 +17,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/control/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Block_order.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Depth_first_propagation.h>
+#include <CGAL/Spline_constraints_d/solver/internal/propagation/Determining_unknowns.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Krawczyk_test.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Sparse_system.h>
 #include <CGAL/Spline_constraints_d/solver/internal/propagation/Waiting_boxes.h>
@@ -44,6 +45,7 @@ class Propagation_search
 {
   const Sparse_system& m_system;
   Block_order m_blocks;
+  Determining_unknowns m_determining;
   const Solver_options& m_options;
   Run_control& m_control;
   Parallel_loop m_loop;
@@ -60,8 +62,8 @@ class Propagation_search
 public:
   Propagation_search(const Sparse_system& system, const Solver_options& options, Run_control& control,
                      const Parallel_loop& loop)
-    : m_system(system), m_blocks(system), m_options(options), m_control(control), m_loop(loop),
-      m_tolerance(options.tolerance)
+    : m_system(system), m_blocks(system), m_determining(system, m_blocks), m_options(options), m_control(control),
+      m_loop(loop), m_tolerance(options.tolerance)
   {}
 
   // Looks at all of a box.
@@ -179,7 +181,7 @@ Propagation_search::outcomes_of_round(const std::vector<Task>& tasks)
     const Mpfr_precision_scope precision(m_options.precision);
     std::unique_ptr<Depth_first_propagation>& worker = m_workers[slot];
     if (worker == nullptr)
-      worker = std::make_unique<Depth_first_propagation>(m_system, m_blocks, m_control);
+      worker = std::make_unique<Depth_first_propagation>(m_system, m_blocks, m_determining, m_control);
     const Task& task = tasks[i < trials ? i : i - trials];
     Propagation_limits limits = task.limits;
     limits.uses_slices = limits.uses_slices != (i < trials);

@@ -58,7 +58,7 @@ public:
     return result;
   }
 
-  const Mesh& mesh() const { return m_mesh; }
+  Mesh& mesh() { return m_mesh; }
 
 private:
   template <class Is_swept>
